@@ -1,0 +1,71 @@
+# How everything of ours is compiled, and one function for each kind of folder.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug or Asan" FORCE)
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_DEBUG "-O0 -g")
+set(amble_sanitizers "-fsanitize=address,undefined -fno-sanitize-recover=undefined")
+set(CMAKE_CXX_FLAGS_ASAN "-O1 -g1 -fno-omit-frame-pointer ${amble_sanitizers}")
+set(CMAKE_EXE_LINKER_FLAGS_ASAN "${amble_sanitizers}")
+
+find_program(AMBLE_CCACHE ccache)
+if(AMBLE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${AMBLE_CCACHE}")
+endif()
+
+# Flags of every target of ours. Fused multiply-add would make results depend on the compiler.
+function(amble_flags target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
+                                           $<$<BOOL:${AMBLE_WERROR}>:-Werror>)
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}")
+endfunction()
+
+# The library amble_<folder>, as amble::<folder>, of every .cpp in this folder.
+#   USES     our libraries to the left
+#   PRIVATE  third-party libraries, whose headers stay in the .cpp files
+function(amble_library folder)
+  cmake_parse_arguments(arg "" "" "USES;PRIVATE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS "*.cpp")
+  file(GLOB headers CONFIGURE_DEPENDS "*.h")
+  if(NOT sources)  # not written yet: a library needs one source
+    set(sources "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")
+    file(CONFIGURE OUTPUT "${sources}" CONTENT "")
+  endif()
+  set(target amble_${folder})
+  add_library(${target} STATIC ${sources} ${headers})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder} LINKER_LANGUAGE CXX)
+  add_library(amble::${folder} ALIAS ${target})
+  amble_flags(${target})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                              $<INSTALL_INTERFACE:include/amble>)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen ${arg_USES} PRIVATE ${arg_PRIVATE})
+  install(TARGETS ${target} EXPORT amble-targets)
+  install(FILES ${headers} DESTINATION include/amble/${folder})
+endfunction()
+
+# The program amble_<folder>_tests of tests/<folder>/*.cpp. It is linked to that folder's library only, so that
+# a test which reaches to the right does not link.
+#   PRIVATE  third-party libraries whose headers the tests include
+function(amble_tests folder)
+  cmake_parse_arguments(arg "" "" "PRIVATE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp" "${folder}/*.h")
+  if(NOT sources MATCHES "_test\\.cpp")
+    return()
+  endif()
+  set(target amble_${folder}_tests)
+  add_executable(${target} ${sources})
+  amble_flags(${target})
+  target_compile_definitions(${target} PRIVATE AMBLE_SHARED="${AMBLE_SHARED}"
+                                               AMBLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${target} PRIVATE amble_${folder} GTest::gtest_main ${arg_PRIVATE})
+  gtest_discover_tests(${target} TEST_PREFIX "${folder}." DISCOVERY_MODE PRE_TEST
+                       PROPERTIES TIMEOUT 600)
+endfunction()
