@@ -38,12 +38,16 @@ class RootPath {
 
  private:
   struct Piece {
-    double u0, s0;  // parameter and arc length at the piece's begin
+    double u0, u1;    // parameters at the piece's ends
+    double s0;        // arc length at its begin [m]
+    double length;    // [m]
+    double heading0;  // at its begin, without jumps along the path [rad]
     int curve;
   };
+  double parameterAt(const Piece& piece, double s) const;
+
   std::vector<Bezier> curves_;
-  std::vector<Piece> pieces_;   // arc length table
-  std::vector<double> start_heading_;  // of each curve, unwrapped along the path
+  std::vector<Piece> pieces_;  // a fixed number a curve, in order of s0
   double length_ = 0.0;
 };
 
