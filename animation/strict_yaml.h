@@ -47,7 +47,7 @@ class YamlNode {
   int line() const;  ///< 1 for the first
   const std::string& file() const;
   /// Where the node hangs, for messages: `objects[2].box.size`; empty for the root.
-  const std::string& path() const;
+  std::string path() const;
 
   // Maps. All but isMap() throw InputError on a node that is not one.
 
@@ -107,10 +107,12 @@ class YamlNode {
   struct Builder;
   friend YamlNode parseYaml(const std::string& text, const std::string& name);
   explicit YamlNode(std::shared_ptr<const Data> data);
-  const Data& map(std::string_view wanted = "a map") const;
-  const std::string& scalar(std::string_view wanted) const;
+  YamlNode child(const Data* data) const;
+  const Data& data() const;
+  const Data& map() const;
+  const Data& sequence(const std::string& wanted) const;
 
-  std::shared_ptr<const Data> data_;
+  std::shared_ptr<const Data> data_;  // keeps the whole document alive
 };
 
 /// @param file  `-` is standard input. @throws InputError if it is missing, unreadable, too large
