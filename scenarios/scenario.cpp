@@ -1,0 +1,187 @@
+#include "scenarios/scenario.h"
+
+#include <fstream>
+
+#include "animation/error.h"
+#include "animation/rotation.h"
+
+namespace amble {
+namespace {
+
+constexpr double kFarthest =
+    100000.0;  // of a coordinate [m]: beyond it a place is a slip of the pen
+
+double asAngle(const YamlNode& node, double min_deg, double max_deg, const char* what) {
+  return node.asDouble(min_deg, max_deg, what) * kDegree;
+}
+
+Place readPlace(const YamlNode& node) {
+  node.requireKeys({"at", "heading"});
+  Place place;
+  const YamlNode at = node.at("at");
+  place.line = at.line();
+  const bool has_z = at.isSequence() && at.size() == 3;
+  if (!has_z && at.isSequence() && at.size() != 2) {
+    at.fail("'" + at.path() + "' has " + std::to_string(at.size()) + " numbers",
+            "[x, y], or [x, y, z] where floors lie over one another [m]");
+  }
+  const Eigen::VectorXd p = at.asVec(has_z ? 3 : 2, "place [m]", -kFarthest, kFarthest);
+  place.at = p.head<2>();
+  if (has_z) place.z = p.z();
+  if (const YamlNode heading = node["heading"]) {
+    place.heading = asAngle(heading, -360.0, 360.0, "heading [degrees]");
+  }
+  return place;
+}
+
+CharacterSpec readCharacter(const YamlNode& node) {
+  node.requireKeys({"height", "library", "max_slope", "max_climb", "max_drop"});
+  CharacterSpec character;
+  if (const YamlNode n = node["height"]) character.height = n.asDouble(0.5, 2.5, "height [m]");
+  if (const YamlNode n = node["library"]) {
+    character.library = n.asString() == "default" ? "default" : n.asPath().string();
+    character.library_line = n.line();
+  }
+  if (const YamlNode n = node["max_slope"]) {
+    character.max_slope = asAngle(n, 0.0, 45.0, "slope [degrees]");
+  }
+  if (const YamlNode n = node["max_climb"]) {
+    character.max_climb = n.asDouble(0.0, 1.0, "step height [m]");
+  }
+  if (const YamlNode n = node["max_drop"]) {
+    character.max_drop = n.asDouble(0.0, 1.0, "step height [m]");
+  }
+  return character;
+}
+
+Bounds readBounds(const YamlNode& node) {
+  node.requireKeys({"min", "max"});
+  Bounds bounds;
+  bounds.min = node.at("min").asVec(2, "corner [m]", -kFarthest, kFarthest);
+  bounds.max = node.at("max").asVec(2, "corner [m]", -kFarthest, kFarthest);
+  if (!(bounds.min.array() < bounds.max.array()).all()) {
+    node.at("max").fail("'bounds.max' is not beyond 'bounds.min'",
+                        "both of its numbers to be larger");
+  }
+  return bounds;
+}
+
+// Movements and postures beside walking have no motions in any library yet, so that none can be
+// asked for.
+void readActions(const YamlNode& node) {
+  for (const YamlNode& action : node.items()) {
+    std::string kind = "any";
+    if (action.isScalar()) kind = action.asString();
+    if (action.isMap() && action.has("kind")) kind = action.at("kind").asString();
+    if (action.isMap() && action.has("name")) kind = action.at("name").asString();
+    action.fail("no motion of kind '" + kind + "' in the library", "an empty list");
+  }
+}
+
+WalkSpec readWalk(const YamlNode& node) {
+  node.requireKeys({"speed", "from", "to", "actions"});
+  WalkSpec walk;
+  if (const YamlNode n = node["speed"]) walk.speed = n.asDouble(0.3, 2.0, "speed [m/s]");
+  if (const YamlNode n = node["from"]) {
+    walk.from_standing = n.asEnum<bool>({{"stand", true}, {"walking", false}});
+  }
+  if (const YamlNode n = node["to"]) {
+    walk.to_standing = n.asEnum<bool>({{"stand", true}, {"walking", false}});
+  }
+  if (const YamlNode n = node["actions"]) readActions(n);
+  return walk;
+}
+
+PlannerSpec readPlanner(const YamlNode& node) {
+  node.requireKeys({"name", "seed", "max_failures", "time_limit"});
+  PlannerSpec planner;
+  if (const YamlNode n = node["name"]) {
+    planner.name = n.asString();
+    planner.name_line = n.line();
+  }
+  if (const YamlNode n = node["seed"]) {
+    planner.seed = static_cast<std::uint64_t>(n.asInt(0, 2147483647, "seed"));
+  }
+  if (const YamlNode n = node["max_failures"]) {
+    planner.max_failures = n.asInt(1, 1000000, "number of failures");
+  }
+  if (const YamlNode n = node["time_limit"]) planner.time_limit = n.asPositive("time [s]", 86400.0);
+  return planner;
+}
+
+std::string readDigest(const YamlNode& node) {
+  const std::string digest = node.asString();
+  const bool hex = digest.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (digest.size() != 64 || !hex) {
+    node.fail("'" + node.path() + "' is no SHA-256", "64 lower-case hexadecimal digits");
+  }
+  return digest;
+}
+
+Expectation readExpectation(const YamlNode& node) {
+  node.requireKeys({"status", "max_length", "min_clearance", "max_foot_skate", "max_planning_time",
+                    "bvh_sha256"});
+  Expectation expect;
+  if (const YamlNode n = node["status"]) {
+    expect.status = n.asEnum<PlanStatus>({{"solved", PlanStatus::kSolved},
+                                          {"no_walk", PlanStatus::kNoWalk},
+                                          {"start_blocked", PlanStatus::kStartBlocked},
+                                          {"goal_blocked", PlanStatus::kGoalBlocked}});
+  }
+  if (const YamlNode n = node["max_length"]) expect.max_length = n.asPositive("length [m]");
+  if (const YamlNode n = node["min_clearance"]) {
+    expect.min_clearance = n.asDouble(0.0, YamlNode::kInfinity, "distance [m]");
+  }
+  if (const YamlNode n = node["max_foot_skate"]) {
+    expect.max_foot_skate = n.asDouble(0.0, YamlNode::kInfinity, "distance [m]");
+  }
+  if (const YamlNode n = node["max_planning_time"]) {
+    expect.max_planning_time = n.asPositive("time [s]");
+  }
+  if (const YamlNode n = node["bvh_sha256"]) expect.bvh_sha256 = readDigest(n);
+  return expect;
+}
+
+}  // namespace
+
+Scenario readScenario(const YamlNode& root) {
+  root.requireKeys(
+      {"scene", "character", "start", "goal", "via", "bounds", "walk", "planner", "expect"});
+  Scenario scenario;
+  scenario.file = root.file();
+  scenario.name = scenario.file == "-" ? "scenario" : scenario.file.stem().string();
+  scenario.scene = root.at("scene").asPath();
+  scenario.scene_line = root.at("scene").line();
+  if (const YamlNode n = root["character"]) scenario.character = readCharacter(n);
+  scenario.start = readPlace(root.at("start"));
+  scenario.goal = readPlace(root.at("goal"));
+  if (const YamlNode n = root["via"]) {
+    for (const YamlNode& place : n.items()) scenario.via.push_back(readPlace(place));
+  }
+  if (const YamlNode n = root["bounds"]) scenario.bounds = readBounds(n);
+  if (const YamlNode n = root["walk"]) scenario.walk = readWalk(n);
+  if (const YamlNode n = root["planner"]) scenario.planner = readPlanner(n);
+  if (const YamlNode n = root["expect"]) scenario.expect = readExpectation(n);
+  return scenario;
+}
+
+Scenario readScenario(const std::filesystem::path& file) { return readScenario(readYaml(file)); }
+
+bool isScenario(const std::filesystem::path& file) {
+  try {
+    const YamlNode root = readYaml(file);
+    return root.isMap() && root.has("scene") && root.has("start");
+  } catch (const InputError&) {
+    // Not YAML as we read it: a scenario with a slip in it must be heard of, somebody else's file
+    // must not.
+    std::ifstream in(file);
+    bool scene = false, start = false;
+    for (std::string line; std::getline(in, line);) {
+      scene |= line.starts_with("scene:");
+      start |= line.starts_with("start:");
+    }
+    return scene && start;
+  }
+}
+
+}  // namespace amble
