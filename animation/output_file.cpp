@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <system_error>
 
@@ -74,25 +75,43 @@ bool isDevice(const std::filesystem::path& file) {
          !std::filesystem::is_directory(status);
 }
 
-}  // namespace
-
-void writeFile(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
-  if (file == "-") return writeStream(std::cout, "-", write);
+// Writes all of it beside `file`, or at once where there is no beside. @return null in that case
+std::unique_ptr<TemporaryFile> prepare(const std::filesystem::path& file,
+                                       const std::function<void(std::ostream&)>& write) {
+  if (file == "-") {
+    writeStream(std::cout, "-", write);
+    return nullptr;
+  }
   if (isDevice(file)) {
     std::ofstream device(file, std::ios::binary);
     if (!device) failWriting(file, errno);
-    return writeStream(device, file, write);
+    writeStream(device, file, write);
+    return nullptr;
   }
   std::error_code unknown;
   if (std::filesystem::is_directory(file, unknown)) failWriting(file, EISDIR);
-  TemporaryFile temporary(file);
-  std::ofstream out(temporary.path(), std::ios::binary | std::ios::trunc);
+  auto temporary = std::make_unique<TemporaryFile>(file);
+  std::ofstream out(temporary->path(), std::ios::binary | std::ios::trunc);
   if (!out) failWriting(file, errno);
   writeStream(out, file, write);
   errno = 0;
   out.close();
   if (!out) failWriting(file, errno);
-  temporary.renameTo(file);
+  return temporary;
+}
+
+}  // namespace
+
+void writeFile(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
+  if (const auto temporary = prepare(file, write)) temporary->renameTo(file);
+}
+
+void writeFiles(const std::vector<ResultFile>& files) {
+  std::vector<std::unique_ptr<TemporaryFile>> prepared;
+  for (const ResultFile& each : files) prepared.push_back(prepare(each.file, each.write));
+  for (size_t i = 0; i < files.size(); ++i) {
+    if (prepared[i]) prepared[i]->renameTo(files[i].file);
+  }
 }
 
 }  // namespace amble

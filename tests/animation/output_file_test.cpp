@@ -100,5 +100,21 @@ TEST_F(OutputFile, IsNotThereBeforeItIsWhole) {
   EXPECT_TRUE(fs::exists(file));
 }
 
+TEST_F(OutputFile, FilesThatBelongTogetherAreAllThereOrNone) {
+  writeFile(folder_ / "a.txt", [](std::ostream& out) { out << "old"; });
+  const auto good = [](std::ostream& out) { out << "new"; };
+  const auto bad = [](std::ostream& out) { out.setstate(std::ios::badbit); };
+  EXPECT_THROW(writeFiles({{folder_ / "a.txt", good}, {folder_ / "b.txt", bad}}), InputError);
+  EXPECT_EQ(read(folder_ / "a.txt"), "old");
+  EXPECT_EQ(files(), 1);
+  EXPECT_THROW(writeFiles({{folder_ / "a.txt", good}, {folder_ / "none" / "b.txt", good}}),
+               InputError);
+  EXPECT_EQ(read(folder_ / "a.txt"), "old");
+  writeFiles({{folder_ / "a.txt", good}, {folder_ / "b.txt", good}});
+  EXPECT_EQ(read(folder_ / "a.txt"), "new");
+  EXPECT_EQ(read(folder_ / "b.txt"), "new");
+  EXPECT_EQ(files(), 2);
+}
+
 }  // namespace
 }  // namespace amble
