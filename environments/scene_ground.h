@@ -10,8 +10,9 @@
 
 namespace amble {
 
-/// Up-facing surfaces of `auto` and `ground` objects that are level with the floor under a given point: within
-/// `kLevel` of its height. (Slopes and stairs are not ground yet: they are obstacles.)
+/// Up-facing surfaces of `auto` and `ground` objects that are level with the floor under a given
+/// point: within `kLevel` of its height. (Slopes and stairs are not ground yet: they are
+/// obstacles.)
 class SceneGround : public Ground {
  public:
   /// How far from the floor's height a surface may lie and still be floor: rugs and thresholds [m].
@@ -36,7 +37,8 @@ class SceneGround : public Ground {
   Eigen::AlignedBox2d extent_;
 };
 
-/// Heights of every surface that could be a floor at (x, y), lowest first; those nearer than kLevel count as one [m].
+/// Heights of every surface that could be a floor at (x, y), lowest first; those nearer than kLevel
+/// count as one [m].
 std::vector<double> floors(const Scene& scene, double x, double y);
 
 }  // namespace amble
