@@ -1,16 +1,61 @@
+// The program: reads the command line, runs one command, says what is wrong in one line.
+
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <algorithm>
+#include <iostream>
+#include <new>
 
 #include "animation/error.h"
 #include "animation/version.h"
+#include "app/command.h"
+#include "app/stop.h"
 
-int main(int argc, char** argv) {
-  CLI::App app{"Plans how a person walks through a 3D scene."};
-  app.set_version_flag("--version", amble::version());
+namespace amble {
+namespace {
+
+int complain(std::string line) {
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  std::cout.flush();
+  fmt::print(stderr, "{}\n", line);
+  return kWrong;
+}
+
+int runProgram(int argc, char** argv) {
+  CLI::App app{"Plans how a person walks through a 3D scene.", "amble"};
+  app.set_version_flag("--version", version());
+  app.require_subcommand(1);
+  app.footer(
+      "Exit status: 0 a walk was found, all hold; 1 none was found, something differs; "
+      "2 the input or the use is wrong.");
+  Command chosen;
+  addInspect(app, chosen);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& wanted) {  // --help, --version
+    return app.exit(wanted);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error);
+    return complain(
+        fmt::format("amble: {}; expected a command line as amble --help has it", error.what()));
   }
-  return 0;
+  stopOnSignals();
+  return chosen();
+}
+
+}  // namespace
+}  // namespace amble
+
+int main(int argc, char** argv) {
+  try {
+    const int status = amble::runProgram(argc, argv);
+    std::cout.flush();
+    return std::cout ? status : amble::complain("-: cannot be written; expected an open output");
+  } catch (const amble::InputError& error) {
+    return amble::complain(error.what());
+  } catch (const std::bad_alloc&) {
+    return amble::complain("amble: out of memory; expected a smaller input");
+  } catch (const std::exception& error) {
+    return amble::complain(fmt::format("amble: {}", error.what()));
+  }
 }

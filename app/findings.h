@@ -1,0 +1,29 @@
+/// What `amble inspect` and `amble analyse` found in a file, for people and for machines.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace amble {
+
+struct Findings {
+  std::string file;
+  std::string kind;                                        ///< "scene", "clip", ...
+  std::vector<std::pair<std::string, std::string>> facts;  ///< label and value, for people
+  std::vector<std::string> warnings;                       ///< what is right but likely not meant
+  nlohmann::ordered_json data = nlohmann::ordered_json::object();  ///< for machines
+};
+
+/// To standard output: as text, or as one JSON list.
+void printFindings(const std::vector<Findings>& all, bool json);
+
+Findings inspectScene(const std::filesystem::path& file);
+Findings inspectMesh(const std::filesystem::path& file);
+Findings inspectClip(const std::filesystem::path& file);
+Findings inspectLibrary(const std::filesystem::path& file);
+Findings inspectScenario(const std::filesystem::path& file);
+
+}  // namespace amble

@@ -1,0 +1,141 @@
+// What `amble inspect` says of clips and motion libraries.
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "animation/bvh.h"
+#include "animation/error.h"
+#include "animation/joint_roles.h"
+#include "animation/motion_library.h"
+#include "animation/rotation.h"
+#include "app/findings.h"
+
+namespace amble {
+namespace {
+
+constexpr double kUnitSlack =
+    0.2;  // a person's leg is within this of the mean: the unit is a metre
+
+std::string orderText(const RotationOrder& order) { return {order.begin(), order.end()}; }
+
+// Joint positions of a frame, in the file's unit.
+Eigen::AlignedBox3d extentAt(const Clip& clip, int frame) {
+  std::vector<JointFrame> frames(clip.skeleton.size());
+  forwardKinematics(clip, frame, frames);
+  Eigen::AlignedBox3d box;
+  for (const JointFrame& joint : frames) box.extend(joint.p_WJ);
+  return box;
+}
+
+void describeRig(const Clip& clip, Findings& out) {
+  const Skeleton& skeleton = clip.skeleton;
+  JointRoles roles;
+  try {
+    roles = guessJointRoles(skeleton, out.file);
+  } catch (const InputError& error) {
+    out.warnings.push_back("a rig that Amble does not know by its names: " + error.problem());
+    return;
+  }
+  const double unit = guessUnit(skeleton, roles);
+  out.facts.emplace_back("unit", fmt::format("{:g} m, guessed from the legs", unit));
+  out.data["guessed_unit"] = unit;
+  if (std::abs(unit - 1.0) > kUnitSlack) {
+    out.warnings.push_back(fmt::format("not in metres; read it with --unit {:g}", unit));
+  }
+  for (const std::string& role : roleNames()) {
+    const int joint = roleJoint(roles, role);
+    if (joint >= 0) out.data["roles"][role] = skeleton.joint(joint).name;
+  }
+}
+
+void describeMotion(const Clip& clip, Findings& out) {
+  if (clip.frames() == 0) {
+    out.warnings.push_back("there are no frames");
+    return;
+  }
+  const Eigen::AlignedBox3d first = extentAt(clip, 0);
+  double travelled = 0.0;
+  for (int i = 1; i < clip.frames(); ++i) {
+    travelled += (clip.poses.p_WR(i) - clip.poses.p_WR(i - 1)).norm();
+  }
+  out.facts.emplace_back(
+      "height",
+      fmt::format("{:.4g} units from lowest to highest joint, first frame", first.sizes().z()));
+  out.facts.emplace_back(
+      "root", fmt::format("travels {:.4g} units, begins at ({:.4g}, {:.4g}, {:.4g})", travelled,
+                          clip.poses.p_WR(0).x(), clip.poses.p_WR(0).y(), clip.poses.p_WR(0).z()));
+  out.data["root_travel"] = travelled;
+  out.data["joint_height"] = first.sizes().z();
+}
+
+}  // namespace
+
+Findings inspectClip(const std::filesystem::path& file) {
+  const Clip clip = file == "-" ? readBvh(std::cin, "-") : readBvh(file);
+  Findings out{file.string(), "clip", {}, {}, {}};
+  const Skeleton& skeleton = clip.skeleton;
+  int zero = 0;
+  std::string orders;
+  for (const Joint& joint : skeleton.joints()) {
+    if (joint.parent >= 0 && joint.offset.isZero(0.0)) ++zero;
+    const std::string order = orderText(joint.order);
+    if (orders.find(order) == std::string::npos) orders += (orders.empty() ? "" : ", ") + order;
+  }
+  out.facts = {{"frames", fmt::format("{} of {:.7g} s ({:.4g} a second), {:.3f} s", clip.frames(),
+                                      clip.frame_time, 1.0 / clip.frame_time, clip.duration())},
+               {"joints", fmt::format("{}, root {}", skeleton.size(), skeleton.joint(0).name)},
+               {"rotations", orders}};
+  out.data = {{"frames", clip.frames()},
+              {"frame_time", clip.frame_time},
+              {"duration", clip.duration()},
+              {"joints", skeleton.size()}};
+  describeRig(clip, out);
+  describeMotion(clip, out);
+  if (zero > 0)
+    out.facts.emplace_back("zero-length", fmt::format("{} joints at their parent", zero));
+  if (!clip.joint_positions.empty()) {
+    out.warnings.push_back("joints other than the root move; a written BVH has them fixed");
+  }
+  return out;
+}
+
+Findings inspectLibrary(const std::filesystem::path& file) {
+  const MotionLibrary library = readMotionLibrary(file);
+  Findings out{file.string(), "motion library", {}, {}, {}};
+  out.facts = {{"name", library.name},
+               {"skeleton", fmt::format("{} joints, stature {:.2f} m", library.skeleton.size(),
+                                        library.stature)}};
+  out.data = {{"name", library.name},
+              {"joints", library.skeleton.size()},
+              {"stature", library.stature},
+              {"motions", nlohmann::ordered_json::array()}};
+  for (const Motion& motion : library.motions) {
+    const MotionSource& source = motion.source;
+    const std::string from =
+        fmt::format("{} frames {} to {}{} ({})", source.clip, source.first_frame, source.last_frame,
+                    source.mirrored ? ", mirrored" : "", source.licence);
+    nlohmann::ordered_json entry = {{"name", motion.name}};
+    std::string text = "posture; ";
+    if (motion.kind == MotionKind::kWalk) {
+      const WalkCycle& cycle = motion.cycle;
+      text =
+          fmt::format("walk, {:.3f} m/s, {:+.1f} degrees/s, period {:.3f} s, closure {:.1f} mm; ",
+                      cycle.speed, cycle.turn_rate / kDegree, cycle.period, 1000.0 * cycle.closure);
+      entry["speed"] = cycle.speed;
+      entry["turn_rate"] = cycle.turn_rate / kDegree;
+      entry["period"] = cycle.period;
+      entry["closure"] = cycle.closure;
+    }
+    entry["source"] = {{"clip", source.clip},
+                       {"frames", {source.first_frame, source.last_frame}},
+                       {"mirrored", source.mirrored},
+                       {"licence", source.licence},
+                       {"credit", source.credit}};
+    out.facts.emplace_back(motion.name, text + from);
+    out.data["motions"].push_back(std::move(entry));
+  }
+  return out;
+}
+
+}  // namespace amble
