@@ -1,0 +1,18 @@
+# Installs into a folder of its own, then configures, builds and runs the consumer project against it.
+#   -DBUILD=  build tree   -DCONSUMER=  this folder   -DWORK=  folder to work in   -DTYPE=  build type
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(REMOVE_RECURSE "${WORK}")
+run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${WORK}/prefix")
+run(${CMAKE_COMMAND} -S "${CONSUMER}" -B "${WORK}/build" -G Ninja -DCMAKE_BUILD_TYPE=${TYPE}
+    "-DCMAKE_PREFIX_PATH=${WORK}/prefix" "-DCMAKE_CXX_FLAGS=${FLAGS}")
+run(${CMAKE_COMMAND} --build "${WORK}/build")
+# Its data is the installed one: the source tree is not asked for.
+run(${CMAKE_COMMAND} -E env "AMBLE_DATA=${WORK}/prefix/share/amble" "${WORK}/build/consumer")
+run("${WORK}/prefix/bin/amble" --version)
+run("${WORK}/prefix/bin/amble" inspect
+    "${WORK}/prefix/share/amble/animation/motions/default.yaml")
+file(REMOVE_RECURSE "${WORK}")

@@ -1,0 +1,22 @@
+# No folder includes a header of one to its right (DESIGN.md, section 1), and only a folder's .cpp files include
+# third-party headers.  -DROOT=  source tree
+
+set(folders animation environments planner scenarios viz)
+set(right ${folders})
+foreach(folder ${folders})
+  list(REMOVE_ITEM right ${folder})
+  file(GLOB files "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.cpp")
+  foreach(file ${files})
+    file(STRINGS "${file}" includes REGEX "^ *#include")
+    foreach(include ${includes})
+      foreach(other ${right} app)
+        if(include MATCHES "\"${other}/")
+          message(SEND_ERROR "${file}: ${include}; expected nothing to the right of ${folder}/")
+        endif()
+      endforeach()
+      if(file MATCHES "\\.h$" AND include MATCHES "<[^>]*/" AND NOT include MATCHES "<Eigen/")
+        message(SEND_ERROR "${file}: ${include}; expected third-party headers in .cpp files only")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()

@@ -1,0 +1,25 @@
+#!/bin/bash
+# Another program's BVH reader against ours.   run.sh three|blender AMBLE PLACE_JOINTS WORK
+# Exit status 77: that program is not installed.
+set -euo pipefail
+here=$(dirname "$0") who=$1 amble=$2 place_joints=$3 work=$4
+three=${AMBLE_THREE_JS:-/usr/share/javascript/three}  # Debian's libjs-three
+
+case $who in
+  three)
+    command -v node >/dev/null && [ -e "$three/examples/js/loaders/BVHLoader.js" ] ||
+      { echo "skipped: nodejs or libjs-three is not installed"; exit 77; } ;;
+  blender)
+    command -v blender >/dev/null || { echo "skipped: blender is not installed"; exit 77; } ;;
+esac
+
+mkdir -p "$work"
+"$amble" animate --speed 1.2 --turn 25 --duration 4 -o "$work/walk.bvh"
+"$place_joints" "$work/walk.bvh" 7 >"$work/joints.txt"
+case $who in
+  three) node "$here/three.js" "$three" "$work/walk.bvh" "$work/joints.txt" ;;
+  blender)
+    "$amble" inspect --json "$here/wedge.yaml" >"$work/wedge.json"
+    blender --background --factory-startup --python "$here/blender.py" -- \
+      "$work/walk.bvh" "$work/joints.txt" "$here/wedge.obj" "$work/wedge.json" ;;
+esac
