@@ -1,0 +1,149 @@
+#include "scenarios/foot_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace amble {
+namespace {
+
+constexpr double kReach = 1.0;  // how far from a sole its ground is looked for [m]
+
+// Of a foot's capsules those from the heel to the ball: the first of its sole's, and what begins
+// where it does.
+std::vector<int> heelToBall(const Body& body, int side) {
+  std::vector<int> parts;
+  for (int i = 0; i < static_cast<int>(body.parts.size()); ++i) {
+    const BodyPart& part = body.parts[i];
+    if (part.sole != side) continue;
+    if (parts.empty() || body.parts[parts[0]].from == part.from) parts.push_back(i);
+  }
+  return parts;
+}
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+SoleTracks::SoleTracks(const Skeleton& skeleton, const Body& body, const PoseArray& poses,
+                       const Ground& ground)
+    : frames_(poses.size()) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::vector<JointFrame> joints(skeleton.size());
+  std::vector<Eigen::Vector3d> from(body.parts.size()), to(body.parts.size());
+  const auto underside = [&](const Eigen::Vector3d& centre, double radius) {
+    const auto level = ground.height(centre.x(), centre.y(), centre.z(), kReach);
+    return level ? centre.z() - radius - *level : kNone;
+  };
+  const std::array<std::vector<int>, 2> feet = {heelToBall(body, kLeft), heelToBall(body, kRight)};
+  for (int side = 0; side < 2; ++side) {
+    lowest_[side].assign(frames_, kNone);
+    centres_[side].assign(2 * static_cast<size_t>(frames_), {Eigen::Vector2d::Zero(), kNone});
+  }
+  for (int frame = 0; frame < frames_; ++frame) {
+    forwardKinematics(skeleton, poses[frame], joints);
+    placeBody(body, joints, from, to);
+    for (size_t i = 0; i < body.parts.size(); ++i) {
+      const int side = body.parts[i].sole;
+      if (side < 0) continue;
+      const double radius = body.parts[i].radius;
+      lowest_[side][frame] =
+          std::min({lowest_[side][frame], underside(from[i], radius), underside(to[i], radius)});
+    }
+    for (int side = 0; side < 2; ++side) {
+      if (feet[side].empty()) continue;
+      Eigen::Vector3d heel = Eigen::Vector3d::Zero(), ball = heel;
+      for (const int part : feet[side]) {
+        heel += from[part] / static_cast<double>(feet[side].size());
+        ball += to[part] / static_cast<double>(feet[side].size());
+      }
+      const double radius = body.parts[feet[side][0]].radius;
+      centres_[side][2 * frame] = {heel.head<2>(), underside(heel, radius)};
+      centres_[side][2 * frame + 1] = {ball.head<2>(), underside(ball, radius)};
+    }
+  }
+}
+
+double SoleTracks::slide(Side side, int first, int last) const {
+  double largest = 0.0;
+  for (int end = 0; end < 2; ++end) {
+    std::vector<double> x, y;
+    for (int frame = first; frame <= last; ++frame) {
+      const Centre& centre = centres_[side][2 * frame + end];
+      if (centre.height > kTouchHeight) continue;
+      x.push_back(centre.at.x());
+      y.push_back(centre.at.y());
+    }
+    if (x.empty()) continue;
+    const Eigen::Vector2d rest(median(x), median(y));
+    for (int frame = first; frame <= last; ++frame) {
+      const Centre& centre = centres_[side][2 * frame + end];
+      if (centre.height <= kTouchHeight) largest = std::max(largest, (centre.at - rest).norm());
+    }
+  }
+  return largest;
+}
+
+double SoleTracks::penetration() const {
+  double deepest = 0.0;
+  for (const auto& heights : lowest_) {
+    for (const double height : heights) deepest = std::max(deepest, -height);
+  }
+  return deepest;
+}
+
+std::vector<std::array<int, 2>> SoleTracks::findPlants(Side side, double frame_time, double touch,
+                                                       double speed) const {
+  constexpr double kShortest =
+      0.1;  // [s]: a foot that passes the ground in mid-swing is not planted
+  const auto rests = [&](int frame) {
+    const int next = std::min(frame + 1, frames_ - 1), before = std::max(next - 1, 0);
+    for (int end = 0; end < 2; ++end) {
+      const Centre& centre = centres_[side][2 * frame + end];
+      const Eigen::Vector2d moved =
+          centres_[side][2 * next + end].at - centres_[side][2 * before + end].at;
+      if (centre.height <= touch && moved.norm() < speed * frame_time) return true;
+    }
+    return false;
+  };
+  std::vector<std::array<int, 2>> plants;
+  for (int frame = 0; frame < frames_; ++frame) {
+    if (!rests(frame)) continue;
+    const int first = frame;
+    while (frame + 1 < frames_ && rests(frame + 1)) ++frame;
+    if ((frame - first) * frame_time >= kShortest) plants.push_back({first, frame});
+  }
+  return plants;
+}
+
+std::vector<StepReport> measureSteps(const AnimationBuffer& walk, const SoleTracks& soles) {
+  std::vector<StepReport> steps;
+  std::array<const Footprint*, 2> before = {nullptr, nullptr};
+  for (const Footprint& print : walk.footprints) {
+    StepReport step;
+    step.foot = print.side;
+    step.start = print.first_frame * walk.frame_time;
+    step.end = print.last_frame * walk.frame_time;
+    step.at = print.position;
+    step.slide = soles.slide(print.side, print.first_frame, print.last_frame);
+    const Footprint* own = before[print.side];
+    const Footprint* other = before[1 - print.side];
+    if (own != nullptr && other != nullptr) {
+      const Eigen::Vector3d d = print.position - other->position;
+      step.stride = d.x() * std::cos(print.heading) + d.y() * std::sin(print.heading);
+      step.climb = d.z();
+      for (int frame = own->last_frame; frame <= print.first_frame; ++frame) {
+        step.lift = std::max(step.lift, soles.ballHeight(print.side, frame));
+      }
+    }
+    before[print.side] = &print;
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+}  // namespace amble

@@ -1,0 +1,62 @@
+/// What feet do on the ground: where each stood, how far it drifted there, how deep it sank.
+///
+/// A foot rolls over two centres: the heel's while only the heel touches, the ball's once the heel
+/// has risen, both while the sole is flat. They are the ends of the sole's capsule on the ankle's
+/// joint, so that a centre rests while its end of the foot is planted. A slide is what it does
+/// instead: the largest horizontal distance of a centre that touches the ground from the median of
+/// its places while it did (QUALITY.md, drift per plant).
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "animation/animation_buffer.h"
+#include "animation/ground.h"
+#include "environments/body.h"
+#include "scenarios/report.h"
+
+namespace amble {
+
+/// A centre touches the ground when the sole's underside below it is no higher [m]. The foot's
+/// pitch is then a degree at most, which moves a centre that does not roll by 0.02 mm: less than
+/// what is measured.
+inline constexpr double kTouchHeight = 0.003;
+
+/// Where the soles of a motion are, frame by frame.
+class SoleTracks {
+ public:
+  /// @pre body's joints are the skeleton's.
+  SoleTracks(const Skeleton& skeleton, const Body& body, const PoseArray& poses,
+             const Ground& ground);
+
+  int frames() const { return frames_; }
+  /// The lowest underside of any of the foot's sole parts over the ground below it; +infinity where
+  /// there is no ground [m].
+  double height(Side side, int frame) const { return lowest_[side][frame]; }
+  /// The ball's centre over its height when the sole is flat on the ground [m].
+  double ballHeight(Side side, int frame) const { return centres_[side][2 * frame + 1].height; }
+  /// Largest drift of the foot's centres that touch in frames [first, last] [m]; 0 where none does.
+  double slide(Side side, int first, int last) const;
+  /// Largest depth of any sole below the ground, over all frames [m, >= 0].
+  double penetration() const;
+  /// Placings found in the motion itself: runs of frames, 0.1 s or longer, in which a centre is no
+  /// higher than `touch` and slower than `speed` [m, m/s]. A walk of ours knows its own; a motion
+  /// from elsewhere does not.
+  std::vector<std::array<int, 2>> findPlants(Side side, double frame_time, double touch,
+                                             double speed) const;
+
+ private:
+  struct Centre {
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();
+    double height = 0.0;  // of the underside over the ground
+  };
+  int frames_ = 0;
+  std::array<std::vector<double>, 2> lowest_;   // [side][frame]
+  std::array<std::vector<Centre>, 2> centres_;  // [side][2 * frame + {heel, ball}]
+};
+
+/// The placings of a walk of ours, in order.
+std::vector<StepReport> measureSteps(const AnimationBuffer& walk, const SoleTracks& soles);
+
+}  // namespace amble

@@ -1,0 +1,130 @@
+#include "scenarios/report.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "animation/rotation.h"
+
+namespace amble {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// To a nanometre: below that a number says nothing of a walk, and a last bit must not make two
+// reports differ to the eye. JSON knows no infinity.
+Json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  constexpr double kPerMetre = 1e9;
+  const double rounded = std::round(value * kPerMetre) / kPerMetre;
+  return rounded == 0.0 ? 0.0 : rounded;  // no -0
+}
+
+Json degrees(double angle) { return number(angle / kDegree); }
+
+Json vector(const Eigen::Vector3d& v) { return {number(v.x()), number(v.y()), number(v.z())}; }
+
+const char* sideName(int side) { return side == kLeft ? "left" : "right"; }
+
+Json stepsJson(const Report& report) {
+  Json steps = Json::array();
+  for (const StepReport& step : report.steps) {
+    steps.push_back({{"foot", sideName(step.foot)},
+                     {"start", number(step.start)},
+                     {"end", number(step.end)},
+                     {"at", vector(step.at)},
+                     {"stride", number(step.stride)},
+                     {"lift", number(step.lift)},
+                     {"climb", number(step.climb)},
+                     {"slide", number(step.slide)}});
+  }
+  return steps;
+}
+
+Json clearanceJson(const ClearanceReport& clearance) {
+  const bool near = !clearance.object.empty();
+  return {{"min", number(clearance.min)},
+          {"part", near ? Json(clearance.part) : Json(nullptr)},
+          {"object", near ? Json(clearance.object) : Json(nullptr)},
+          {"time", near ? number(clearance.time) : Json(nullptr)}};
+}
+
+Json bodyJson(const Report& report) {
+  Json body = Json::array();
+  for (const BodyPart& part : report.body) {
+    body.push_back({{"part", part.name},
+                    {"joint", report.joint_names.at(part.joint)},
+                    {"from", vector(part.from)},
+                    {"to", vector(part.to)},
+                    {"radius", number(part.radius)},
+                    {"sole", part.sole < 0 ? Json(nullptr) : Json(sideName(part.sole))}});
+  }
+  return body;
+}
+
+Json qualityJson(const Report& report) {
+  Json quality = Json::array();
+  for (const QualityLine& line : report.quality) {
+    quality.push_back({{"measure", line.measure},
+                       {"value", number(line.value)},
+                       {"bar", number(line.bar)},
+                       {"unit", line.unit},
+                       {"holds", line.holds}});
+  }
+  return quality;
+}
+
+Json walkJson(const Report& report) {
+  return {{"length", number(report.length)},
+          {"duration", number(report.duration)},
+          {"frames", report.frames},
+          {"frame_time", number(report.frame_time)},
+          {"steps", stepsJson(report)},
+          {"goal_error",
+           {{"position", number(report.goal_position_error)},
+            {"heading", degrees(report.goal_heading_error)}}},
+          {"clearance", clearanceJson(report.clearance)},
+          {"foot_skate",
+           {{"mean", number(report.foot_skate_mean)}, {"max", number(report.foot_skate_max)}}},
+          {"ground_penetration", {{"max", number(report.ground_penetration)}}},
+          {"quality", qualityJson(report)}};
+}
+
+Json searchJson(const Report& report) {
+  Json refusals = Json::object();
+  for (const auto& [rule, count] : report.refusals) refusals[rule] = count;
+  return {{"roadmap",
+           {{"guards", report.roadmap.guards},
+            {"connectors", report.roadmap.connectors},
+            {"edges", report.roadmap.edges},
+            {"samples", report.roadmap.samples},
+            {"coverage", number(report.roadmap.coverage)}}},
+          {"refusals", refusals},
+          {"poses_checked", report.poses_checked}};
+}
+
+}  // namespace
+
+void writeJson(std::ostream& out, const Report& report) {
+  Json json = {{"status", statusName(report.status)},
+               {"scenario", report.scenario},
+               {"seed", report.seed},
+               {"planner", report.planner},
+               {"stopped_by", report.stopped_by}};
+  if (!report.why.empty()) json["why"] = report.why;
+  if (report.status == PlanStatus::kSolved) json.update(walkJson(report));
+  json.update(searchJson(report));
+  json["inputs"] = report.inputs;
+  json["version"] = report.version;
+  json["bvh_unit"] = number(report.bvh_unit);
+  json["stature"] = number(report.stature);
+  json["body"] = bodyJson(report);
+  json["times"] = {{"load", number(report.times.load)},
+                   {"roadmap", number(report.times.roadmap)},
+                   {"search", number(report.times.search)},
+                   {"refine", number(report.times.refine)},
+                   {"export", number(report.times.export_)}};
+  // Names come from files: what is no UTF-8 in them is replaced, not thrown at.
+  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+}  // namespace amble

@@ -1,0 +1,100 @@
+/// The report of a run: what a machine needs to know of a walk, or of why there is none (DESIGN.md,
+/// section 5).
+///
+/// Lengths in metres, angles in radians here and in degrees in JSON.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "animation/joint_roles.h"
+#include "environments/body.h"
+#include "scenarios/scenario.h"
+
+namespace amble {
+
+/// One placing of one foot, and the swing that led to it.
+struct StepReport {
+  Side foot = kLeft;
+  double start = 0.0;  ///< strike and lift-off, by the walk's clock [s]
+  double end = 0.0;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< middle of the sole, on the ground [m, World]
+  /// Horizontal distance from the other foot's placing before it, along this foot's heading [m].
+  /// What Shanbhag calls stride is a step's length to gait analysis. 0 for the first placing of
+  /// each foot.
+  double stride = 0.0;
+  double lift = 0.0;  ///< highest rise of the ball over its standing height in the swing before [m]
+  double climb = 0.0;  ///< rise of the ground from the other foot's placing before it [m]
+  double slide = 0.0;  ///< largest drift of its contact point while planted [m]
+};
+
+struct ClearanceReport {
+  double min = 0.0;  ///< to everything but the ground that soles stand on [m]
+  std::string part;  ///< of the body; empty where nothing was near
+  std::string object;
+  double time = 0.0;  ///< [s]
+};
+
+struct RoadmapReport {
+  int guards = 0, connectors = 0, edges = 0, samples = 0;
+  double coverage =
+      0.0;  ///< estimated share of free space, 1 - 1/M when the search stopped by failures [0 to 1]
+};
+
+/// Seconds by the clock: the only part that differs from run to run.
+struct RunTimes {
+  double load = 0.0, roadmap = 0.0, search = 0.0, refine = 0.0, export_ = 0.0;
+};
+
+/// A measure of QUALITY.md beside its bar.
+struct QualityLine {
+  std::string measure;
+  double value = 0.0;
+  double bar = 0.0;  ///< holds where value <= bar
+  std::string unit;
+  bool holds = true;
+};
+
+struct Report {
+  PlanStatus status = PlanStatus::kNoWalk;
+  std::string scenario;
+  std::uint64_t seed = 1;
+  std::string planner;
+  std::string
+      stopped_by;  ///< what ended the search: "solved", "failures", "time_limit", "interrupt", ...
+  double length = 0.0;    ///< of the root path [m]
+  double duration = 0.0;  ///< [s]
+  int frames = 0;
+  double frame_time = 0.0;  ///< [s]
+  std::vector<StepReport> steps;
+  double goal_position_error = 0.0;  ///< [m]
+  double goal_heading_error = 0.0;   ///< 0 where any heading was right [rad]
+  ClearanceReport clearance;
+  double foot_skate_mean = 0.0, foot_skate_max = 0.0;  ///< of the placings' slides [m]
+  double ground_penetration = 0.0;  ///< largest depth of a sole's underside under the ground [m]
+  RoadmapReport roadmap;
+  std::vector<std::pair<std::string, std::int64_t>> refusals;  ///< rule and count, by name
+  std::int64_t poses_checked = 0;
+  RunTimes times;
+  std::map<std::string, std::string>
+      inputs;  ///< file, relative to the scenario's folder, and its SHA-256
+  std::string version;
+  double bvh_unit = 1.0;  ///< length of the BVH's unit [m]
+  double stature = 0.0;   ///< [m]
+  std::vector<BodyPart> body;
+  std::vector<std::string> joint_names;  ///< as the BVH has them, by joint
+  std::vector<QualityLine> quality;      ///< empty without a walk
+  std::string why;                       ///< without a walk: what most often stood in the way
+};
+
+/// Indented JSON with the fields of DESIGN.md, `times` last. Numbers are the shortest that read
+/// back the same, of values rounded to a nanometre: the same report gives the same bytes.
+void writeJson(std::ostream& out, const Report& report);
+
+}  // namespace amble

@@ -1,0 +1,211 @@
+#include "scenarios/validate_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "animation/error.h"
+#include "animation/motion_library.h"
+#include "scenarios/foot_measures.h"
+
+namespace amble {
+namespace {
+
+// Thigh and shank over stature: hip at 0.530, knee at 0.285, ankle at 0.039 of it (Winter,
+// Biomechanics and Motor Control of Human Movement, figure 4.1).
+constexpr double kLegOfStature = 0.491;
+// Where plants are looked for: a foot of a capture stands a little over its floor and creeps.
+constexpr double kPlantHeight = 0.02;  // [m]
+constexpr double kPlantSpeed = 0.3;    // [m/s]
+
+struct Character {
+  JointRoles roles;
+  double stature;
+  SoleHeight sole;
+  bool known;
+};
+
+Clip readClip(const std::filesystem::path& file, const ValidateOptions& options, double& unit) {
+  BvhReadOptions as_written;
+  as_written.up = options.up;
+  Clip clip = readBvh(file, as_written);
+  unit = options.metres_per_unit
+             ? *options.metres_per_unit
+             : guessUnit(clip.skeleton, guessJointRoles(clip.skeleton, file.string()));
+  if (clip.frames() == 0) throw InputError(file.string(), 0, "holds no frames", "a motion");
+  as_written.metres_per_unit = unit;
+  if (unit != 1.0) clip = readBvh(file, as_written);
+  if (!clip.joint_positions.empty()) {
+    throw InputError(file.string(), 0, "joints other than the root move against their parents",
+                     "rigid bones");
+  }
+  return clip;
+}
+
+// How high ankles and balls are over the floor where they are lowest: the tenth lowest of a hundred
+// frames, so that one bad frame does not count.
+SoleHeight lowestFeet(const Clip& clip, const JointRoles& roles) {
+  std::vector<JointFrame> joints(clip.skeleton.size());
+  std::vector<double> ankle, toe;
+  for (int frame = 0; frame < clip.frames(); ++frame) {
+    forwardKinematics(clip, frame, joints);
+    for (const LegJoints& leg : roles.legs) {
+      ankle.push_back(joints[leg.foot].p_WJ.z());
+      toe.push_back(leg.toe < 0 ? ankle.back() : joints[leg.toe].p_WJ.z());
+    }
+  }
+  const auto low = [](std::vector<double>& values) {
+    const auto tenth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
+    std::nth_element(values.begin(), tenth, values.end());
+    return *tenth;
+  };
+  return {low(ankle), low(toe)};
+}
+
+double nearestFloor(const Scene& scene, const Clip& clip, double foot, const std::string& file) {
+  const Eigen::Vector3d root = clip.poses.p_WR(0);
+  const std::vector<double> heights = floors(scene, root.x(), root.y());
+  if (heights.empty()) {
+    throw InputError(file, 0, "the walk begins where '" + scene.file.string() + "' has no floor",
+                     "a walk within the scene");
+  }
+  return *std::min_element(heights.begin(), heights.end(), [&](double a, double b) {
+    return std::abs(a - foot) < std::abs(b - foot);
+  });
+}
+
+Character makeCharacter(const Clip& clip, const std::string& file, const ValidateOptions& options) {
+  Character character;
+  const MotionLibrary library = openMotionLibrary(options.library);
+  const std::optional<double> scale = scaleOf(clip.skeleton, library.skeleton);
+  character.known = scale.has_value();
+  if (scale) {
+    character.roles = library.roles;
+    character.stature = library.stature * *scale;
+    character.sole = {library.ankle_height * *scale, library.toe_height * *scale};
+  } else {
+    character.roles = guessJointRoles(clip.skeleton, file);
+    character.stature = character.roles.legLength(clip.skeleton, kLeft) / kLegOfStature;
+    character.sole =
+        lowestFeet(clip, character.roles);  // over World's zero: the floor is taken off later
+  }
+  if (options.height > 0.0) character.stature = options.height;
+  return character;
+}
+
+// The clip at the rate that it is checked at: each interval in equal parts, as a player shows them.
+PoseArray densify(const PoseArray& poses, int parts) {
+  PoseArray dense(poses.joints());
+  Pose between;
+  for (int frame = 0; frame < poses.size(); ++frame) {
+    dense.append(poses[frame]);
+    for (int part = 1; part < parts && frame + 1 < poses.size(); ++part) {
+      interpolatePose(poses[frame], poses[frame + 1], static_cast<double>(part) / parts, between);
+      dense.append(between);
+    }
+  }
+  return dense;
+}
+
+// Every contact of the motion, those of one pair on end put together.
+std::vector<ContactSpan> findContacts(const CollisionWorld& world, const PoseArray& poses,
+                                      std::span<const FrameState> states, double frame_time) {
+  std::vector<ContactSpan> spans;
+  const auto scratch = world.makeScratch();
+  for (int begin = 0; begin < poses.size();) {
+    PoseArray rest(poses.joints());
+    rest.append(poses, begin, poses.size() - begin);
+    const auto contact = world.check(rest, states.subspan(begin), false, *scratch);
+    if (!contact) break;
+    const int frame = begin + contact->frame;
+    const double time = (frame + contact->between) * frame_time;
+    const std::string& part = world.body().parts.at(contact->part).name;
+    const std::string& object = world.scene().objects.at(contact->object).name;
+    const auto same = std::find_if(spans.rbegin(), spans.rend(), [&](const ContactSpan& span) {
+      return span.part == part && span.object == object && time - span.end < 2.0 * frame_time;
+    });
+    if (same != spans.rend()) {
+      same->end = time;
+    } else {
+      spans.push_back({time, time, part, object});
+    }
+    begin = frame + 1;
+  }
+  return spans;
+}
+
+void measureFeet(const SoleTracks& soles, double frame_time, WalkValidation& result) {
+  double sum = 0.0;
+  for (const Side side : {kLeft, kRight}) {
+    for (const auto& [first, last] :
+         soles.findPlants(side, frame_time, kPlantHeight, kPlantSpeed)) {
+      const double slide = soles.slide(side, first, last);
+      result.foot_skate_max = std::max(result.foot_skate_max, slide);
+      sum += slide;
+      ++result.plants;
+    }
+  }
+  if (result.plants > 0) result.foot_skate_mean = sum / result.plants;
+  result.ground_penetration = soles.penetration();
+}
+
+}  // namespace
+
+std::optional<double> scaleOf(const Skeleton& skeleton, const Skeleton& of) {
+  constexpr double kTolerance = 1e-4;  // [m]
+  if (skeleton.size() != of.size()) return std::nullopt;
+  double length = 0.0, length_of = 0.0;
+  for (int i = 0; i < of.size(); ++i) {
+    if (skeleton.joint(i).parent != of.joint(i).parent) return std::nullopt;
+    length += skeleton.joint(i).offset.norm();
+    length_of += of.joint(i).offset.norm();
+  }
+  if (!(length > 0.0) || !(length_of > 0.0)) return std::nullopt;
+  const double scale = length / length_of;
+  for (int i = 1; i < of.size(); ++i) {
+    const Eigen::Vector3d error = skeleton.joint(i).offset - scale * of.joint(i).offset;
+    if (error.norm() > kTolerance) return std::nullopt;
+  }
+  return scale;
+}
+
+WalkValidation validateWalk(const std::filesystem::path& bvh,
+                            const std::filesystem::path& scene_file,
+                            const ValidateOptions& options) {
+  WalkValidation result;
+  const Clip clip = readClip(bvh, options, result.metres_per_unit);
+  const Scene scene = readScene(scene_file);
+  Character character = makeCharacter(clip, bvh.string(), options);
+  const double foot = lowestFeet(clip, character.roles).ankle;
+  result.floor = options.floor ? *options.floor : nearestFloor(scene, clip, foot, bvh.string());
+  if (!character.known) {
+    character.sole.ankle = std::max(character.sole.ankle - result.floor, 0.01);
+    character.sole.toe = std::clamp(character.sole.toe - result.floor, 0.005, character.sole.ankle);
+  }
+  result.frames = clip.frames();
+  result.frame_time = clip.frame_time;
+  result.stature = character.stature;
+  result.known_skeleton = character.known;
+
+  const Body body = makeBody(clip.skeleton, character.roles, character.stature, character.sole);
+  const SceneGround ground(scene, result.floor);
+  const CollisionWorld world(scene, ground, clip.skeleton, body);
+  const int parts = std::max(1, static_cast<int>(std::lround(options.fps * clip.frame_time)));
+  const PoseArray poses = densify(clip.poses, parts);
+  const double frame_time = clip.frame_time / parts;
+  const std::vector<FrameState> states(poses.size());  // both feet planted
+  result.poses_checked = poses.size();
+  result.contacts = findContacts(world, poses, states, frame_time);
+
+  const auto scratch = world.makeScratch();
+  const Clearance near = world.clearance(poses, states, options.clearance_limit, *scratch);
+  result.clearance = near.object < 0 ? options.clearance_limit : near.distance;
+  if (near.object >= 0) {
+    result.clearance_part = body.parts.at(near.part).name;
+    result.clearance_object = scene.objects.at(near.object).name;
+    result.clearance_time = near.frame * frame_time;
+  }
+  measureFeet(SoleTracks(clip.skeleton, body, clip.poses, ground), clip.frame_time, result);
+  return result;
+}
+
+}  // namespace amble
