@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "animation/foot_shape.h"
 #include "animation/rotation.h"
 
 namespace amble {
@@ -31,16 +32,12 @@ constexpr double kThigh = radiusOf(0.5 * (0.597 + 0.386));  // between the crotc
 constexpr double kKnee = radiusOf(0.386);
 constexpr double kCalf = radiusOf(0.378);
 constexpr double kAnkle = radiusOf(0.222);
-constexpr double kFootLength = fraction(0.270), kFootBreadth = fraction(0.101);
+constexpr double kFootBreadth = fraction(0.101);
 
-// By trial: toes are flatter than the ball of the foot.
-constexpr double kToeOverBall = 0.7;
-// Radii of soles are the ball joint's height, so that a foot that rolls about the ball does not
+// A sole's radius is the ball joint's height, so that a foot that rolls about the ball does not
 // sink in; but a rig whose toe joint lies on the floor has feet with some height all the same, as a
 // fraction of stature.
-constexpr double kThinnestSole = 0.012;
-// Where the heel may end behind the ankle, as a fraction of stature.
-constexpr double kLongestHeel = 0.045;
+constexpr double kThinnestSole = 0.006;
 
 const std::array<std::string, 2> kSideNames = {"left ", "right "};
 
@@ -167,31 +164,38 @@ class BodyMaker {
     addLimb(kSideNames[side] + "shank", leg.leg, rest_[leg.foot] - rest_[leg.leg], kCalf, kAnkle);
   }
 
-  // A sole is two capsules from the heel to either side of the ball, and the toes one more.
+  // The sole is two capsules from the heel to either side of the ball, the toes one more, the
+  // instep one above them. Heel and tip lie where FootShape has them, about whose ends walkers
+  // roll: a foot that rolls does not sink in.
   void addFoot(Side side) {
     const LegJoints& leg = roles_.legs[side];
-    const double length = kFootLength * stature_, half_breadth = 0.5 * kFootBreadth * stature_;
+    const double length = kFootLengthOfStature * stature_,
+                 half_breadth = 0.5 * kFootBreadth * stature_;
     const double radius = std::clamp(sole_.toe, kThinnestSole * stature_, half_breadth);
     Eigen::Vector3d ball = forward_ * (0.5 * length) - up_ * (sole_.ankle - sole_.toe);
-    if (leg.toe >= 0) ball = rest_[leg.toe] - rest_[leg.foot];
+    double heel = 0.2 * length,
+           tip = 0.27 * length - radius;  // centres: behind the ankle, before the ball
+    if (leg.toe >= 0) {
+      ball = rest_[leg.toe] - rest_[leg.foot];
+      const FootShape shape = makeFootShape(skeleton_, roles_, side, stature_);
+      heel = shape.ankle_x - shape.heel_x;
+      tip = shape.tip_x - shape.ball_x;
+    }
     const auto [normal, along] = solePlane(ball);
-    const Eigen::Vector3d across = normal.cross(along);
-    const Eigen::Vector3d under_ankle = -normal * sole_.ankle;
-    const Eigen::Vector3d under_ball = ball - normal * sole_.toe;
-    const double toes = toeLength(leg, along, length);
-    const double heel = std::clamp(length - toes - (under_ball - under_ankle).norm(), radius,
-                                   std::max(radius, kLongestHeel * stature_));
-    const Eigen::Vector3d p_heel = under_ankle - along * (heel - radius) + normal * radius;
-    const Eigen::Vector3d p_ball = under_ball + normal * radius;
-    const Eigen::Vector3d spread = across * (half_breadth - radius) * (side == kLeft ? 1.0 : -1.0);
+    const Eigen::Vector3d p_heel = normal * (radius - sole_.ankle) - along * heel;
+    const Eigen::Vector3d p_ball = ball + normal * (radius - sole_.toe);
+    const Eigen::Vector3d out = normal.cross(along) * (side == kLeft ? 1.0 : -1.0);
+    const Eigen::Vector3d spread = out * (half_breadth - radius);
     const std::string& name = kSideNames[side];
     add(name + "sole, outside", leg.foot, p_heel, p_ball + spread, radius, side);
     add(name + "sole, inside", leg.foot, p_heel, p_ball - spread, radius, side);
-    const double thin = kToeOverBall * radius;
-    const Eigen::Vector3d p_J = leg.toe >= 0 ? Eigen::Vector3d(-normal * (sole_.toe - thin))
-                                             : Eigen::Vector3d(under_ball + normal * thin);
-    add(name + "toes", leg.toe >= 0 ? leg.toe : leg.foot, p_J,
-        p_J + along * std::max(0.0, toes - thin), thin, side);
+    const Eigen::Vector3d p_toe = leg.toe >= 0 ? Eigen::Vector3d(p_ball - ball) : p_ball;
+    add(name + "toes", leg.toe >= 0 ? leg.toe : leg.foot, p_toe, p_toe + along * std::max(0.0, tip),
+        radius, side);
+    // As thick as the ankle, but not below the sole.
+    const Eigen::Vector3d middle = 0.5 * ball;
+    const double instep = std::min(kAnkle * stature_, 0.5 * (sole_.ankle + sole_.toe));
+    add(name + "instep", leg.foot, Eigen::Vector3d::Zero(), middle, instep, side);
   }
 
   struct SolePlane {
@@ -211,16 +215,6 @@ class BodyMaker {
     const double tilt = std::asin(sine) - std::atan2(rise, run);
     return {std::cos(tilt) * up_ + std::sin(tilt) * ahead,
             std::cos(tilt) * ahead - std::sin(tilt) * up_};
-  }
-
-  // Ball to tip: the rig's end site, or what a foot has on average (Drillis and Contini: 0.27 of
-  // its length).
-  double toeLength(const LegJoints& leg, const Eigen::Vector3d& along, double foot_length) const {
-    if (leg.toe >= 0 && !skeleton_.joint(leg.toe).end_sites.empty()) {
-      const double reach = along.dot(skeleton_.joint(leg.toe).end_sites.front());
-      if (reach > 0.1 * foot_length && reach < 0.5 * foot_length) return reach;
-    }
-    return 0.27 * foot_length;
   }
 
   void fillReach() {
