@@ -30,6 +30,9 @@ int runProgram(int argc, char** argv) {
       "Exit status: 0 a walk was found, all hold; 1 none was found, something differs; "
       "2 the input or the use is wrong.");
   Command chosen;
+  addValidate(app, chosen);
+  addAnimate(app, chosen);
+  addLibrary(app, chosen);
   addInspect(app, chosen);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,89 @@
+// amble library build|show: prepared motion libraries from captures.
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <memory>
+
+#include "animation/data_directory.h"
+#include "animation/error.h"
+#include "animation/motion_library.h"
+#include "animation/output_file.h"
+#include "app/command.h"
+#include "app/findings.h"
+
+namespace amble {
+namespace {
+
+// NAME.yaml for NAME.recipe.yaml.
+std::filesystem::path besideRecipe(const std::filesystem::path& recipe) {
+  const std::filesystem::path name = recipe.stem();
+  if (name.extension() != ".recipe") {
+    throw InputError(recipe.string(), 0, "does not say what to call the library",
+                     "a recipe called NAME.recipe.yaml, or -o FILE");
+  }
+  return recipe.parent_path() / (name.stem().string() + ".yaml");
+}
+
+std::filesystem::path capturesFolder() {
+  const char* named = std::getenv("AMBLE_MOCAP");
+  if (named != nullptr && *named != '\0') return named;
+  return dataDirectory().parent_path() / "shared" / "mocap";
+}
+
+void addBuild(CLI::App& library, Command& chosen) {
+  struct Options {
+    std::string recipe, captures, out;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = library.add_subcommand(
+      "build", "Prepare the motions that a recipe names from their captures");
+  command->add_option("RECIPE", options->recipe, "What to take from which clip (YAML)")->required();
+  command->add_option("--captures", options->captures,
+                      "Folder of the clips; default: $AMBLE_MOCAP, or ../shared/mocap beside the "
+                      "folder that holds Amble's data");
+  command->add_option(
+      "-o,--output", options->out,
+      "Library file; default: the recipe's name without `.recipe`; - is standard output");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      const std::filesystem::path out =
+          options->out.empty() ? besideRecipe(options->recipe) : options->out;
+      const std::filesystem::path captures =
+          options->captures.empty() ? capturesFolder() : options->captures;
+      const MotionLibrary built = buildMotionLibrary(options->recipe, captures);
+      writeFile(out, [&](std::ostream& stream) { writeMotionLibrary(stream, built); });
+      fmt::print(stderr, "{}: {} motions\n", out.string(), built.motions.size());
+      return kDone;
+    };
+  });
+}
+
+void addShow(CLI::App& library, Command& chosen) {
+  struct Options {
+    std::string name = "default";
+    bool json = false;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      library.add_subcommand("show", "Say what motions a library holds, and from where");
+  command->add_option("LIBRARY", options->name, "default, or a file")->capture_default_str();
+  command->add_flag("--json", options->json, "Print results for machines");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      printFindings({inspectLibrary(openMotionLibrary(options->name).file)}, options->json);
+      return kDone;
+    };
+  });
+}
+
+}  // namespace
+
+void addLibrary(CLI::App& app, Command& chosen) {
+  CLI::App* library = app.add_subcommand("library", "Build or show prepared motion libraries");
+  library->require_subcommand(1);
+  addBuild(*library, chosen);
+  addShow(*library, chosen);
+}
+
+}  // namespace amble

@@ -1,0 +1,118 @@
+// amble validate WALK.bvh --scene S.yaml: any BVH against a scene.
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "scenarios/validate_walk.h"
+
+namespace amble {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string walk, scene;
+  double unit = 0.0;  // 0: guessed
+  std::string up = "y";
+  double floor = 0.0;
+  bool has_floor = false, json = false;
+  ValidateOptions validate;
+};
+
+void printText(const std::string& walk, const WalkValidation& result) {
+  fmt::print("{}: {} frames of {:.7g} s, {} poses checked\n", walk, result.frames,
+             result.frame_time, result.poses_checked);
+  fmt::print("  body         {:.3f} m tall, {}; file unit {:g} m; floor at {:.3f} m\n",
+             result.stature,
+             result.known_skeleton ? "the library's skeleton" : "a skeleton of its own",
+             result.metres_per_unit, result.floor);
+  for (const ContactSpan& contact : result.contacts) {
+    fmt::print("  contact      {:.3f} s to {:.3f} s: {} and {}\n", contact.start, contact.end,
+               contact.part, contact.object);
+  }
+  if (result.contacts.empty()) fmt::print("  contact      none\n");
+  if (result.clearance_part.empty()) {
+    fmt::print("  clearance    {:.3f} m or more\n", result.clearance);
+  } else {
+    fmt::print("  clearance    {:.3f} m, {} and {} at {:.3f} s\n", result.clearance,
+               result.clearance_part, result.clearance_object, result.clearance_time);
+  }
+  fmt::print("  foot skate   {:.1f} mm mean, {:.1f} mm largest, of {} plants\n",
+             1000.0 * result.foot_skate_mean, 1000.0 * result.foot_skate_max, result.plants);
+  fmt::print("  penetration  {:.1f} mm largest\n", 1000.0 * result.ground_penetration);
+}
+
+void printJson(const std::string& walk, const WalkValidation& result) {
+  Json contacts = Json::array();
+  for (const ContactSpan& contact : result.contacts) {
+    contacts.push_back({{"start", contact.start},
+                        {"end", contact.end},
+                        {"part", contact.part},
+                        {"object", contact.object}});
+  }
+  const Json all = {
+      {"file", walk},
+      {"frames", result.frames},
+      {"frame_time", result.frame_time},
+      {"poses_checked", result.poses_checked},
+      {"bvh_unit", result.metres_per_unit},
+      {"stature", result.stature},
+      {"known_skeleton", result.known_skeleton},
+      {"floor", result.floor},
+      {"contacts", contacts},
+      {"clearance",
+       {{"min", result.clearance},
+        {"part", result.clearance_part},
+        {"object", result.clearance_object},
+        {"time", result.clearance_time}}},
+      {"plants", result.plants},
+      {"foot_skate", {{"mean", result.foot_skate_mean}, {"max", result.foot_skate_max}}},
+      {"ground_penetration", {{"max", result.ground_penetration}}}};
+  std::cout << all.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+int run(Options options) {
+  ValidateOptions& how = options.validate;
+  if (options.unit > 0.0) how.metres_per_unit = options.unit;
+  if (options.has_floor) how.floor = options.floor;
+  how.up = options.up == "y" ? UpAxis::kY : UpAxis::kZ;
+  const WalkValidation result = validateWalk(options.walk, options.scene, how);
+  if (options.json) {
+    printJson(options.walk, result);
+  } else {
+    printText(options.walk, result);
+  }
+  return result.contacts.empty() ? kDone : kNone;
+}
+
+}  // namespace
+
+void addValidate(CLI::App& app, Command& chosen) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "validate", "Check any BVH against a scene: contacts, clearance, foot skate; 1 on contact");
+  command->add_option("WALK", options->walk, "BVH file")->required();
+  command->add_option("--scene", options->scene, "Scene file (YAML)")->required();
+  command->add_option("--unit", options->unit, "Length of the BVH's unit; default: from its legs")
+      ->check(number(1e-6, 1e3, "m"));
+  command->add_option("--up", options->up, "The BVH's vertical axis")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->capture_default_str();
+  command->add_option("--height", options->validate.height, "Stature; default: from the skeleton")
+      ->check(number(0.5, 2.5, "m"));
+  command->add_option("--library", options->validate.library, "Library whose skeleton is known")
+      ->capture_default_str();
+  command->add_option("--fps", options->validate.fps, "Check between the frames too, at this rate")
+      ->check(number(1, 10000, "1/s"));
+  command->add_option("--floor", options->floor, "Height of the floor; default: below the feet")
+      ->check(number(-1e5, 1e5, "m"))
+      ->each([options](const std::string&) { options->has_floor = true; });
+  command->add_flag("--json", options->json, "Print results for machines");
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace amble
