@@ -47,10 +47,10 @@ void addBuild(CLI::App& library, Command& chosen) {
       "Library file; default: the recipe's name without `.recipe`; - is standard output");
   command->callback([options, &chosen] {
     chosen = [options] {
-      const std::filesystem::path out =
-          options->out.empty() ? besideRecipe(options->recipe) : options->out;
+      const std::filesystem::path out = options->out.empty() ? besideRecipe(options->recipe)
+                                                             : std::filesystem::path(options->out);
       const std::filesystem::path captures =
-          options->captures.empty() ? capturesFolder() : options->captures;
+          options->captures.empty() ? capturesFolder() : std::filesystem::path(options->captures);
       const MotionLibrary built = buildMotionLibrary(options->recipe, captures);
       writeFile(out, [&](std::ostream& stream) { writeMotionLibrary(stream, built); });
       fmt::print(stderr, "{}: {} motions\n", out.string(), built.motions.size());
