@@ -8,7 +8,6 @@
 #include "animation/data_directory.h"
 #include "animation/error.h"
 #include "animation/motion_library.h"
-#include "animation/output_file.h"
 #include "app/command.h"
 #include "app/findings.h"
 
@@ -52,7 +51,7 @@ void addBuild(CLI::App& library, Command& chosen) {
       const std::filesystem::path captures =
           options->captures.empty() ? capturesFolder() : std::filesystem::path(options->captures);
       const MotionLibrary built = buildMotionLibrary(options->recipe, captures);
-      writeFile(out, [&](std::ostream& stream) { writeMotionLibrary(stream, built); });
+      writeMotionLibrary(built, out);
       fmt::print(stderr, "{}: {} motions\n", out.string(), built.motions.size());
       return kDone;
     };

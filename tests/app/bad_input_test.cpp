@@ -1,0 +1,192 @@
+// Every command answers bad input with one line that names file, line and what was expected, exit
+// status 2, and leaves no half-written file.
+
+#include "tests/app/program.h"
+
+namespace amble {
+namespace {
+
+const char* const kRoom =
+    "name: room\n"
+    "objects:\n"
+    "  - name: floor\n"
+    "    box: {size: [6, 4, 0.1]}\n"
+    "    at: [3, 2, -0.05]\n";
+
+const char* const kScenario =
+    "scene: room.yaml\n"
+    "start: {at: [1, 2], heading: 0}\n"
+    "goal: {at: [5, 2], heading: 0}\n";
+
+const char* const kBvh =
+    "HIERARCHY\n"
+    "ROOT Hips\n"
+    "{\n"
+    "  OFFSET 0 0 0\n"
+    "  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
+    "  End Site\n"
+    "  {\n"
+    "    OFFSET 0 1 0\n"
+    "  }\n"
+    "}\n"
+    "MOTION\n"
+    "Frames: 2\n"
+    "Frame Time: 0.033333\n"
+    "0 1 0 0 0 0\n"
+    "0 1 0 0 0 0\n";
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+
+class BadInput : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    write("in/room.yaml", kRoom);
+    write("in/scenario.yaml", kScenario);
+    write("in/clip.bvh", kBvh);
+  }
+};
+
+TEST_F(BadInput, AWrongCommandLineIsRefused) {
+  expectRefused("", {"amble: ", "; expected "});
+  expectRefused("plam in/scenario.yaml", {"amble: ", "; expected "});
+  expectRefused("plan", {"amble: ", "; expected "});
+  expectRefused("plan --sede 3 in/scenario.yaml", {"amble: ", "; expected "});
+  expectRefused("animate --speed nan -o a.bvh", {"--speed", "'nan'; expected 0.3 to 2"});
+  expectRefused("animate --speed 20 -o a.bvh", {"--speed", "'20'; expected 0.3 to 2"});
+  expectRefused("animate --fps 0 -o a.bvh", {"--fps", "'0'; expected 24 to 240"});
+  expectRefused("animate --duration 1e999 -o a.bvh", {"--duration", "'1e999'"});
+  expectRefused("animate --turn 170 -o a.bvh", {"--turn", "170", "; expected "});
+  expectRefused("plan in/scenario.yaml -o out --threads 0", {"--threads", "'0'; expected"});
+  expectRefused("plan in/scenario.yaml -o out --seed -1", {"--seed", "'-1'; expected"});
+  expectRefused("plan in/scenario.yaml -o out --time-limit 0", {"--time-limit", "'0'; expected"});
+  expectRefused("plan in/scenario.yaml -o out --formats bvh,doc", {"--formats", "doc", "expected"});
+}
+
+TEST_F(BadInput, AMissingFileIsNamed) {
+  expectRefused("plan none.yaml -o out", {"none.yaml: ", "; expected "});
+  expectRefused("check none.yaml", {"none.yaml: ", "; expected "});
+  expectRefused("validate none.bvh --scene in/room.yaml", {"none.bvh: ", "; expected "});
+  expectRefused("validate in/clip.bvh --scene none.yaml", {"none.yaml: ", "; expected "});
+  expectRefused("animate --library none.yaml -o a.bvh", {"none.yaml: ", "; expected "});
+  expectRefused("analyse none.bvh", {"none.bvh: ", "; expected "});
+  expectRefused("library build none.recipe.yaml", {"none.recipe.yaml: ", "; expected "});
+  expectRefused("library show none.yaml", {"none.yaml: ", "; expected "});
+  expectRefused("inspect none.yaml", {"none.yaml: ", "; expected "});
+  expectRefused("inspect none.bvh", {"none.bvh: ", "; expected "});
+  expectRefused("inspect none.obj", {"none.obj: ", "; expected "});
+  write("in/scenario.yaml", replaced(kScenario, "room.yaml", "none.yaml"));
+  expectRefused("plan in/scenario.yaml -o out", {"none.yaml", "; expected "});
+}
+
+TEST_F(BadInput, AnUnknownKeyIsNamedWithTheOneThatWasMeant) {
+  write("in/scenario.yaml", replaced(kScenario, "start:", "strat:"));
+  expectRefused("plan in/scenario.yaml -o out", {"scenario.yaml:2: ", "'strat'", "'start'"});
+  write("in/scenario.yaml", std::string(kScenario) + "planner: {sede: 3}\n");
+  expectRefused("plan in/scenario.yaml -o out", {"scenario.yaml:4: ", "'sede'", "'seed'"});
+  expectRefused("check in", {"scenario.yaml:4: ", "'sede'", "'seed'"});
+  write("in/room.yaml", replaced(kRoom, "box:", "bxo:"));
+  expectRefused("inspect in/room.yaml", {"room.yaml:4: ", "'bxo'", "'box'"});
+  expectRefused("validate in/clip.bvh --scene in/room.yaml", {"room.yaml:4: ", "'bxo'", "'box'"});
+}
+
+TEST_F(BadInput, ADoubledKeyIsNamed) {
+  write("in/scenario.yaml", std::string(kScenario) + "start: {at: [2, 2]}\n");
+  expectRefused("plan in/scenario.yaml -o out", {"scenario.yaml:4: ", "'start'", "; expected "});
+  expectRefused("inspect in/scenario.yaml", {"scenario.yaml:4: ", "'start'", "; expected "});
+  write("in/room.yaml", std::string(kRoom) + "    at: [3, 2, 0]\n");
+  expectRefused("inspect in/room.yaml", {"room.yaml:6: ", "'at'", "; expected "});
+}
+
+TEST_F(BadInput, ANumberOutOfRangeIsNamed) {
+  write("in/scenario.yaml", std::string(kScenario) + "walk: {speed: 20}\n");
+  expectRefused("plan in/scenario.yaml -o out", {"scenario.yaml:4: ", "20", "; expected ", "2"});
+  write("in/scenario.yaml", std::string(kScenario) + "character: {height: .nan}\n");
+  expectRefused("plan in/scenario.yaml -o out", {"scenario.yaml:4: ", ".nan", "; expected "});
+  write("in/room.yaml", replaced(kRoom, "0.1]", "-0.1]"));
+  expectRefused("inspect in/room.yaml", {"room.yaml:4: ", "-0.1", "; expected "});
+  write("in/room.yaml", replaced(kRoom, "0.1]", "010]"));
+  expectRefused("inspect in/room.yaml", {"room.yaml:4: ", "010", "; expected "});
+}
+
+TEST_F(BadInput, ABrokenBvhIsNamedWithItsLine) {
+  const std::string text = kBvh;
+  const auto check = [&](const std::string& bvh, const std::string& where) {
+    write("in/clip.bvh", bvh);
+    expectRefused("inspect in/clip.bvh", {where, "; expected "});
+    expectRefused("analyse in/clip.bvh", {where, "; expected "});
+    expectRefused("validate in/clip.bvh --scene in/room.yaml", {where, "; expected "});
+  };
+  check("", "clip.bvh");
+  check("not a BVH\n", "clip.bvh:1: ");
+  check(text.substr(0, text.size() / 2), "clip.bvh:");
+  check(replaced(text, "0 1 0 0 0 0\n", "0 1 0 nan 0 0\n"), "clip.bvh:14: ");
+  check(replaced(text, "0 1 0 0 0 0\n", "0 1 0 0 0\n"), "clip.bvh:");
+  check(replaced(text, "Zrotation", "Wrotation"), "clip.bvh:5: ");
+  check(replaced(text, "0.033333", "0"), "clip.bvh:13: ");
+}
+
+TEST_F(BadInput, AnEmptyOrNonFiniteMeshIsNamed) {
+  write("in/room.yaml", std::string(kRoom) + "  - {name: thing, mesh: thing.obj, up: z}\n");
+  const auto check = [&](const std::string& obj) {
+    write("in/thing.obj", obj);
+    expectRefused("inspect in/thing.obj", {"thing.obj", "; expected "});
+    expectRefused("inspect in/room.yaml", {"thing.obj", "; expected "});
+    expectRefused("plan in/scenario.yaml -o out", {"thing.obj", "; expected "});
+  };
+  check("");
+  check("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  check("v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
+  check("v 0 0 0\nv 1e39 0 0\nv 0 1 0\nf 1 2 3\n");
+  check("v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n");
+}
+
+TEST_F(BadInput, ASceneInMillimetresIsRefusedWithTheScaleItNeeds) {
+  write("in/room.yaml", "name: mm\nobjects:\n  - {name: room, mesh: room.obj, up: z}\n");
+  write("in/room.obj", "v 0 0 0\nv 6000 0 0\nv 6000 4000 0\nv 0 4000 0\nf 1 2 3 4\n");
+  expectRefused("inspect in/room.yaml", {"room.yaml", "; expected ", "scale", "0.001"});
+  expectRefused("plan in/scenario.yaml -o out", {"room.yaml", "; expected ", "scale", "0.001"});
+}
+
+TEST_F(BadInput, AStartOutsideTheSceneIsNamedWithItsLine) {
+  write("in/scenario.yaml", replaced(kScenario, "[1, 2]", "[-30, 2]"));
+  expectRefused("plan in/scenario.yaml -o out", {"scenario.yaml:2: ", "; expected "});
+  write("in/scenario.yaml", replaced(kScenario, "[5, 2]", "[5, 200]"));
+  expectRefused("plan in/scenario.yaml -o out", {"scenario.yaml:3: ", "; expected "});
+}
+
+TEST_F(BadInput, AnUnwritableFolderIsNamed) {
+  // Root may write into a read-only folder; nobody may write below a file.
+  expectRefused("animate --duration 2 -o in/room.yaml/a.bvh",
+                {"in/room.yaml/a.bvh: ", "; expected "});
+  expectRefused("animate --duration 2 -o none/a.bvh", {"none/a.bvh: ", "; expected "});
+  expectRefused("plan in/scenario.yaml -o in/room.yaml", {"in/room.yaml", "; expected "});
+  expectRefused("plan in/scenario.yaml -o in/room.yaml/out", {"in/room.yaml", "; expected "});
+}
+
+TEST_F(BadInput, AFullDiskIsNamedAndLeavesNoHalfWrittenFile) {
+  expectRefused("animate --duration 2 -o /dev/full",
+                {"/dev/full: ", "No space left", "; expected "});
+  // A disk that is full after 1 KiB, without one: a limit on the size of files.
+  const std::string full = "trap '' XFSZ; ulimit -f 1;";
+  expectRefused("animate --duration 10 -o a.bvh", {"a.bvh: ", "; expected "}, full);
+  expectRefused("plan in/scenario.yaml -o out", {"out/", "; expected "}, full);
+}
+
+TEST_F(BadInput, AnOutputThatCannotBeWrittenIsNoSuccess) {
+  const Ran ran = run("inspect in/room.yaml >/dev/full");
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_NE(ran.err.find("cannot be written"), std::string::npos) << ran.err;
+}
+
+TEST_F(BadInput, AFileOfNoKnownKindIsNamed) {
+  write("in/other.yaml", "shopping: [milk]\n");
+  expectRefused("inspect in/other.yaml", {"other.yaml:1: ", "; expected "});
+  write("in/other.txt", "milk\n");
+  expectRefused("inspect in/other.txt", {"other.txt: ", "; expected "});
+}
+
+}  // namespace
+}  // namespace amble

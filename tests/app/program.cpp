@@ -1,0 +1,84 @@
+#include "tests/app/program.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace amble {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string readAll(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+void Program::SetUp() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  folder_ = fs::path(testing::TempDir()) /
+            ("amble_app_" + std::string(test->name()) + "_" + std::to_string(::getpid()));
+  fs::remove_all(folder_);
+  fs::create_directories(folder_ / "in");
+}
+
+void Program::TearDown() {
+  fs::remove_all(folder_);
+  fs::remove_all(folder_.string() + ".out");
+  fs::remove_all(folder_.string() + ".err");
+}
+
+Program::Ran Program::run(const std::string& arguments, const std::string& before) const {
+  // What the shell does first, the redirection of the program itself last, so that a test may
+  // redirect too.
+  const std::string command = "cd '" + folder_.string() + "' && " + before + " exec >'" +
+                              folder_.string() + ".out' 2>'" + folder_.string() +
+                              ".err' </dev/null; '" AMBLE_PROGRAM "' " + arguments;
+  const int status = std::system(command.c_str());
+  Ran ran;
+  ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  ran.out = readAll(folder_.string() + ".out");
+  ran.err = readAll(folder_.string() + ".err");
+  return ran;
+}
+
+void Program::write(const std::string& name, const std::string& text) const {
+  fs::create_directories((folder_ / name).parent_path());
+  std::ofstream(folder_ / name, std::ios::binary) << text;
+}
+
+std::string Program::read(const std::string& name) const { return readAll(folder_ / name); }
+
+std::set<std::string> Program::files() const {
+  std::set<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
+    if (!entry.is_directory()) names.insert(fs::relative(entry.path(), folder_).string());
+  }
+  return names;
+}
+
+void Program::expectRefused(const std::string& arguments, const std::vector<std::string>& parts,
+                            const std::string& before) const {
+  SCOPED_TRACE("amble " + arguments);
+  const std::set<std::string> files_before = files();
+  const Ran ran = run(arguments, before);
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+  size_t from = 0;
+  for (const std::string& part : parts) {
+    const size_t found = ran.err.find(part, from);
+    EXPECT_NE(found, std::string::npos) << "'" << part << "' is not in: " << ran.err;
+    if (found != std::string::npos) from = found + part.size();
+  }
+  EXPECT_EQ(files(), files_before);
+}
+
+}  // namespace amble

@@ -1,0 +1,41 @@
+/// Runs the built program in a folder of the test's own, as a shell does.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+namespace amble {
+
+class Program : public testing::Test {
+ protected:
+  struct Ran {
+    int status = -1;
+    std::string out, err;
+  };
+
+  void SetUp() override;
+  void TearDown() override;
+
+  /// `amble ARGUMENTS` in folder_, with standard input empty. The arguments are a shell's: they may
+  /// be quoted, and redirect.
+  /// @param before  shell commands that run first, such as a limit
+  Ran run(const std::string& arguments, const std::string& before = "") const;
+
+  /// Writes a file into folder_; its folders are made.
+  void write(const std::string& name, const std::string& text) const;
+  std::string read(const std::string& name) const;
+  /// Every file below folder_.
+  std::set<std::string> files() const;
+
+  /// Exit status 2, nothing on standard output, one line on standard error that holds each of
+  /// `parts` in this order, and no file that was not there before.
+  void expectRefused(const std::string& arguments, const std::vector<std::string>& parts,
+                     const std::string& before = "") const;
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace amble
