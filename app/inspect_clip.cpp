@@ -103,11 +103,9 @@ Findings inspectClip(const std::filesystem::path& file) {
 Findings inspectLibrary(const std::filesystem::path& file) {
   const MotionLibrary library = readMotionLibrary(file);
   Findings out{file.string(), "motion library", {}, {}, {}};
-  out.facts = {{"name", library.name},
-               {"skeleton", fmt::format("{} joints, stature {:.2f} m", library.skeleton.size(),
+  out.facts = {{"skeleton", fmt::format("{} joints, stature {:.2f} m", library.skeleton.size(),
                                         library.stature)}};
-  out.data = {{"name", library.name},
-              {"joints", library.skeleton.size()},
+  out.data = {{"joints", library.skeleton.size()},
               {"stature", library.stature},
               {"motions", nlohmann::ordered_json::array()}};
   for (const Motion& motion : library.motions) {

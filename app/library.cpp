@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <memory>
 
-#include "animation/data_directory.h"
 #include "animation/error.h"
 #include "animation/motion_library.h"
 #include "app/command.h"
@@ -24,12 +22,6 @@ std::filesystem::path besideRecipe(const std::filesystem::path& recipe) {
   return recipe.parent_path() / (name.stem().string() + ".yaml");
 }
 
-std::filesystem::path capturesFolder() {
-  const char* named = std::getenv("AMBLE_MOCAP");
-  if (named != nullptr && *named != '\0') return named;
-  return dataDirectory().parent_path() / "shared" / "mocap";
-}
-
 void addBuild(CLI::App& library, Command& chosen) {
   struct Options {
     std::string recipe, captures, out;
@@ -39,18 +31,14 @@ void addBuild(CLI::App& library, Command& chosen) {
       "build", "Prepare the motions that a recipe names from their captures");
   command->add_option("RECIPE", options->recipe, "What to take from which clip (YAML)")->required();
   command->add_option("--captures", options->captures,
-                      "Folder of the clips; default: $AMBLE_MOCAP, or ../shared/mocap beside the "
-                      "folder that holds Amble's data");
-  command->add_option(
-      "-o,--output", options->out,
-      "Library file; default: the recipe's name without `.recipe`; - is standard output");
+                      "Folder of the clips; default: the recipe's `captures:`");
+  command->add_option("-o,--output", options->out,
+                      "Library file; default: the recipe's name without `.recipe`");
   command->callback([options, &chosen] {
     chosen = [options] {
       const std::filesystem::path out = options->out.empty() ? besideRecipe(options->recipe)
                                                              : std::filesystem::path(options->out);
-      const std::filesystem::path captures =
-          options->captures.empty() ? capturesFolder() : std::filesystem::path(options->captures);
-      const MotionLibrary built = buildMotionLibrary(options->recipe, captures);
+      const MotionLibrary built = buildMotionLibrary(options->recipe, options->captures);
       writeMotionLibrary(built, out);
       fmt::print(stderr, "{}: {} motions\n", out.string(), built.motions.size());
       return kDone;
