@@ -1,0 +1,119 @@
+#include "scenarios/problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "animation/error.h"
+
+namespace amble {
+namespace {
+
+std::string metres(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", value == 0.0 ? 0.0 : value);
+  return text;
+}
+
+std::string range(const char* axis, double min, double max) {
+  return std::string(axis) + " from " + metres(min) + " to " + metres(max);
+}
+
+std::string listed(const std::vector<double>& heights) {
+  std::string text;
+  for (const double height : heights) text += (text.empty() ? "" : ", ") + metres(height);
+  return text;
+}
+
+Scene loadScene(const Scenario& scenario) {
+  if (!std::filesystem::exists(scenario.scene)) {
+    throw InputError(scenario.file.string(), scenario.scene_line,
+                     "the scene '" + scenario.scene.string() + "' is not there",
+                     "the path of a scene file, relative to this one");
+  }
+  return readScene(scenario.scene);
+}
+
+MotionLibrary loadLibrary(const Scenario& scenario) {
+  const CharacterSpec& character = scenario.character;
+  if (character.library != "default" && !std::filesystem::exists(character.library)) {
+    throw InputError(scenario.file.string(), character.library_line,
+                     "the library '" + character.library + "' is not there",
+                     "'default', or the path of a motion library, relative to this file");
+  }
+  return openMotionLibrary(character.library);
+}
+
+CharacterSettings settingsOf(const Scenario& scenario, double frame_time) {
+  CharacterSettings settings;
+  settings.height = scenario.character.height;
+  settings.speed = scenario.walk.speed;
+  settings.frame_time = frame_time;
+  return settings;
+}
+
+void requireWithinBounds(const Scenario& scenario, const Place& place, const std::string& key) {
+  if (!scenario.bounds) return;
+  const Bounds& bounds = *scenario.bounds;
+  if ((place.at.array() >= bounds.min.array()).all() &&
+      (place.at.array() <= bounds.max.array()).all()) {
+    return;
+  }
+  throw InputError(scenario.file.string(), place.line, "'" + key + ".at' is outside of 'bounds'",
+                   range("x", bounds.min.x(), bounds.max.x()) + " and " +
+                       range("y", bounds.min.y(), bounds.max.y()));
+}
+
+}  // namespace
+
+double chooseFloor(const Scene& scene, const Scenario& scenario, const Place& place,
+                   const std::string& key) {
+  requireWithinBounds(scenario, place, key);
+  const auto fail = [&](const std::string& problem, const std::string& expected) {
+    throw InputError(scenario.file.string(), place.line, "'" + key + ".at' " + problem, expected);
+  };
+  const std::vector<double> heights = floors(scene, place.at.x(), place.at.y());
+  if (heights.empty()) {
+    const Eigen::AlignedBox3d box = scene.bounds();
+    fail("has no floor under it", "a place on the scene's floor; the scene has " +
+                                      range("x", box.min().x(), box.max().x()) + " and " +
+                                      range("y", box.min().y(), box.max().y()));
+  }
+  if (!place.z && heights.size() > 1) {
+    fail("has several floors over one another", "[x, y, z] with z near one of " + listed(heights));
+  }
+  if (!place.z) return heights.front();
+  const double nearest = *std::min_element(heights.begin(), heights.end(), [&](double a, double b) {
+    return std::abs(a - *place.z) < std::abs(b - *place.z);
+  });
+  if (std::abs(nearest - *place.z) > kFloorReach) {
+    fail("has no floor within " + metres(kFloorReach) + " m of z",
+         "z near one of " + listed(heights));
+  }
+  return nearest;
+}
+
+std::string objectName(const SceneObject& object) {
+  return object.part.empty() ? object.name : object.name + ": " + object.part;
+}
+
+Problem::Problem(const Scenario& problem, double frame_time)
+    : scenario(problem),
+      scene(loadScene(scenario)),
+      library(loadLibrary(scenario)),
+      ground(scene, chooseFloor(scene, scenario, scenario.start, "start")),
+      synthesizer(library, ground, settingsOf(scenario, frame_time)),
+      body(makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
+                    {synthesizer.ankleHeight(), synthesizer.toeHeight()})),
+      world(scene, ground, synthesizer.skeleton(), body) {}
+
+Eigen::Vector3d Problem::stand(const Place& place, const std::string& key) const {
+  return {place.at.x(), place.at.y(), chooseFloor(scene, scenario, place, key)};
+}
+
+Eigen::AlignedBox2d Problem::bounds() const {
+  if (!scenario.bounds) return ground.extent();
+  return {scenario.bounds->min, scenario.bounds->max};
+}
+
+}  // namespace amble

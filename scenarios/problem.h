@@ -1,0 +1,49 @@
+/// What a scenario names, read and put together: all that a planner is asked about and that
+/// pictures are drawn of.
+#pragma once
+
+#include "animation/motion_library.h"
+#include "animation/walk_synthesizer.h"
+#include "environments/body.h"
+#include "environments/collision_world.h"
+#include "environments/scene.h"
+#include "environments/scene_ground.h"
+#include "scenarios/scenario.h"
+
+namespace amble {
+
+/// Its parts know one another by address, so that it stays where it was made. Const after
+/// construction.
+struct Problem {
+  /// @param frame_time  of the animation [s, 1/240 to 1/24].
+  /// @throws InputError: what is not there or broken; a place outside of the bounds or where no
+  /// floor is, or several without a z that says which; an unknown planner.
+  Problem(const Scenario& scenario, double frame_time);
+  Problem(const Problem&) = delete;
+  Problem& operator=(const Problem&) = delete;
+
+  const Scenario scenario;
+  const Scene scene;
+  const MotionLibrary library;
+  const SceneGround ground;  ///< of the floor that the start stands on
+  const WalkSynthesizer synthesizer;
+  const Body body;
+  const CollisionWorld world;
+
+  /// Where a stance of the scenario stands: on this floor, or on the floor that its z names [m,
+  /// World].
+  Eigen::Vector3d stand(const Place& place, const std::string& key) const;
+  /// Where to look: the scenario's bounds, or the extent of what can be walked on [m].
+  Eigen::AlignedBox2d bounds() const;
+};
+
+/// Height of the floor that a place stands on [m]. `key` names it in messages: "start", "goal",
+/// "via[0]". @throws InputError
+double chooseFloor(const Scene& scene, const Scenario& scenario, const Place& place,
+                   const std::string& key);
+
+/// An object as reports name it: its name in the scene, with that of its part of a mesh file where
+/// it is one.
+std::string objectName(const SceneObject& object);
+
+}  // namespace amble
