@@ -1,4 +1,5 @@
-// Where Amble puts every joint of a BVH: a line `frame joint x y z` each [m, World], for other programs to compare with.
+// Where Amble puts every joint of a BVH: a line `frame joint x y z` each [m, World], for other
+// programs to compare with.
 //
 //   place_joints WALK.bvh STEP     every STEP-th frame
 
@@ -16,8 +17,8 @@ int main(int argc, char** argv) {
     amble::forwardKinematics(clip, frame, joints);
     for (int j = 0; j < clip.skeleton.size(); ++j) {
       const Eigen::Vector3d& p = joints[j].p_WJ;
-      std::printf("%d %s %.9f %.9f %.9f\n", frame, clip.skeleton.joint(j).name.c_str(), p.x(), p.y(),
-                  p.z());
+      std::printf("%d %s %.9f %.9f %.9f\n", frame, clip.skeleton.joint(j).name.c_str(), p.x(),
+                  p.y(), p.z());
     }
   }
   return 0;

@@ -1,4 +1,5 @@
-// A project of somebody else: reads the library that comes with Amble and says what walks are in it.
+// A project of somebody else: reads the library that comes with Amble and says what walks are in
+// it.
 #include <cstdio>
 
 #include "animation/motion_library.h"
