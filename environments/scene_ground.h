@@ -38,7 +38,8 @@ class SceneGround : public Ground {
 };
 
 /// Heights of every surface that could be a floor at (x, y), lowest first; those nearer than kLevel
-/// count as one [m].
+/// count as one, the lowest of them [m]. A floor is said to be `ground`, or goes on level for 4 m^2
+/// (a table does not); where nothing at (x, y) does, every surface there is one.
 std::vector<double> floors(const Scene& scene, double x, double y);
 
 }  // namespace amble
