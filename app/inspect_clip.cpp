@@ -111,7 +111,7 @@ Findings inspectLibrary(const std::filesystem::path& file) {
   for (const Motion& motion : library.motions) {
     const MotionSource& source = motion.source;
     const std::string from =
-        fmt::format("{} frames {} to {}{} ({})", source.clip, source.first_frame, source.last_frame,
+        fmt::format("{} frames {} to {}{} ({})", source.clip, source.frames[0], source.frames[1],
                     source.mirrored ? ", mirrored" : "", source.licence);
     nlohmann::ordered_json entry = {{"name", motion.name}};
     std::string text = "posture; ";
@@ -126,7 +126,7 @@ Findings inspectLibrary(const std::filesystem::path& file) {
       entry["closure"] = cycle.closure;
     }
     entry["source"] = {{"clip", source.clip},
-                       {"frames", {source.first_frame, source.last_frame}},
+                       {"frames", {source.frames[0], source.frames[1]}},
                        {"mirrored", source.mirrored},
                        {"licence", source.licence},
                        {"credit", source.credit}};
