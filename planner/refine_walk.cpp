@@ -1,0 +1,332 @@
+#include "planner/refine_walk.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "animation/rotation.h"
+#include "planner/parallel.h"
+#include "planner/sample_stream.h"
+
+namespace amble {
+namespace {
+
+// Less is rounding: durations are whole numbers of frames [s].
+constexpr double kGain = 1e-6;
+// Rounds of pass 3, with the others after each: all but the last were worth it, so few are enough.
+constexpr int kRounds = 3;
+// Pass 2: how far from the node to the line between its neighbours, and headings off that line's.
+constexpr std::array<double, 5> kPulls = {0.5, 0.25, 0.0, 0.75, 1.0};
+constexpr std::array<double, 5> kTurns = {0.0, 20 * kDegree, -20 * kDegree, 40 * kDegree,
+                                          -40 * kDegree};
+// Pass 3: how far a random stance lies from where it is looked for [m], and how far its heading is
+// off [rad].
+constexpr double kStray = 0.25;
+constexpr double kTwist = 40 * kDegree;
+
+/// Walk from node `first` to node `last` by way of these, instead of as it is now.
+struct Proposal {
+  int first = 0;
+  int last = 0;
+  std::vector<Stance> between;
+};
+
+struct Answer {
+  std::vector<WalkEdge> edges;  // empty where it is no help
+  SteeringCount count;
+};
+
+Eigen::Vector2d at(const Stance& stance) { return stance.position.head<2>(); }
+
+double direction(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  return std::atan2(to.y() - from.y(), to.x() - from.x());
+}
+
+Stance walking(const Eigen::Vector2d& position, double heading, Side leading) {
+  Stance stance;
+  stance.position.head<2>() = position;
+  stance.heading = wrapAngle(heading);
+  stance.standing = false;
+  stance.leading = leading;
+  return stance;
+}
+
+class Refiner {
+ public:
+  Refiner(const Steering& steering, EdgePath path, const SearchLimits& limits, SteeringCount& count)
+      : steering_(steering), path_(std::move(path)), limits_(limits), count_(count) {
+    for (int i = 0; i < limits.threads; ++i) scratches_.push_back(steering.makeScratch());
+  }
+
+  void shortcuts();
+  void passStops();
+  bool tries(int round, int tries);
+  bool stopped() const { return limits_.stopped(); }
+  EdgePath take() { return std::move(path_); }
+
+ private:
+  int last() const { return static_cast<int>(path_.edges.size()); }  // node
+  Waypoint node(int i) const;
+  bool leavesOutPinned(const Proposal& proposal) const;
+  double leastDuration(const std::vector<Waypoint>& way, size_t from) const;
+  Answer judge(const Proposal& proposal, SteeringScratch& scratch) const;
+  int firstThatHelps(const std::vector<Proposal>& proposals);
+  void take(const Proposal& proposal, std::vector<WalkEdge> edges);
+  std::vector<Proposal> passings(int i) const;
+  std::optional<Proposal> moveNode(SampleStream& stream) const;
+  std::optional<Proposal> cutOff(SampleStream& stream) const;
+  std::optional<Proposal> goBy(SampleStream& stream) const;
+  std::optional<Proposal> randomProposal(int round, int index) const;
+  std::pair<int, Stance> pointOfWalk(double s) const;
+
+  const Steering& steering_;
+  EdgePath path_;
+  const SearchLimits& limits_;
+  SteeringCount& count_;
+  std::vector<SteeringScratchPtr> scratches_;
+};
+
+Waypoint Refiner::node(int i) const {
+  if (i == 0) return path_.start;
+  if (i == last()) return path_.goal;
+  return {path_.edges[i].from, false, false};
+}
+
+bool Refiner::leavesOutPinned(const Proposal& proposal) const {
+  for (int i = proposal.first + 1; i < proposal.last; ++i) {
+    if (!path_.pinned[i]) continue;
+    const Eigen::Vector2d pin = at(path_.edges[i].from);
+    if (std::none_of(proposal.between.begin(), proposal.between.end(),
+                     [&](const Stance& stance) { return at(stance) == pin; })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+double Refiner::leastDuration(const std::vector<Waypoint>& way, size_t from) const {
+  double length = 0.0;
+  for (size_t i = from; i + 1 < way.size(); ++i)
+    length += (at(way[i + 1].stance) - at(way[i].stance)).norm();
+  return length / steering_.topSpeed();
+}
+
+// Edges along the proposal, if they are all allowed and take less time than what they replace.
+Answer Refiner::judge(const Proposal& proposal, SteeringScratch& scratch) const {
+  Answer answer;
+  if (leavesOutPinned(proposal)) return answer;
+  std::vector<Waypoint> way = {node(proposal.first)};
+  for (const Stance& stance : proposal.between) {
+    way.push_back({stance, false, true});
+    if (!steering_.place(way.back().stance)) return answer;
+  }
+  way.push_back(node(proposal.last));
+  double old_duration = 0.0;
+  for (int i = proposal.first; i < proposal.last; ++i) old_duration += path_.edges[i].duration;
+  double duration = 0.0;
+  std::vector<WalkEdge> edges;
+  for (size_t i = 0; i + 1 < way.size(); ++i) {
+    if (duration + leastDuration(way, i) > old_duration - kGain) return answer;
+    const SteerResult result = steering_.steer(way[i], way[i + 1], scratch);
+    answer.count.add(result);
+    if (!result.edge) return answer;
+    duration += result.edge->duration;
+    if (i + 2 < way.size()) way[i + 1].stance = result.edge->to;
+    edges.push_back(*result.edge);
+  }
+  if (duration <= old_duration - kGain) answer.edges = std::move(edges);
+  return answer;
+}
+
+void Refiner::take(const Proposal& proposal, std::vector<WalkEdge> edges) {
+  std::vector<bool> pinned(path_.pinned.begin(), path_.pinned.begin() + proposal.first + 1);
+  for (size_t i = 0; i + 1 < edges.size(); ++i) {
+    bool pin = false;
+    for (int k = proposal.first + 1; k < proposal.last; ++k) {
+      pin = pin || (path_.pinned[k] && at(path_.edges[k].from) == at(edges[i].to));
+    }
+    pinned.push_back(pin);
+  }
+  pinned.insert(pinned.end(), path_.pinned.begin() + proposal.last, path_.pinned.end());
+  std::vector<WalkEdge>& all = path_.edges;
+  const auto place = all.erase(all.begin() + proposal.first, all.begin() + proposal.last);
+  all.insert(place, std::make_move_iterator(edges.begin()), std::make_move_iterator(edges.end()));
+  path_.pinned = std::move(pinned);
+  assert(path_.pinned.size() == path_.edges.size() + 1);
+}
+
+// Takes the first proposal that helps and returns its index; -1 where none does.
+int Refiner::firstThatHelps(const std::vector<Proposal>& proposals) {
+  const int total = static_cast<int>(proposals.size());
+  for (int begin = 0; begin < total; begin += limits_.threads) {
+    if (stopped()) return -1;
+    std::vector<Answer> answers(std::min(limits_.threads, total - begin));
+    parallelFor(static_cast<int>(answers.size()), limits_.threads, [&](int i, int thread) {
+      answers[i] = judge(proposals[begin + i], *scratches_[thread]);
+    });
+    for (size_t i = 0; i < answers.size(); ++i) {
+      count_.add(answers[i].count);
+      if (answers[i].edges.empty()) continue;
+      take(proposals[begin + i], std::move(answers[i].edges));
+      return begin + static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+void Refiner::shortcuts() {
+  std::vector<Proposal> proposals;
+  do {
+    proposals.clear();
+    for (int span = last(); span >= 2; --span) {
+      for (int first = 0; first + span <= last(); ++first)
+        proposals.push_back({first, first + span, {}});
+    }
+  } while (firstThatHelps(proposals) >= 0);
+}
+
+// Stances that walk by node i.
+std::vector<Proposal> Refiner::passings(int i) const {
+  const Eigen::Vector2d before = at(node(i - 1).stance), here = at(node(i).stance),
+                        after = at(node(i + 1).stance);
+  const Eigen::Vector2d middle = 0.5 * (before + after);
+  const double along = direction(before, after);
+  // Headed half way between arriving and leaving, which on a corner is where the line between the
+  // neighbours goes, nearly.
+  const double arriving = direction(before, here);
+  const double bisecting = arriving + 0.5 * wrapAngle(direction(here, after) - arriving);
+  std::vector<Proposal> proposals;
+  for (const double pull : kPulls) {
+    if (path_.pinned[i] && pull > 0.0) continue;
+    for (const double turn : kTurns) {
+      const double heading = (pull > 0.5 ? along : bisecting) + turn;
+      const Eigen::Vector2d position =
+          pull > 0.0 ? Eigen::Vector2d(here + pull * (middle - here)) : here;
+      proposals.push_back({i - 1, i + 1, {walking(position, heading, kLeft)}});
+    }
+  }
+  return proposals;
+}
+
+void Refiner::passStops() {
+  for (int i = 1; i < last() && !stopped(); ++i) {
+    if (node(i).stance.standing) firstThatHelps(passings(i));
+  }
+}
+
+// The edge and the stance at a distance along the walk.
+std::pair<int, Stance> Refiner::pointOfWalk(double s) const {
+  int edge = 0;
+  while (edge + 1 < last() && s > path_.edges[edge].length) s -= path_.edges[edge++].length;
+  if (path_.edges[edge].path.empty()) return {edge, path_.edges[edge].from};
+  const RootPath::Sample sample = path_.edges[edge].path.at(s);
+  return {edge, walking(sample.position, sample.heading, kLeft)};
+}
+
+std::optional<Proposal> Refiner::moveNode(SampleStream& stream) const {
+  if (last() < 2) return std::nullopt;
+  const int i = 1 + stream.below(last() - 1);
+  const Eigen::Vector2d before = at(node(i - 1).stance), here = at(node(i).stance),
+                        after = at(node(i + 1).stance);
+  Eigen::Vector2d position = here + stream.uniform() * (0.5 * (before + after) - here);
+  position += Eigen::Vector2d(stream.uniform(-kStray, kStray), stream.uniform(-kStray, kStray));
+  if (path_.pinned[i]) position = here;
+  const double heading = direction(before, after) + stream.uniform(-kTwist, kTwist);
+  return Proposal{i - 1, i + 1, {walking(position, heading, kLeft)}};
+}
+
+std::optional<Proposal> Refiner::cutOff(SampleStream& stream) const {
+  const double length = path_.length();
+  const double a = stream.uniform(0.0, length), b = stream.uniform(0.0, length);
+  const auto [first, from] = pointOfWalk(std::min(a, b));
+  const auto [last_edge, to] = pointOfWalk(std::max(a, b));
+  if (first == last_edge || from.standing || to.standing) return std::nullopt;
+  Proposal proposal{first, last_edge + 1, {}};
+  const int which = stream.below(3);
+  if (which != 1) proposal.between.push_back(from);
+  if (which != 2) proposal.between.push_back(to);
+  return proposal;
+}
+
+std::optional<Proposal> Refiner::goBy(SampleStream& stream) const {
+  const int first = stream.below(last());
+  const int next = std::min(last(), first + 1 + stream.below(3));
+  const Eigen::Vector2d from = at(node(first).stance), to = at(node(next).stance);
+  Eigen::Vector2d position = from + stream.uniform() * (to - from);
+  position += Eigen::Vector2d(stream.uniform(-kStray, kStray), stream.uniform(-kStray, kStray));
+  const double heading = direction(from, to) + stream.uniform(-kTwist, kTwist);
+  return Proposal{first, next, {walking(position, heading, kLeft)}};
+}
+
+std::optional<Proposal> Refiner::randomProposal(int round, int index) const {
+  // The streams of the roadmap's samples begin at 0: these are far from them.
+  SampleStream stream(limits_.seed,
+                      (1ULL << 40) + (static_cast<std::uint64_t>(round) << 32) + index);
+  switch (stream.below(3)) {
+    case 0:
+      return moveNode(stream);
+    case 1:
+      return cutOff(stream);
+    default:
+      return goBy(stream);
+  }
+}
+
+bool Refiner::tries(int round, int tries) {
+  bool helped = false;
+  for (int next = 0; next < tries && !stopped();) {
+    std::vector<Proposal> proposals;
+    std::vector<int> index;
+    for (int i = next; i < tries; ++i) {
+      if (auto proposal = randomProposal(round, i)) {
+        proposals.push_back(std::move(*proposal));
+        index.push_back(i);
+      }
+    }
+    const int taken = firstThatHelps(proposals);
+    if (taken < 0) return helped;
+    helped = true;
+    next = index[taken] + 1;
+    if (limits_.progress) limits_.progress({"refine", next, tries, 0, 0});
+  }
+  return helped;
+}
+
+}  // namespace
+
+double EdgePath::duration() const {
+  double sum = 0.0;
+  for (const WalkEdge& edge : edges) sum += edge.duration;
+  return sum;
+}
+
+double EdgePath::length() const {
+  double sum = 0.0;
+  for (const WalkEdge& edge : edges) sum += edge.length;
+  return sum;
+}
+
+int EdgePath::stops() const {
+  return static_cast<int>(std::count_if(edges.begin() + (edges.empty() ? 0 : 1), edges.end(),
+                                        [](const WalkEdge& edge) { return edge.from.standing; }));
+}
+
+EdgePath refineWalk(const Steering& steering, EdgePath path, const RefineSettings& settings,
+                    const SearchLimits& limits, SteeringCount& count) {
+  assert(!path.edges.empty() && path.pinned.size() == path.edges.size() + 1);
+  Refiner refiner(steering, std::move(path), limits, count);
+  refiner.shortcuts();
+  if (!settings.walk_on) return refiner.take();
+  refiner.passStops();
+  for (int round = 0; round < kRounds && !refiner.stopped(); ++round) {
+    if (!refiner.tries(round, settings.tries / kRounds)) break;
+    refiner.shortcuts();
+    refiner.passStops();
+  }
+  return refiner.take();
+}
+
+}  // namespace amble

@@ -1,0 +1,48 @@
+/// From the crooked walk that a roadmap gives, which stops and turns at every node, to one that is
+/// shorter and walks on.
+///
+/// Every proposal replaces a stretch of the walk by new edges, which steering checks as it checks
+/// any other; it is taken if the walk's duration falls. So a refined walk never takes longer than
+/// the one it came from and is as valid. Three passes:
+///   1 shortcuts   a direct edge between two nodes, the widest apart first, until none helps
+///   2 stops       each node where the walk stands is replaced by a stance that walks: on the node
+///   or nearer to the line
+///                 between its neighbours, headed as they lie; the first on a fixed list that
+///                 passes
+///   3 tries       a counted number of random ones: a node moved, left out, or cut off between two
+///   points of the walk
+/// and, when tries changed the walk, 1 and 2 again. Tries come from a stream each, by index, and
+/// are judged in that order, so the result is the same for any number of threads.
+#pragma once
+
+#include <vector>
+
+#include "planner/search_limits.h"
+#include "planner/steering.h"
+
+namespace amble {
+
+/// Edges that follow one another: edges[i].to is edges[i + 1].from.
+struct EdgePath {
+  std::vector<WalkEdge> edges;
+  /// By node (edges.size() + 1 of them): the walk must pass through its position. True for both
+  /// ends.
+  std::vector<bool> pinned;
+  Waypoint start, goal;  ///< the ends as asked for: a heading that was free is free to be changed
+
+  double duration() const;  ///< [s]
+  double length() const;    ///< [m]
+  int stops() const;        ///< nodes between the ends at which the walk stands
+};
+
+struct RefineSettings {
+  bool walk_on = true;  ///< false: pass 1 only
+  int tries = 100;      ///< of pass 3 [>= 0]; where it ends is by trial: later ones rarely help
+};
+
+/// @pre path.edges is not empty. limits.deadline and limits.stop end it early, with what is
+/// reached.
+EdgePath refineWalk(const Steering& steering, EdgePath path, const RefineSettings& settings,
+                    const SearchLimits& limits, SteeringCount& count);
+
+}  // namespace amble

@@ -1,0 +1,121 @@
+#include "planner/sampled_roadmap.h"
+
+#include <optional>
+
+#include "planner/parallel.h"
+
+namespace amble {
+namespace {
+
+// Samples judged ahead, a thread: more keep threads busy, but are lost when the search ends with
+// one of the first.
+constexpr int kAheadPerThread = 4;
+
+bool samePlace(const Waypoint& a, const Waypoint& b) {
+  return a.stance.position == b.stance.position && a.stance.heading == b.stance.heading &&
+         a.stance.standing == b.stance.standing && a.stance.leading == b.stance.leading &&
+         a.any_heading == b.any_heading;
+}
+
+}  // namespace
+
+// A sample judged ahead.
+struct SampledRoadmap::Draft {
+  std::uint64_t index = 0;
+  std::optional<Candidate> candidate;  // none where no free stance was found
+};
+
+SampledRoadmap::SampledRoadmap(const Steering& steering, const Eigen::AlignedBox2d& bounds)
+    : steering_(steering), sampler_(steering, bounds) {}
+
+bool SampledRoadmap::ask(Candidate& candidate, Question question, Verdict& verdict,
+                         SteeringScratch& scratch) const {
+  const auto key = std::make_pair(question.node, question.to_node);
+  auto answer = candidate.answers.find(key);
+  if (answer == candidate.answers.end()) {
+    const Waypoint& node = roadmap_.nodes()[question.node].at;
+    answer = candidate.answers
+                 .emplace(key, question.to_node ? steering_.steer(candidate.at, node, scratch)
+                                                : steering_.steer(node, candidate.at, scratch))
+                 .first;
+  }
+  verdict.questions.push_back(question);
+  return answer->second.edge.has_value();
+}
+
+int SampledRoadmap::commit(Candidate& candidate, SteeringScratch& scratch) {
+  const Verdict verdict = judge(candidate, scratch);
+  int node = -1;
+  if (verdict.keep) {
+    node = roadmap_.addNode({candidate.at, verdict.kind, candidate.enter, candidate.leave});
+    if (verdict.kind == NodeKind::kGuard) failures_ = 0;
+  }
+  const int stands_for = verdict.keep ? node : verdict.stands_for;
+  for (const Question& question : verdict.questions) {
+    const SteerResult& answer = candidate.answers.at({question.node, question.to_node});
+    count_.add(answer);
+    const int from = question.to_node ? stands_for : question.node;
+    const int to = question.to_node ? question.node : stands_for;
+    if (!answer.edge) {
+      if (stands_for >= 0) refused_.push_back({from, to, answer.failure});
+    } else if (verdict.keep) {
+      roadmap_.addEdge(from, to, *answer.edge);
+    }
+  }
+  return node;
+}
+
+int SampledRoadmap::insert(const Waypoint& at, bool enter, bool leave) {
+  for (int node = 0; node < roadmap_.size(); ++node) {
+    const RoadmapNode& known = roadmap_.nodes()[node];
+    if (samePlace(known.at, at) && known.enter == enter && known.leave == leave) return node;
+  }
+  Candidate candidate{at, enter, leave, true, {}};
+  const SteeringScratchPtr scratch = steering_.makeScratch();
+  return commit(candidate, *scratch);
+}
+
+void SampledRoadmap::clear() {
+  roadmap_ = {};
+  count_ = {};
+  refused_.clear();
+  samples_ = 0;
+  failures_ = 0;
+}
+
+std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
+    const SearchLimits& limits, std::vector<SteeringScratchPtr>& scratches) const {
+  const int count = limits.threads > 1 ? kAheadPerThread * limits.threads : 1;
+  std::vector<Draft> drafts(count);
+  parallelFor(count, limits.threads, [&](int i, int thread) {
+    if (limits.stopped()) return;
+    drafts[i].index = samples_ + i;
+    const auto stance = sampler_.draw(limits.seed, drafts[i].index, *scratches[thread]);
+    if (!stance) return;
+    drafts[i].candidate = Candidate{{*stance}, true, true, false, {}};
+    judge(*drafts[i].candidate, *scratches[thread]);  // for its answers
+  });
+  return drafts;
+}
+
+bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
+  std::vector<SteeringScratchPtr> scratches(limits.threads);
+  for (SteeringScratchPtr& scratch : scratches) scratch = steering_.makeScratch();
+  while (!roadmap_.reachableFrom(from)[to]) {
+    if (exhausted(limits) || limits.stopped()) return false;
+    for (Draft& draft : draft(limits, scratches)) {
+      if (limits.stopped()) return false;
+      ++samples_;
+      if (StanceSampler::isUniform(draft.index)) ++failures_;  // a guard sets it back
+      if (draft.candidate) commit(*draft.candidate, *scratches[0]);
+      if (limits.progress) {
+        limits.progress({"roadmap", effort(), limits.max_failures, roadmap_.count(NodeKind::kGuard),
+                         roadmap_.count(NodeKind::kConnector)});
+      }
+      if (exhausted(limits) || roadmap_.reachableFrom(from)[to]) break;
+    }
+  }
+  return true;
+}
+
+}  // namespace amble

@@ -1,0 +1,65 @@
+#include "planner/stance_sampler.h"
+
+#include <cmath>
+
+#include "animation/rotation.h"
+
+namespace amble {
+namespace {
+
+// A try costs one check of one pose, an edge some hundreds of them: many tries are cheap beside one
+// edge.
+constexpr int kUniformTries = 200;
+constexpr int kBridgeTries = 60;
+// Between the ends of a bridge [m]: less than a body's width is never free between, more is not
+// narrow.
+constexpr double kShortestBridge = 0.5;
+constexpr double kLongestBridge = 1.8;
+
+}  // namespace
+
+std::optional<Stance> StanceSampler::draw(std::uint64_t seed, std::uint64_t index,
+                                          SteeringScratch& scratch) const {
+  SampleStream stream(seed, index);
+  if (!isUniform(index)) {
+    if (const auto found = bridge(stream, scratch)) return found;
+  }
+  return uniform(stream, scratch);
+}
+
+Stance StanceSampler::anywhere(SampleStream& stream) const {
+  Stance stance;
+  stance.position.x() = stream.uniform(bounds_.min().x(), bounds_.max().x());
+  stance.position.y() = stream.uniform(bounds_.min().y(), bounds_.max().y());
+  stance.heading = stream.uniform(-kPi, kPi);
+  return stance;
+}
+
+std::optional<Stance> StanceSampler::uniform(SampleStream& stream, SteeringScratch& scratch) const {
+  for (int i = 0; i < kUniformTries; ++i) {
+    Stance stance = anywhere(stream);
+    if (!steering_.stand(stance, scratch)) return stance;
+  }
+  return std::nullopt;
+}
+
+std::optional<Stance> StanceSampler::bridge(SampleStream& stream, SteeringScratch& scratch) const {
+  for (int i = 0; i < kBridgeTries; ++i) {
+    Stance near_end = anywhere(stream);
+    const double direction = stream.uniform(-kPi, kPi);
+    const double length = stream.uniform(kShortestBridge, kLongestBridge);
+    const double side = stream.uniform() < 0.5 ? kPi / 2 : -kPi / 2;
+    const Eigen::Vector3d half =
+        0.5 * length * Eigen::Vector3d(std::cos(direction), std::sin(direction), 0.0);
+    Stance far_end = near_end, middle = near_end;
+    far_end.position += 2 * half;
+    middle.position += half;
+    middle.heading = wrapAngle(direction + side);
+    if (!bounds_.contains(middle.position.head<2>())) continue;
+    if (!steering_.stand(near_end, scratch) || !steering_.stand(far_end, scratch)) continue;
+    if (!steering_.stand(middle, scratch)) return middle;
+  }
+  return std::nullopt;
+}
+
+}  // namespace amble

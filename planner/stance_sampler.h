@@ -1,0 +1,43 @@
+/// Where samples of a roadmap come from: free standing stances, each of its own random stream.
+///
+/// Samples of even index are uniform in the bounds and in heading. Those of odd index are drawn by
+/// the bridge test (Hsu, Jiang, Reif and Sun, "The bridge test for sampling narrow passages", ICRA
+/// 2003): the middle between two places where the body cannot stand, facing along the passage.
+/// Narrow passages take a small share of a room, and a connector must lie in or in line with one.
+/// Where the bridge test finds nothing in its tries the sample is uniform.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <optional>
+
+#include "planner/sample_stream.h"
+#include "planner/steering.h"
+
+namespace amble {
+
+class StanceSampler {
+ public:
+  /// @pre bounds is not empty; steering outlives the sampler.
+  StanceSampler(const Steering& steering, const Eigen::AlignedBox2d& bounds)
+      : steering_(steering), bounds_(bounds) {}
+
+  /// The free stance of that index, or none where no try was free.
+  std::optional<Stance> draw(std::uint64_t seed, std::uint64_t index,
+                             SteeringScratch& scratch) const;
+
+  /// Whether a sample is one that the estimate of coverage may count: uniform.
+  static bool isUniform(std::uint64_t index) { return index % 2 == 0; }
+
+  const Eigen::AlignedBox2d& bounds() const { return bounds_; }
+
+ private:
+  Stance anywhere(SampleStream& stream) const;
+  std::optional<Stance> uniform(SampleStream& stream, SteeringScratch& scratch) const;
+  std::optional<Stance> bridge(SampleStream& stream, SteeringScratch& scratch) const;
+
+  const Steering& steering_;
+  Eigen::AlignedBox2d bounds_;
+};
+
+}  // namespace amble
