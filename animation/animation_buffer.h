@@ -9,13 +9,37 @@
 
 namespace amble {
 
+/// Where a foot stands: middle of the sole's length on the ground [m, World] and heading [rad].
+struct FootPlace {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  double heading = 0.0;
+};
+
+/// What a foot is about in a frame.
+struct FootState {
+  FootPlace from;  ///< where it stands, or stood last
+  FootPlace to;    ///< where it goes while it swings; else `from`
+  /// 0 to 1: planted, from strike to lift-off; above 1 to 2: swinging, from lift-off to strike.
+  double at = 0.0;
+  double strike_roll = 1.0;  ///< how much of the captured heel strike is kept, 0 lands flat [0, 1]
+  double lift_roll = 1.0;    ///< how much of the captured rise of the heel is kept [0, 1]
+
+  bool planted() const { return at <= 1.0; }
+};
+
 /// What is known of a frame beside its pose.
 struct FrameState {
-  double arc = 0.0;       ///< distance walked along the root path since the buffer's begin [m]
-  double heading = 0.0;   ///< of the root path [rad]
-  double speed = 0.0;     ///< along the root path [m/s, >= 0]
-  double turn_rate = 0.0; ///< [rad/s], left positive
-  double phase = 0.0;     ///< of the walk cycle [cycles, 0 <= . < 1]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the root path, on the ground [m, World]
+  double arc = 0.0;        ///< distance walked along the root path since the buffer's begin [m]
+  double heading = 0.0;    ///< of the root path [rad]
+  double speed = 0.0;      ///< along the root path [m/s, >= 0]
+  double turn_rate = 0.0;  ///< [rad/s], left positive
+  double turning = 1.0;    ///< share of the turn rate that the cycles are blended by; 0 at stances [0, 1]
+  double phase = 0.0;      ///< of the walk cycle [cycles, 0 <= . < 1]
+  double step_length = 0.0;  ///< to which the cycles are warped here [m]
+  double standing = 0.0;     ///< share of the standing posture, 1 at standing stances [0, 1]
+  double sway = 0.0;         ///< weight shift to the left beside that of the walk cycle [m]
+  std::array<FootState, 2> feet;            ///< by Side
   std::array<bool, 2> planted = {true, true};  ///< by Side: the foot's sole is on the ground
 };
 
@@ -30,14 +54,16 @@ struct Footprint {
 
 /// Frames at a fixed rate. `poses[i]` is what is validated and exported for frame i.
 struct AnimationBuffer {
-  double frame_time = 1.0 / 60.0;   ///< [s]
+  double frame_time = 1.0 / 60.0;     ///< [s]
   PoseArray poses;
-  std::vector<FrameState> states;   ///< as many as poses
+  std::vector<FrameState> states;     ///< as many as poses
   std::vector<Footprint> footprints;  ///< in order of first_frame
 
   int size() const { return poses.size(); }
   /// Appends `next`, whose first frame repeats our last one (it is dropped); a footprint that goes on is merged.
   void append(const AnimationBuffer& next);
+  /// Sets planted flags and footprints from the feet's states.
+  void markFootprints();
 };
 
 }  // namespace amble

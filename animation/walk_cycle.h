@@ -1,70 +1,85 @@
 /// A walk cycle as Fourier series (Pettré §4.1): what a capture of a walk becomes before it is warped and blended.
 ///
-/// Channels, in this order: errors of the root around the fitted line or circle (forward, left, up [m]; rotation vector [rad] of
-/// the root against the path's frame), then the rotation vector [rad] of each further joint against the library's reference
-/// rotation. Phase is in cycles; phase 0 is the middle of the double support with the left foot in front (DESIGN.md, 2).
+/// Phase is in cycles; phase 0 is the middle of the double support with the left foot in front, 0.5 the same with the right.
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "animation/clip.h"
+#include "animation/foot_shape.h"
+#include "animation/fourier.h"
 #include "animation/joint_roles.h"
 
 namespace amble {
 
-/// p(phase) = alpha_0 + sum_k alpha_k cos(2 pi k phase) + beta_k sin(2 pi k phase)   (Pettré eq. 2), for many channels.
-struct FourierSeries {
-  Eigen::MatrixXd alpha;  ///< rows: channels; columns: k = 0..harmonics
-  Eigen::MatrixXd beta;   ///< rows: channels; columns: k = 0..harmonics; column 0 is 0
-
-  int channels() const { return static_cast<int>(alpha.rows()); }
-  int harmonics() const { return static_cast<int>(alpha.cols()) - 1; }
-  /// All channels at `phase` [cycles]; alpha_k and beta_k, k >= 1, times `amplitude`. alpha_0, the mean posture, is not
-  /// scaled: that would change how the walker stands (the paper does not say).
-  void evaluate(double phase, double amplitude, Eigen::VectorXd& values) const;
-};
-
-/// Least squares over one period: samples (rows: channels, columns: times at phases[i]). @pre more samples than coefficients.
-FourierSeries fitFourier(const Eigen::MatrixXd& samples, const std::vector<double>& phases, int harmonics);
-
-/// How one foot moves over a cycle, relative to its own footprints. Side-specific; angles of the sole against the ground.
+/// How one foot goes from a footprint to the next, and rolls. tau runs over the swing, 0 at lift-off and 1 at strike.
+///
+/// The polynomials are kept times tau^2 (1 - tau)^2, so that a swing begins and ends at rest on its footprints: captured feet slide, ours do not.
 struct FootCycle {
-  double strike = 0.0;    ///< phase at which the heel lands [cycles]
-  double lift_off = 0.0;  ///< phase at which the toe leaves [cycles]
-  /// Swing, sampled evenly from lift-off to strike (both included): how far the foot has gone from one footprint to the next
-  /// [0 to 1], height of the ball over the straight line between them [m], how far it strays to the left of that line [m], and the sole's rotation
-  /// vector against the heading (x roll, y pitch, toe down positive, z yaw) [rad].
-  std::vector<double> progress, height, sideways;
-  std::vector<Eigen::Vector3d> swing_rotation;
-  /// Pitch of the sole during stance, sampled evenly from strike to lift-off: negative while only the heel touches, 0 while
-  /// flat, positive when the heel has risen [rad].
-  std::vector<double> stance_pitch;
+  double strike = 0.0;    ///< captured phase at which the heel lands [cycles]
+  double lift_off = 0.0;  ///< captured phase at which the toe leaves [cycles]
+  /// Progress from print to print beyond 3 tau^2 - 2 tau^3 [1]; height over the line between them [m]; straying to the left of that line
+  /// [m]; roll and yaw of the sole against the heading that turns from print to print [rad]. Coefficients of tau^0, tau^1, ...
+  std::array<double, 4> progress = {}, height = {}, sideways = {}, roll = {}, yaw = {};
+  /// Pitch of the sole, toes down positive [rad], over one cycle of the foot: kStanceSamples from strike to lift-off, then
+  /// kSwingSamples from lift-off to the next strike, where it begins anew. 0 while the foot is flat.
+  std::vector<double> pitch;
+
+  static constexpr int kStanceSamples = 24;
+  static constexpr int kSwingSamples = 16;
 };
 
 struct WalkCycle {
-  double speed = 0.0;       ///< along the fitted line or circle [m/s]
-  double turn_rate = 0.0;   ///< [rad/s], left positive
-  double period = 0.0;      ///< of a cycle, two steps [s]
-  double closure = 0.0;     ///< measured error of the cycle: rms joint distance between its ends [m]
-  double residual = 0.0;    ///< rms of what the low-pass leaves out, over joints [rad]
+  double speed = 0.0;      ///< along the fitted line or circle [m/s]
+  double turn_rate = 0.0;  ///< [rad/s], left positive
+  double period = 0.0;     ///< of a cycle, two steps [s]
+  double closure = 0.0;    ///< measured error of the cycle: rms distance of joints between its ends [m]
+  double residual = 0.0;   ///< rms of what the low-pass leaves out, over joints' angles [rad]
+  double slide = 0.0;      ///< largest distance a standing ankle moves in the capture, the anchor of foot skate [m]
+  /// Channels: errors of the root around the fitted line or circle, captured minus fitted (forward, left, height over the ground [m]) - the
+  /// paper's eps is the negative of it - then the rotation vector [rad] of the root against the heading and of each further joint, each against
+  /// the library's reference rotation: q = q_reference * exp(v).
   FourierSeries series;
-  std::array<FootCycle, 2> feet;      ///< by Side
-  double step_width = 0.0;            ///< between the feet's lines [m]
-  double foot_forward = 0.0;          ///< mean of front and rear foot against the root at phase 0 [m]
-  std::array<double, 2> toe_out = {0, 0};  ///< heading of the planted foot against the path, left positive [rad]
+  std::array<FootCycle, 2> feet;  ///< by Side
+  double step_width = 0.0;        ///< between the lines of left and right footprints [m]
+  double foot_forward = 0.0;      ///< mean of the two footprints of phase 0 before the path's point [m]
+  std::array<double, 2> toe_out = {0, 0};  ///< heading of the footprint against the path, left positive [rad], by Side
+
+  double stepLength() const { return 0.5 * speed * period; }  ///< of the capture (the papers' "stride") [m]
 };
 
-/// A pose to hold, relative to a path's frame on the ground below the root.
+/// A pose to hold.
 struct Posture {
-  double root_height = 0.0;              ///< over the ground [m]
+  double root_height = 0.0;       ///< over the ground [m]
+  double root_forward = 0.0;      ///< of the root before the middle of the footprints [m]
   std::vector<Eigen::Quaterniond> rotations;  ///< of the root against the heading, then of each joint in its parent
-  double step_width = 0.0;               ///< between the feet [m]
-  double foot_forward = 0.0;             ///< mean of the feet against the root [m]
-  std::array<double, 2> toe_out = {0, 0};  ///< [rad], left positive
+  double step_width = 0.0;        ///< between the footprints [m]
+  std::array<double, 2> toe_out = {0, 0};  ///< [rad], left positive, by Side
 };
+
+struct CycleOptions {
+  std::string clip;      ///< for messages
+  bool turning = false;  ///< look for a turn: the cycle with the least closure for its turn rate
+  int harmonics = 8;     ///< of the low-pass [1, 12]
+  std::optional<std::pair<int, int>> frames;  ///< look only within these frames of the clip
+};
+
+/// Finds the most cyclic stretch of a levelled clip, fits a line or circle, takes the errors around it and their Fourier series.
+/// Fit: of all lines (circles) the one on which the cycle closes, that is, whose ends are a whole cycle's ends; least squares over a single cycle would
+/// lean with the sway. @param reference  the library's reference rotations, root against heading first
+/// @throws InputError naming the clip where no whole cycle is found.
+WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
+                           const std::array<FootShape, 2>& feet,
+                           const std::vector<Eigen::Quaterniond>& reference,
+                           const CycleOptions& options, std::pair<int, int>* used_frames = nullptr);
+
+/// The mean pose of a standing clip's frames [first, last].
+Posture preparePosture(const Clip& level, const JointRoles& roles,
+                       const std::array<FootShape, 2>& feet, int first, int last);
 
 }  // namespace amble

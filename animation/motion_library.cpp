@@ -1,0 +1,199 @@
+#include "animation/motion_library.h"
+
+#include <cmath>
+
+#include "animation/bvh.h"
+#include "animation/data_directory.h"
+#include "animation/error.h"
+#include "animation/rotation.h"
+#include "animation/strict_yaml.h"
+
+namespace amble {
+namespace {
+
+constexpr int kMaxHarmonics = 12;
+
+std::array<double, 2> degreePair(const YamlNode& node) {
+  const Eigen::Vector2d v = node.asVec2("angles [degrees]");
+  return {v[0] * kDegree, v[1] * kDegree};
+}
+
+std::array<double, 4> coefficients(const YamlNode& node) {
+  const Eigen::VectorXd v = node.asVec(4, "coefficients");
+  return {v[0], v[1], v[2], v[3]};
+}
+
+FootCycle readFoot(const YamlNode& node) {
+  node.requireKeys({"strike", "lift_off", "progress", "height", "sideways", "roll", "yaw", "pitch"});
+  FootCycle foot;
+  foot.strike = node.at("strike").asDouble(0.0, 1.0, "phase [cycles]");
+  foot.lift_off = node.at("lift_off").asDouble(0.0, 1.0, "phase [cycles]");
+  foot.progress = coefficients(node.at("progress"));
+  foot.height = coefficients(node.at("height"));
+  foot.sideways = coefficients(node.at("sideways"));
+  foot.roll = coefficients(node.at("roll"));
+  foot.yaw = coefficients(node.at("yaw"));
+  const Eigen::VectorXd pitch = node.at("pitch").asVec(
+      FootCycle::kStanceSamples + FootCycle::kSwingSamples, "pitch of the sole [degrees]", -180, 180);
+  for (const double p : pitch) foot.pitch.push_back(p * kDegree);
+  return foot;
+}
+
+Eigen::MatrixXd readMatrix(const YamlNode& node, int rows, int columns, const std::string& what) {
+  const std::vector<YamlNode> items = node.items();
+  if (static_cast<int>(items.size()) != rows) {
+    node.fail(std::to_string(items.size()) + " channels", std::to_string(rows) + ", " + what);
+  }
+  Eigen::MatrixXd matrix(rows, columns);
+  for (int i = 0; i < rows; ++i) matrix.row(i) = items[i].asVec(columns, "coefficients").transpose();
+  return matrix;
+}
+
+WalkCycle readCycle(const YamlNode& node, int joints) {
+  node.requireKeys({"speed", "turn_rate", "period", "closure", "residual", "slide", "step_width",
+                    "foot_forward", "toe_out", "left", "right", "harmonics", "alpha", "beta"});
+  WalkCycle cycle;
+  cycle.speed = node.at("speed").asPositive("speed [m/s]", 5.0);
+  cycle.turn_rate = node.at("turn_rate").asDouble(-360, 360, "turn rate [degrees/s]") * kDegree;
+  cycle.period = node.at("period").asDouble(0.2, 5.0, "period [s]");
+  cycle.closure = node.at("closure").asDouble(0.0, 10.0, "closure [m]");
+  cycle.residual = node.at("residual").asDouble(0.0, 360.0, "residual [degrees]") * kDegree;
+  cycle.slide = node.at("slide").asDouble(0.0, 10.0, "slide [m]");
+  cycle.step_width = node.at("step_width").asDouble(-0.5, 1.0, "step width [m]");
+  cycle.foot_forward = node.at("foot_forward").asDouble(-1.0, 1.0, "distance [m]");
+  cycle.toe_out = degreePair(node.at("toe_out"));
+  cycle.feet = {readFoot(node.at("left")), readFoot(node.at("right"))};
+  const int harmonics = node.at("harmonics").asInt(1, kMaxHarmonics, "harmonics");
+  const int channels = 3 + 3 * joints;
+  const std::string what = "three of the root and three a joint";
+  cycle.series.alpha = readMatrix(node.at("alpha"), channels, harmonics + 1, what);
+  cycle.series.beta = Eigen::MatrixXd::Zero(channels, harmonics + 1);
+  cycle.series.beta.rightCols(harmonics) = readMatrix(node.at("beta"), channels, harmonics, what);
+  return cycle;
+}
+
+Posture readPosture(const YamlNode& node, int joints) {
+  node.requireKeys({"root_height", "root_forward", "step_width", "toe_out", "rotations"});
+  Posture posture;
+  posture.root_height = node.at("root_height").asPositive("height [m]", 5.0);
+  posture.root_forward = node.at("root_forward").asDouble(-1.0, 1.0, "distance [m]");
+  posture.step_width = node.at("step_width").asDouble(0.0, 1.0, "step width [m]");
+  posture.toe_out = degreePair(node.at("toe_out"));
+  const std::vector<YamlNode> rotations = node.at("rotations").items();
+  if (static_cast<int>(rotations.size()) != joints) {
+    node.at("rotations").fail(std::to_string(rotations.size()) + " rotations",
+                              std::to_string(joints) + ", one a joint");
+  }
+  for (const YamlNode& item : rotations) {
+    const Eigen::Vector4d q = item.asVec(4, "a quaternion [w, x, y, z]");
+    if (std::abs(q.norm() - 1.0) > 1e-6) item.fail("not a rotation", "a unit quaternion");
+    posture.rotations.push_back(Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized());
+  }
+  return posture;
+}
+
+MotionSource readSource(const YamlNode& node) {
+  node.requireKeys({"clip", "frames", "mirrored", "licence", "credit"});
+  MotionSource source;
+  source.clip = node.at("clip").asString();
+  const std::vector<YamlNode> frames = node.at("frames").items();
+  if (frames.size() != 2) node.at("frames").fail("not two frames", "[first, last]");
+  source.frames = {frames[0].asInt(0, 10000000, "frame"), frames[1].asInt(0, 10000000, "frame")};
+  if (const YamlNode m = node["mirrored"]) source.mirrored = m.asBool();
+  source.licence = node.at("licence").asString();
+  source.credit = node.at("credit").asString();
+  return source;
+}
+
+Motion readMotion(const YamlNode& node, int joints) {
+  node.requireKeys({"name", "kind", "turning", "valid", "joints", "cycle", "posture", "source"});
+  Motion motion;
+  motion.name = node.at("name").asString();
+  motion.kind = node.at("kind").asEnum<MotionKind>(
+      {{"walk", MotionKind::kWalk}, {"posture", MotionKind::kPosture}});
+  if (const YamlNode valid = node["valid"]) valid.indexIn({"always"});
+  if (const YamlNode which = node["joints"]) which.indexIn({"all"});
+  motion.source = readSource(node.at("source"));
+  if (motion.kind == MotionKind::kPosture) {
+    motion.posture = readPosture(node.at("posture"), joints);
+    return motion;
+  }
+  motion.turning = node.at("turning").asEnum<bool>({{"straight", false}, {"turn", true}});
+  motion.cycle = readCycle(node.at("cycle"), joints);
+  const double rate = std::abs(motion.cycle.turn_rate);
+  if (motion.turning != (rate > kStraightTurnRate)) {
+    node.at("turning").fail("a walk of " + std::to_string(rate / kDegree) + " degrees/s is called " +
+                                (motion.turning ? "a turn" : "straight"),
+                            motion.turning ? "more than 8.6 degrees/s" : "less than 8.6 degrees/s");
+  }
+  return motion;
+}
+
+JointRoles readRoles(const YamlNode& node, const Skeleton& skeleton) {
+  JointRoles roles;
+  for (const auto& [role, name] : node.entries()) {
+    const int joint = skeleton.find(name.asString());
+    if (joint < 0) name.fail("no joint " + name.asString(), "a joint of the skeleton");
+    if (!setRole(roles, role, joint)) name.fail("no role " + role, "hips, left_up_leg, ...");
+  }
+  for (const LegJoints& leg : roles.legs) {
+    if (leg.up_leg < 0 || leg.leg < 0 || leg.foot < 0 || leg.toe < 0) {
+      node.fail("a leg's joint is missing", "up_leg, leg, foot and toe, left and right");
+    }
+  }
+  return roles;
+}
+
+void checkMotions(const YamlNode& root, const MotionLibrary& library) {
+  const Motion* stand = library.find("stand");
+  if (stand == nullptr || stand->kind != MotionKind::kPosture) {
+    root.fail("no posture `stand`", "a motion of that name and kind");
+  }
+  for (const Motion& motion : library.motions) {
+    if (motion.kind == MotionKind::kWalk && !motion.turning) return;
+  }
+  root.fail("no straight walk", "a motion of kind walk, turning straight");
+}
+
+}  // namespace
+
+const Motion* MotionLibrary::find(const std::string& motion) const {
+  for (const Motion& m : motions) {
+    if (m.name == motion) return &m;
+  }
+  return nullptr;
+}
+
+std::array<FootShape, 2> MotionLibrary::feet() const {
+  return {makeFootShape(skeleton, roles, kLeft, stature),
+          makeFootShape(skeleton, roles, kRight, stature)};
+}
+
+MotionLibrary readMotionLibrary(const std::filesystem::path& file) {
+  const YamlNode root = readYaml(file);
+  root.requireKeys({"skeleton", "stature", "joints", "motions"});
+  MotionLibrary library;
+  library.file = file;
+  library.skeleton_file = root.at("skeleton").asString();
+  library.skeleton = readBvh(root.at("skeleton").asPath()).skeleton;
+  library.roles = readRoles(root.at("joints"), library.skeleton);
+  library.stature = root.at("stature").asDouble(0.3, 3.0, "stature [m]");
+  for (const YamlNode& node : root.at("motions").items()) {
+    library.motions.push_back(readMotion(node, library.skeleton.size()));
+    const std::string& name = library.motions.back().name;
+    if (library.find(name) != &library.motions.back()) {
+      node.fail("motion " + name + " is there twice", "names that differ");
+    }
+  }
+  checkMotions(root, library);
+  return library;
+}
+
+MotionLibrary openMotionLibrary(const std::string& name,
+                                const std::filesystem::path& relative_to) {
+  if (name == "default") return readMotionLibrary(dataDirectory() / "animation/motions/default.yaml");
+  const std::filesystem::path path = name;
+  return readMotionLibrary(path.is_absolute() ? path : relative_to / path);
+}
+
+}  // namespace amble

@@ -1,0 +1,33 @@
+/// How step length and cadence go with speed.
+#pragma once
+
+namespace amble {
+
+/// Cadence grows with the square root of speed (Inman's law, f = 0.743 sqrt(V), Glardon eq. 4), through the captured walk's own speed and
+/// cadence: each subject's own constant, since the published one is 5 % high on ours. So does the step length. Below `kSlowestCadence` of the
+/// captured cadence people take shorter steps rather than slower ones.
+class StrideLaw {
+ public:
+  static constexpr double kSlowestCadence = 0.7;  // by trial: slower steps look like wading
+  /// Steps shorter or longer than this, times the captured one, are not walked: the warped cycle no longer looks like a walk.
+  static constexpr double kShortestStep = 0.3;
+  static constexpr double kLongestStep = 1.4;
+
+  StrideLaw() = default;
+  /// Of the captured walk: speed [m/s, > 0] and step length [m, > 0].
+  StrideLaw(double speed, double step_length) : speed_(speed), step_(step_length) {}
+
+  double capturedStep() const { return step_; }   ///< [m]
+  double stepLength(double speed) const;          ///< [m]; inverse of speed()
+  double speed(double step_length) const;         ///< [m/s]
+
+ private:
+  double speed_ = 1.0;
+  double step_ = 0.65;
+};
+
+/// Share of time with both feet planted, at a speed, for a leg length [m]: norms of Schwartz, Rozumalski & Trost (2008), by dimensionless
+/// speed v / sqrt(g leg); linear between their classes.
+double doubleSupport(double speed, double leg_length);
+
+}  // namespace amble

@@ -1,0 +1,30 @@
+/// Inverse kinematics of a leg in its own hip-knee-ankle plane (Shanbhag's thesis, §6.3).
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+
+namespace amble {
+
+/// A bent chain of two rigid links, all in World [m].
+struct TwoLink {
+  Eigen::Vector3d hip;
+  Eigen::Vector3d knee;
+  Eigen::Vector3d ankle;
+  /// Axis about which the knee flexes where hip, knee and ankle lie in a line, and the side of the plane to which the knee may
+  /// point: flexing turns the shank about it, right-handed. A walker's left. Need not be a unit vector.
+  Eigen::Vector3d flexion_axis;
+};
+
+/// World rotations that bring the ankle to the target: new q_WThigh = thigh * q_WThigh, new q_WShank = shank * q_WShank.
+struct TwoLinkSolution {
+  Eigen::Quaterniond thigh;
+  Eigen::Quaterniond shank;
+  double knee_flexion;  ///< angle between the links, 0 straight [rad, >= 0]
+};
+
+/// The knee stays in the plane of hip, knee and ankle, which is turned on the shortest way from the old ankle to the target; it flexes
+/// forward only. None where the target is farther than both links together, or nearer than their difference.
+std::optional<TwoLinkSolution> solveTwoLink(const TwoLink& leg, const Eigen::Vector3d& target);
+
+}  // namespace amble
