@@ -24,6 +24,15 @@ namespace amble {
 /// more is visible [m].
 inline constexpr double kSoleDepth = 0.005;
 
+/// Depth to which a sole that is not planted may be in the ground: the rounding of a foot that is
+/// just being lifted or put down, for planted feet change at frames [m].
+inline constexpr double kSwingDepth = 0.001;
+
+/// A motion that comes nearer than this without a contact at a frame may be refused as unproved:
+/// intervals are halved until parts move by less in them. Smaller costs more halvings near contact;
+/// larger closes gaps that are just wide enough [m].
+inline constexpr double kProofGap = 0.001;
+
 struct Contact {
   int frame = 0;         ///< the frame, or the one before the moment of contact
   double between = 0.0;  ///< [0, 1): how far towards the next frame
@@ -77,6 +86,7 @@ class CollisionWorld {
   const Body& body() const;
 
  private:
+  friend class MotionCheck;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -88,6 +88,12 @@ struct ObstacleSet::Impl {
     Geometries geometries;
     fcl::Transform3d X;
     SolidTest solid;
+    double solid_above;  // [m]
+
+    // For a capsule that touches no surface: it is inside as a whole or not at all.
+    bool contains(const Capsule& capsule) const {
+      return capsule.from.z() > solid_above && solid.inside(capsule.from);
+    }
   };
 
   bool touches(const Piece& piece, Scratch& scratch) const {
@@ -113,8 +119,13 @@ ObstacleSet::ScratchPtr ObstacleSet::makeScratch() { return ScratchPtr(new Scrat
 ObstacleSet::ObstacleSet(std::vector<Obstacle> obstacles) : impl_(std::make_unique<Impl>()) {
   for (const Obstacle& obstacle : obstacles) {
     const bool is_mesh = std::holds_alternative<TriangleMesh>(obstacle.shape);
-    Impl::Piece piece{obstacle.object,          is_mesh, {}, {}, fcl::Transform3d::Identity(),
-                      SolidTest(obstacle.solid)};
+    Impl::Piece piece{obstacle.object,
+                      is_mesh,
+                      {},
+                      {},
+                      fcl::Transform3d::Identity(),
+                      SolidTest(obstacle.solid),
+                      obstacle.solid_above};
     if (is_mesh) {
       // Meshes are placed here, once, instead of in every query.
       TriangleMesh placed = std::get<TriangleMesh>(obstacle.shape);
@@ -157,8 +168,7 @@ int ObstacleSet::touched(const Capsule& capsule, Scratch& scratch) const {
   for (const Impl::Piece& piece : impl_->pieces) {
     if (!piece.bounds.intersects(box)) continue;
     if (piece.geometries.boolean && impl_->touches(piece, scratch)) return piece.object;
-    // It touches no surface, so it is inside as a whole or not at all.
-    if (piece.solid.inside(capsule.from)) return piece.object;
+    if (piece.contains(capsule)) return piece.object;
   }
   return -1;
 }
@@ -170,8 +180,8 @@ ObstacleSet::Nearest ObstacleSet::nearest(const Capsule& capsule, double limit,
   scratch.set(capsule);
   for (const Impl::Piece& piece : impl_->pieces) {
     if (std::sqrt(piece.bounds.squaredExteriorDistance(box)) >= best.distance) continue;
-    const bool touches = (piece.geometries.boolean && impl_->touches(piece, scratch)) ||
-                         piece.solid.inside(capsule.from);
+    const bool touches =
+        (piece.geometries.boolean && impl_->touches(piece, scratch)) || piece.contains(capsule);
     if (touches) return {0.0, piece.object};
     if (!piece.geometries.distance) continue;
     const double distance = std::max(0.0, impl_->distance(piece, scratch));

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -21,8 +22,11 @@ struct Obstacle {
   int object = 0;  ///< of the scene; obstacles are given in ascending order of it
   Shape shape;
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
-  TriangleMesh
-      solid;  ///< World; its closed components are solid. Empty for primitives, which are anyway
+  /// World; its closed components are solid. Empty for primitives, which are anyway.
+  TriangleMesh solid;
+  /// Only above this height: where an object's ground was taken out of it, the ground's own test
+  /// answers below [m].
+  double solid_above = -std::numeric_limits<double>::infinity();
 };
 
 class ObstacleSet {
