@@ -1,0 +1,226 @@
+#include "animation/foot_plants.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "animation/floor_fit.h"
+#include "animation/low_pass.h"
+
+namespace amble {
+namespace {
+
+// Heights of a standing joint are read from its slow frames at this quantile: low enough to leave
+// out a heel that has risen while the foot is still slow, high enough to pass over noise.
+constexpr double kStandingQuantile = 0.25;
+
+// Frames that count as slow there: below this share of the foot's own speed quantile. By trial.
+constexpr double kSwingQuantile = 0.95;
+
+// The point between toe (0) and ankle (1) whose downward speed is greatest at strike. O'Connor's is
+// the middle of heel and toe; towards the heel comes nearer to the force plates' onset, the ankle
+// alone has other troughs. By trial.
+constexpr double kAnkleShare = 0.7;
+
+/// A foot's joints in the floor's frame, low-passed: in leg lengths and leg lengths a second. A row
+/// a frame.
+struct FootSignals {
+  Eigen::MatrixXd height;    // ankle, toe over the floor
+  Eigen::MatrixXd speed;     // of ankle, toe
+  Eigen::MatrixXd vertical;  // velocity of ankle, toe along the floor's normal
+};
+
+double quantile(std::vector<double> values, double share) {
+  assert(!values.empty());
+  const auto nth =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+// The point that stands for the toe: its joint, or the foot's tip, or the ankle again.
+Eigen::Vector3d toePoint(const Clip& clip, const LegJoints& leg,
+                         std::span<const JointFrame> joints) {
+  if (leg.toe >= 0) return joints[leg.toe].p_WJ;
+  const std::vector<Eigen::Vector3d>& tips = clip.skeleton.joint(leg.foot).end_sites;
+  return tips.empty() ? joints[leg.foot].p_WJ : joints[leg.foot] * tips[0];
+}
+
+std::array<Eigen::MatrixXd, 2> footPaths(const Clip& clip, const JointRoles& roles) {
+  std::array<Eigen::MatrixXd, 2> paths;  // columns: ankle x y z, toe x y z [m]
+  for (Eigen::MatrixXd& path : paths) path.resize(clip.frames(), 6);
+  std::vector<JointFrame> joints(clip.skeleton.size());
+  for (int i = 0; i < clip.frames(); ++i) {
+    forwardKinematics(clip, i, joints);
+    for (const Side side : {kLeft, kRight}) {
+      const LegJoints& leg = roles.legs[side];
+      paths[side].row(i) << joints[leg.foot].p_WJ.transpose(),
+          toePoint(clip, leg, joints).transpose();
+    }
+  }
+  return paths;
+}
+
+FootSignals footSignals(Eigen::MatrixXd path, const FloorFit& floor, double leg, double rate,
+                        double cutoff) {
+  path /= leg;
+  lowPass(path, rate, cutoff);
+  const Eigen::MatrixXd velocity = derivative(path, rate);
+  FootSignals signals;
+  signals.height.resize(path.rows(), 2);
+  signals.speed.resize(path.rows(), 2);
+  signals.vertical.resize(path.rows(), 2);
+  for (int j = 0; j < 2; ++j) {
+    signals.height.col(j) = (path.middleCols(3 * j, 3) * floor.normal).array() - floor.height / leg;
+    signals.speed.col(j) = velocity.middleCols(3 * j, 3).rowwise().norm();
+    signals.vertical.col(j) = velocity.middleCols(3 * j, 3) * floor.normal;
+  }
+  return signals;
+}
+
+/// Stage 1: ankle or toe low and slow.
+std::vector<bool> lowAndSlow(const FootSignals& signals, const PlantOptions& options) {
+  const Eigen::Index frames = signals.speed.rows();
+  std::vector<bool> planted(frames, false);
+  for (int j = 0; j < 2; ++j) {
+    const Eigen::VectorXd& speed = signals.speed.col(j);
+    const double swing = quantile({speed.begin(), speed.end()}, kSwingQuantile);
+    const double limit =
+        std::clamp(options.speed_of_swing * swing, options.min_speed, options.max_speed);
+    std::vector<double> slow_heights;
+    for (Eigen::Index i = 0; i < frames; ++i) {
+      if (speed[i] < limit) slow_heights.push_back(signals.height(i, j));
+    }
+    if (slow_heights.empty()) continue;
+    const double highest = quantile(slow_heights, kStandingQuantile) + options.height;
+    for (Eigen::Index i = 0; i < frames; ++i) {
+      if (speed[i] < limit && signals.height(i, j) < highest) planted[i] = true;
+    }
+  }
+  return planted;
+}
+
+/// Runs of `value` shorter than `shortest` frames are turned over; at the clip's ends they stay,
+/// being cut off there.
+void dropShortRuns(std::vector<bool>& flags, bool value, double shortest) {
+  for (size_t begin = 0; begin < flags.size();) {
+    size_t end = begin;
+    while (end < flags.size() && flags[end] == flags[begin]) ++end;
+    const bool inside = begin > 0 && end < flags.size();
+    if (inside && flags[begin] == value && static_cast<double>(end - begin) < shortest) {
+      std::fill(flags.begin() + static_cast<std::ptrdiff_t>(begin),
+                flags.begin() + static_cast<std::ptrdiff_t>(end), !value);
+    }
+    begin = end;
+  }
+}
+
+/// The highest point of `values` that is reached uphill from `start` within `reach` frames, between
+/// frames by a parabola; `crossing` where that is no clear peak.
+double climb(const Eigen::VectorXd& values, int start, int reach, double clear, double crossing) {
+  const int last = static_cast<int>(values.size()) - 1;
+  const int step = start > 0 && values[start - 1] > values[start] ? -1 : 1;
+  int top = start;
+  for (int moved = 0; moved < reach; ++moved) {
+    const int next = top + step;
+    if (next < 0 || next > last || values[next] <= values[top]) break;
+    top = next;
+  }
+  if (values[top] < clear || top == 0 || top == last) return crossing;
+  const double before = values[top - 1], after = values[top + 1],
+               bend = before - 2.0 * values[top] + after;
+  if (!(bend < 0.0) || before > values[top] || after > values[top]) return crossing;
+  return top + 0.5 * (before - after) / bend;
+}
+
+/// The ends of a run of frames moved to strike and lift-off.
+FootPlant refined(const FootPlant& run, const FootSignals& signals, const PlantOptions& options,
+                  double rate) {
+  const int reach = static_cast<int>(std::lround(options.reach * rate));
+  const int frames = static_cast<int>(signals.vertical.rows());
+  FootPlant plant = run;
+  if (run.first > 0) {
+    const Eigen::VectorXd down =
+        -(kAnkleShare * signals.vertical.col(0) + (1.0 - kAnkleShare) * signals.vertical.col(1));
+    plant.strike = climb(down, run.first, reach, options.clear_velocity, run.strike);
+    plant.first = std::clamp(static_cast<int>(std::ceil(plant.strike)), 0, run.last);
+  }
+  if (run.last < frames - 1) {
+    const Eigen::VectorXd up = signals.vertical.col(0);
+    plant.lift_off = climb(up, run.last, reach, options.clear_velocity, run.lift_off);
+    plant.last =
+        std::clamp(static_cast<int>(std::ceil(plant.lift_off)) - 1, plant.first, frames - 1);
+  }
+  return plant;
+}
+
+// Two plants that were moved over one another become one.
+void mergeTouching(std::vector<FootPlant>& plants) {
+  std::vector<FootPlant> merged;
+  for (const FootPlant& plant : plants) {
+    if (!merged.empty() && plant.first <= merged.back().last + 1) {
+      merged.back().last = std::max(merged.back().last, plant.last);
+      merged.back().lift_off = std::max(merged.back().lift_off, plant.lift_off);
+    } else {
+      merged.push_back(plant);
+    }
+  }
+  plants = std::move(merged);
+}
+
+}  // namespace
+
+bool FootPlants::planted(Side side, int frame) const {
+  return std::any_of(plants[side].begin(), plants[side].end(), [&](const FootPlant& plant) {
+    return plant.first <= frame && frame <= plant.last;
+  });
+}
+
+std::vector<bool> FootPlants::planted(Side side) const {
+  std::vector<bool> flags(frames, false);
+  for (const FootPlant& plant : plants[side]) {
+    for (int i = plant.first; i <= plant.last; ++i) flags[i] = true;
+  }
+  return flags;
+}
+
+FootPlants plantsOf(const std::array<std::vector<bool>, 2>& planted) {
+  FootPlants result;
+  result.frames = static_cast<int>(planted[kLeft].size());
+  for (const Side side : {kLeft, kRight}) {
+    for (int i = 0; i < result.frames; ++i) {
+      if (!planted[side][i]) continue;
+      if (i == 0 || !planted[side][i - 1]) result.plants[side].push_back({i, i, i - 0.5, i + 0.5});
+      result.plants[side].back().last = i;
+      result.plants[side].back().lift_off = i + 0.5;
+    }
+  }
+  return result;
+}
+
+FootPlants detectPlants(const Clip& clip, const JointRoles& roles, const PlantOptions& options) {
+  FootPlants result;
+  result.frames = clip.frames();
+  if (clip.frames() == 0) return result;
+  const double rate = 1.0 / clip.frame_time;
+  const FloorFit floor = fitFloor(clip, roles);
+  const std::array<Eigen::MatrixXd, 2> paths = footPaths(clip, roles);
+  std::array<FootSignals, 2> signals;
+  std::array<std::vector<bool>, 2> planted;
+  for (const Side side : {kLeft, kRight}) {
+    const double leg = roles.legLength(clip.skeleton, side);
+    signals[side] = footSignals(paths[side], floor, leg, rate, options.cutoff);
+    planted[side] = lowAndSlow(signals[side], options);
+    dropShortRuns(planted[side], false, options.shortest_gap * rate);
+    dropShortRuns(planted[side], true, options.shortest_plant * rate);
+  }
+  result.plants = plantsOf(planted).plants;
+  for (const Side side : {kLeft, kRight}) {
+    for (FootPlant& plant : result.plants[side])
+      plant = refined(plant, signals[side], options, rate);
+    mergeTouching(result.plants[side]);
+  }
+  return result;
+}
+
+}  // namespace amble
