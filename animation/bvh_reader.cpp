@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 
 #include "animation/bvh.h"
@@ -320,6 +321,7 @@ Clip readBvh(std::istream& in, const std::string& name, const BvhReadOptions& op
 }
 
 Clip readBvh(const std::filesystem::path& file, const BvhReadOptions& options) {
+  if (file == "-") return readBvh(std::cin, "-", options);
   std::error_code unknown;
   if (std::filesystem::is_directory(file, unknown)) {
     throw InputError(file.string(), 0, "is a folder", "a BVH file");

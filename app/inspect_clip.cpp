@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <iostream>
-
 #include "animation/bvh.h"
 #include "animation/error.h"
 #include "animation/joint_roles.h"
@@ -72,7 +70,7 @@ void describeMotion(const Clip& clip, Findings& out) {
 }  // namespace
 
 Findings inspectClip(const std::filesystem::path& file) {
-  const Clip clip = file == "-" ? readBvh(std::cin, "-") : readBvh(file);
+  const Clip clip = readBvh(file);
   Findings out{file.string(), "clip", {}, {}, {}};
   const Skeleton& skeleton = clip.skeleton;
   int zero = 0;

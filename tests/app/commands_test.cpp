@@ -1,0 +1,162 @@
+// The commands on good input: exit status, files, what is printed for machines.
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "tests/app/program.h"
+
+namespace amble {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const char* const kRoom =
+    "name: room\n"
+    "objects:\n"
+    "  - {name: floor, box: {size: [6, 4, 0.1]}, at: [3, 2, -0.05]}\n"
+    "  - {name: pillar, cylinder: {radius: 0.3, height: 2.5}, at: [3, 2, 1.25]}\n";
+
+const char* const kScenario =
+    "scene: room.yaml\n"
+    "start: {at: [1, 2], heading: 0}\n"
+    "goal: {at: [5, 2], heading: 0}\n"
+    "planner: {seed: 3, max_failures: 30}\n"
+    "expect: {status: solved}\n";
+
+class Commands : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    write("in/room.yaml", kRoom);
+    write("in/scenario.yaml", kScenario);
+  }
+  void wallOff() const {
+    write("in/room.yaml",
+          std::string(kRoom) + "  - {name: wall, box: {size: [0.2, 4, 2.5]}, at: [4, 2, 1.25]}\n");
+  }
+};
+
+TEST_F(Commands, HelpAndVersionAreNoErrors) {
+  EXPECT_EQ(run("--help").status, 0);
+  const Ran version = run("--version");
+  EXPECT_EQ(version.status, 0);
+  EXPECT_TRUE(std::regex_match(version.out, std::regex("[0-9]+\\.[0-9]+\\.[0-9]+\n")));
+  for (const char* command :
+       {"plan", "check", "validate", "animate", "analyse", "library", "inspect"}) {
+    EXPECT_EQ(run(std::string(command) + " --help").status, 0) << command;
+  }
+}
+
+TEST_F(Commands, PlanWritesAWalkWithItsReportAndPictures) {
+  const Ran ran = run("plan in/scenario.yaml -o out");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(files(), (std::set<std::string>{"in/room.yaml", "in/scenario.yaml", "out/report.json",
+                                            "out/top.svg", "out/walk.bvh", "out/walk.png"}));
+  const json report = json::parse(read("out/report.json"));
+  EXPECT_EQ(report["status"], "solved");
+  EXPECT_GT(report["length"], 4.0);
+  EXPECT_EQ(read("out/walk.bvh").rfind("HIERARCHY", 0), 0u);
+  EXPECT_EQ(run("validate out/walk.bvh --scene in/room.yaml --fps 240").status, 0);
+  EXPECT_EQ(run("inspect out/walk.bvh").status, 0);
+  EXPECT_EQ(run("analyse out/walk.bvh").status, 0);
+}
+
+TEST_F(Commands, PlanGivesTheSameBytesAtAnyNumberOfThreads) {
+  ASSERT_EQ(run("plan in/scenario.yaml -o one --threads 1 --formats bvh,json").status, 0);
+  ASSERT_EQ(run("plan in/scenario.yaml -o two --threads 2 --formats bvh,json").status, 0);
+  EXPECT_EQ(read("one/walk.bvh"), read("two/walk.bvh"));
+  json one = json::parse(read("one/report.json")), two = json::parse(read("two/report.json"));
+  one.erase("times");
+  two.erase("times");
+  EXPECT_EQ(one, two);
+}
+
+TEST_F(Commands, PlanSaysWhyThereIsNoWalk) {
+  wallOff();
+  const Ran ran = run("plan in/scenario.yaml -o out --json");
+  EXPECT_EQ(ran.status, 1) << ran.err;
+  EXPECT_FALSE(fs::exists(folder_ / "out/walk.bvh"));
+  const json report = json::parse(read("out/report.json"));
+  EXPECT_EQ(report["status"], "no_walk");
+  EXPECT_NE(report["why"].get<std::string>().find("wall"), std::string::npos) << report["why"];
+  EXPECT_EQ(json::parse(ran.out)["status"], "no_walk");
+}
+
+TEST_F(Commands, PlanExplainsItsPlanners) {
+  const Ran ran = run("plan --list-planners");
+  EXPECT_EQ(ran.status, 0);
+  for (const char* planner : {"visibility", "prm", "rrt", "cylinder"}) {
+    EXPECT_NE(ran.out.find(planner), std::string::npos) << planner;
+  }
+}
+
+TEST_F(Commands, PlanStopsWhenToldTo) {
+  wallOff();  // no walk, and far too many samples to try
+  write("in/scenario.yaml",
+        "scene: room.yaml\nstart: {at: [1, 2]}\ngoal: {at: [5, 2]}\n"
+        "planner: {max_failures: 1000000, time_limit: 600}\n");
+  const Ran ran = run("plan in/scenario.yaml -o out & pid=$!; sleep 2; kill -TERM $pid; wait $pid");
+  EXPECT_EQ(ran.status, 130) << ran.err;
+  for (const std::string& file : files()) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
+}
+
+TEST_F(Commands, CheckComparesWithWhatIsExpected) {
+  const Ran good = run("check in --junit junit.xml");
+  EXPECT_EQ(good.status, 0) << good.out << good.err;
+  EXPECT_NE(good.out.find("scenario"), std::string::npos);
+  EXPECT_NE(read("junit.xml").find("<testsuite"), std::string::npos);
+  wallOff();
+  EXPECT_EQ(run("check in").status, 1);
+}
+
+TEST_F(Commands, ValidateFindsTheContactOfAWalkThroughAWall) {
+  ASSERT_EQ(run("plan in/scenario.yaml -o out --formats bvh").status, 0);
+  wallOff();
+  const Ran ran = run("validate out/walk.bvh --scene in/room.yaml --json");
+  EXPECT_EQ(ran.status, 1) << ran.err;
+  const json result = json::parse(ran.out);
+  ASSERT_FALSE(result["contacts"].empty());
+  EXPECT_EQ(result["contacts"][0]["object"], "wall");
+}
+
+TEST_F(Commands, AnimateWritesToStandardOutput) {
+  const Ran ran = run("animate --speed 1.1 --turn -20 --duration 3 -o -");
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.out.rfind("HIERARCHY", 0), 0u);
+  EXPECT_EQ(files().size(), 2u);
+}
+
+TEST_F(Commands, InspectSaysSizesForMachines) {
+  const Ran ran = run("inspect in/room.yaml in/scenario.yaml --json");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const json all = json::parse(ran.out);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0]["kind"], "scene");
+  EXPECT_EQ(all[0]["objects"].size(), 2u);
+  EXPECT_DOUBLE_EQ(all[0]["bounds"]["max"][0], 6.0);
+  EXPECT_EQ(all[1]["kind"], "scenario");
+}
+
+// All but `amble check scenarios`, which scripts/test runs itself.
+TEST_F(Commands, TheExamplesOfTheReadmeWork) {
+  for (const char* folder : {"scenarios", "environments", "animation"}) {
+    fs::create_directory_symlink(fs::path(AMBLE_SOURCE_DIR) / folder, folder_ / folder);
+  }
+  std::ifstream readme(fs::path(AMBLE_SOURCE_DIR) / "README.md");
+  int examples = 0;
+  for (std::string line; std::getline(readme, line);) {
+    const std::string prompt = "    amble ";
+    if (line.rfind(prompt, 0) != 0 || line.find("amble check") != std::string::npos) continue;
+    const std::string arguments = line.substr(prompt.size(), line.find('#') - prompt.size());
+    const Ran ran = run(arguments);
+    EXPECT_EQ(ran.status, 0) << line << '\n' << ran.err;
+    ++examples;
+  }
+  EXPECT_GE(examples, 5);
+}
+
+}  // namespace
+}  // namespace amble
