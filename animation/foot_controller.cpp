@@ -1,0 +1,130 @@
+#include "animation/foot_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "animation/rotation.h"
+#include "animation/two_link.h"
+
+namespace amble {
+namespace {
+
+double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
+
+double rolled(double pitch, double strike_roll, double lift_roll) {
+  return pitch * (pitch < 0.0 ? strike_roll : lift_roll);
+}
+
+FootTarget targetAt(const FootShape& shape, const Eigen::Vector3d& sole, double heading,
+                    double pitch, double roll) {
+  FootTarget target;
+  const Eigen::Quaterniond q_WH = aboutZ(heading);
+  target.ankle = sole + q_WH * rolledAnkle(shape, pitch);
+  target.q_WF = q_WH * Eigen::Quaterniond(Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY())) *
+                Eigen::Quaterniond(Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX())) * shape.q_SF;
+  target.toe_bend = std::max(pitch, 0.0);  // toes stay level while the heel is up
+  return target;
+}
+
+}  // namespace
+
+FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape) {
+  const double pitch = footPitch(cycle, state.at);
+  if (state.planted()) {
+    return targetAt(shape, state.from.position, state.from.heading,
+                    rolled(pitch, state.strike_roll, state.lift_roll), 0.0);
+  }
+  const double tau = state.at - 1.0, ease = smoothstep(tau);
+  const double share = state.lift_roll + ease * (state.strike_roll - state.lift_roll);
+  const Eigen::Vector3d line = state.to.position - state.from.position;
+  Eigen::Vector3d sole = state.from.position + swingProgress(cycle, tau) * line;
+  sole.z() = state.from.position.z() + ease * line.z() + swingPolynomial(cycle.height, tau);
+  const double span = line.head<2>().norm();
+  if (span > 1e-9) {
+    const double sideways = swingPolynomial(cycle.sideways, tau) / span;
+    sole += sideways * Eigen::Vector3d(-line.y(), line.x(), 0.0);
+  }
+  const double heading = state.from.heading +
+                         ease * wrapAngle(state.to.heading - state.from.heading) +
+                         swingPolynomial(cycle.yaw, tau);
+  return targetAt(shape, sole, heading, rolled(pitch, share, share),
+                  swingPolynomial(cycle.roll, tau));
+}
+
+FootController::FootController(const Skeleton& skeleton, const JointRoles& roles,
+                               const std::array<FootShape, 2>& shapes, const GaitBlend& blend)
+    : skeleton_(skeleton),
+      roles_(roles),
+      shapes_(shapes),
+      blend_(blend),
+      left_R_(restToHeading(skeleton, roles).conjugate() * Eigen::Vector3d::UnitY()) {}
+
+bool FootController::apply(AnimationBuffer& buffer) const {
+  std::vector<JointFrame> joints(skeleton_.size());
+  for (int i = 0; i < buffer.size(); ++i) {
+    forwardKinematics(skeleton_, buffer.poses[i], joints);
+    for (const Side side : {kLeft, kRight}) {
+      const FootTarget target =
+          footTarget(buffer.states[i].feet[side], blend_.foot(side), shapes_[side]);
+      if (!placeLeg(side, target, joints, buffer.poses.rotations(i))) return false;
+    }
+  }
+  return true;
+}
+
+bool FootController::placeLeg(Side side, const FootTarget& target,
+                              std::span<const JointFrame> joints,
+                              std::span<Eigen::Quaterniond> rotations) const {
+  const LegJoints& leg = roles_.legs[side];
+  const TwoLink links{joints[leg.up_leg].p_WJ, joints[leg.leg].p_WJ, joints[leg.foot].p_WJ,
+                      joints[0].q_WJ * left_R_};
+  const double length = (links.knee - links.hip).norm() + (links.ankle - links.knee).norm();
+  if ((target.ankle - links.hip).norm() > kLongestReach * length) return false;
+  const auto solved = solveTwoLink(links, target.ankle);
+  if (!solved) return false;
+  // Joints between (twist joints of some rigs) turn with the link above them.
+  const auto parentRotation = [&](int joint, const Eigen::Quaterniond& turned) {
+    return turned * joints[skeleton_.joint(joint).parent].q_WJ;
+  };
+  const Eigen::Quaterniond q_WThigh = solved->thigh * joints[leg.up_leg].q_WJ;
+  const Eigen::Quaterniond q_WShank = solved->shank * joints[leg.leg].q_WJ;
+  const Eigen::Quaterniond& q_WParent = joints[skeleton_.joint(leg.up_leg).parent].q_WJ;
+  rotations[leg.up_leg] = (q_WParent.conjugate() * q_WThigh).normalized();
+  rotations[leg.leg] = (parentRotation(leg.leg, solved->thigh).conjugate() * q_WShank).normalized();
+  rotations[leg.foot] =
+      (parentRotation(leg.foot, solved->shank).conjugate() * target.q_WF).normalized();
+  rotations[leg.toe] = shapes_[side].q_FT * Eigen::Quaterniond(Eigen::AngleAxisd(
+                                                -target.toe_bend, shapes_[side].lateral_T));
+  return true;
+}
+
+double FootController::reach(const AnimationBuffer& buffer, int frame,
+                             std::vector<JointFrame>& joints) const {
+  forwardKinematics(skeleton_, buffer.poses[frame], joints);
+  double farthest = 0.0;
+  for (const Side side : {kLeft, kRight}) {
+    const FootTarget target =
+        footTarget(buffer.states[frame].feet[side], blend_.foot(side), shapes_[side]);
+    const double length = roles_.legLength(skeleton_, side);
+    farthest = std::max(farthest,
+                        (target.ankle - joints[roles_.legs[side].up_leg].p_WJ).norm() / length);
+  }
+  return farthest;
+}
+
+double FootController::missingHeight(const AnimationBuffer& buffer, int frame, double share,
+                                     std::vector<JointFrame>& joints) const {
+  forwardKinematics(skeleton_, buffer.poses[frame], joints);
+  double missing = 0.0;
+  for (const Side side : {kLeft, kRight}) {
+    const FootTarget target =
+        footTarget(buffer.states[frame].feet[side], blend_.foot(side), shapes_[side]);
+    const Eigen::Vector3d d = joints[roles_.legs[side].up_leg].p_WJ - target.ankle;
+    const double longest = share * roles_.legLength(skeleton_, side);
+    const double room = longest * longest - d.head<2>().squaredNorm();
+    missing = std::max(missing, d.z() - std::sqrt(std::max(room, 0.0)));
+  }
+  return missing;
+}
+
+}  // namespace amble

@@ -1,0 +1,61 @@
+#include "animation/walk_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "animation/rotation.h"
+
+namespace amble {
+
+void projectChannels(const Eigen::VectorXd& channels,
+                     const std::vector<Eigen::Quaterniond>& reference,
+                     const Eigen::Vector3d& position, double heading, Eigen::Vector3d& p_WR,
+                     std::span<Eigen::Quaterniond> rotations) {
+  const double c = std::cos(heading), s = std::sin(heading);
+  p_WR = position + Eigen::Vector3d(c * channels[0] - s * channels[1],
+                                    s * channels[0] + c * channels[1], channels[2]);
+  for (size_t j = 0; j < rotations.size(); ++j) {
+    const Eigen::Vector3d v = channels.segment<3>(3 + 3 * static_cast<Eigen::Index>(j));
+    rotations[j] = reference[j] * expRotation(v);
+  }
+  rotations[0] = aboutZ(heading) * rotations[0];
+}
+
+WalkController::WalkController(const GaitBlend& blend,
+                               const std::vector<Eigen::Quaterniond>& reference,
+                               const Eigen::VectorXd& stand_channels, std::vector<double> lowering,
+                               double longest)
+    : blend_(blend),
+      reference_(reference),
+      stand_(stand_channels),
+      lowering_(std::move(lowering)),
+      longest_(longest) {}
+
+double WalkController::lowering(double step_length) const {
+  if (lowering_.size() < 2) return 0.0;
+  const double at =
+      std::clamp(step_length / longest_, 0.0, 1.0) * static_cast<double>(lowering_.size() - 1);
+  const size_t i = std::min(static_cast<size_t>(at), lowering_.size() - 2);
+  const double t = at - static_cast<double>(i);
+  return lowering_[i] + t * (lowering_[i + 1] - lowering_[i]);
+}
+
+bool WalkController::apply(AnimationBuffer& buffer) const {
+  Eigen::VectorXd channels(stand_.size());
+  for (int i = 0; i < buffer.size(); ++i) {
+    const FrameState& state = buffer.states[i];
+    if (state.standing >= 1.0) {
+      channels = stand_;
+    } else {
+      blend_.evaluate(state.phase, state.turning * state.turn_rate, state.step_length, channels);
+      channels[2] -= lowering(state.step_length);
+      if (state.standing > 0.0) channels += state.standing * (stand_ - channels);
+    }
+    channels[1] += state.sway;
+    projectChannels(channels, reference_, state.position, state.heading, buffer.poses.p_WR(i),
+                    buffer.poses.rotations(i));
+  }
+  return true;
+}
+
+}  // namespace amble

@@ -1,0 +1,37 @@
+/// The walk controller (Pettré §4.2): cycles warped to the step length, blended to the turn rate, played by distance walked and projected on
+/// the root path.
+#pragma once
+
+#include <vector>
+
+#include "animation/gait_blend.h"
+#include "animation/sub_controller.h"
+
+namespace amble {
+
+/// Root and joints of a pose from channels (WalkCycle::series), on a path's point and heading.
+void projectChannels(const Eigen::VectorXd& channels,
+                     const std::vector<Eigen::Quaterniond>& reference,
+                     const Eigen::Vector3d& position, double heading, Eigen::Vector3d& p_WR,
+                     std::span<Eigen::Quaterniond> rotations);
+
+class WalkController : public SubController {
+ public:
+  /// @param lowering  how much lower than captured the root walks, by step length: evenly from 0 to `longest` [m]
+  WalkController(const GaitBlend& blend, const std::vector<Eigen::Quaterniond>& reference,
+                 const Eigen::VectorXd& stand_channels, std::vector<double> lowering, double longest);
+
+  /// Overwrites every pose. The share of the standing posture (FrameState::standing) is mixed in here, channel by channel, since the
+  /// mean of two rotations is that of their rotation vectors against a reference that lies near both.
+  bool apply(AnimationBuffer& buffer) const override;
+  double lowering(double step_length) const;  ///< [m]
+
+ private:
+  const GaitBlend& blend_;
+  const std::vector<Eigen::Quaterniond>& reference_;
+  Eigen::VectorXd stand_;
+  std::vector<double> lowering_;
+  double longest_;
+};
+
+}  // namespace amble

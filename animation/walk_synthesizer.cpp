@@ -1,0 +1,342 @@
+#include "animation/walk_synthesizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "animation/foot_controller.h"
+#include "animation/footsteps.h"
+#include "animation/gait_blend.h"
+#include "animation/rotation.h"
+#include "animation/speed_profile.h"
+#include "animation/walk_controller.h"
+
+namespace amble {
+namespace {
+
+// Legs are not stretched farther than this share of their length by the straight walk: below 1 the knee turns at a bounded rate, and footprints
+// of turns may lie a little farther off.
+constexpr double kStraightReach = 0.985;
+constexpr int kLoweringSteps = 16;     // step lengths for which the root's lowering is prepared
+constexpr double kGroundReach = 0.05;  // heights within so much of the path's point are its ground [m]
+
+// Turning on the spot: one pair of steps an angle; a pair's time keeps the peak turn rate near the 84 degrees/s that people reach.
+constexpr double kTurnPair = 45.0 * kDegree;  // [rad]
+constexpr double kTurnStepTime = 0.45;        // [s], for a captured subject; grows with the root of scale
+constexpr double kTurnSway = 0.02;            // of the root towards the standing foot [m]
+constexpr double kTurnRoll = 0.3;             // share of the captured roll of the foot
+
+double smoothstep(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// Minimum jerk from 0 to 1.
+double minimumJerk(double t) { return t * t * t * (10.0 + t * (-15.0 + 6.0 * t)); }
+
+Side other(Side side) { return side == kLeft ? kRight : kLeft; }
+
+void checkSettings(const CharacterSettings& s) {
+  if (!(s.speed >= 0.3 && s.speed <= 2.0)) throw std::invalid_argument("speed: 0.3 to 2.0 m/s");
+  if (s.height != 0.0 && !(s.height >= 0.5 && s.height <= 2.5)) {
+    throw std::invalid_argument("height: 0.5 to 2.5 m");
+  }
+  if (!(s.frame_time >= 1.0 / 240.0 && s.frame_time <= 1.0 / 24.0)) {
+    throw std::invalid_argument("frame time: 1/240 to 1/24 s");
+  }
+}
+
+}  // namespace
+
+std::string_view walkRuleName(WalkRule rule) {
+  switch (rule) {
+    case WalkRule::kNone: return "none";
+    case WalkRule::kStepLength: return "step_length";
+    case WalkRule::kTurnRate: return "turn_rate";
+    case WalkRule::kReach: return "reach";
+    case WalkRule::kNoGround: return "no_ground";
+  }
+  return "none";
+}
+
+struct WalkSynthesizer::Impl {
+  Impl(const MotionLibrary& library, const Ground& the_ground, const CharacterSettings& the_settings)
+      : settings(the_settings),
+        ground(the_ground),
+        scale((the_settings.height > 0.0 ? the_settings.height : library.stature) / library.stature),
+        stature(library.stature * scale),
+        skeleton(library.skeleton.scaled(scale)),
+        roles(library.roles),
+        shapes{makeFootShape(skeleton, roles, kLeft, stature),
+               makeFootShape(skeleton, roles, kRight, stature)},
+        reference(library.stand().rotations),
+        blend(library, scale),
+        feet(skeleton, roles, shapes, blend) {
+    const Posture& stand = library.stand();
+    placement.walk_width = blend.stepWidth();
+    placement.stand_width = stand.step_width * scale;
+    placement.forward = blend.footForward();
+    placement.step_length = blend.law().stepLength(settings.speed);
+    placement.walk_toe_out = blend.toeOut();
+    placement.stand_toe_out = 0.5 * (stand.toe_out[kLeft] - stand.toe_out[kRight]);
+    placement.half_support =
+        0.5 * doubleSupport(settings.speed, roles.legLength(skeleton, kLeft));
+    stand_channels = Eigen::VectorXd::Zero(3 + 3 * skeleton.size());
+    stand_channels[0] = placement.forward + stand.root_forward * scale;
+    stand_channels[2] = stand.root_height * scale;
+    limits = {blend.law(), settings.speed, blend.maxTurnRate(), settings.frame_time};
+    prepareLowering();
+  }
+
+  // How much lower the root must walk at each step length for the legs to reach: long steps lower the hips.
+  void prepareLowering() {
+    const double longest = StrideLaw::kLongestStep * blend.law().capturedStep();
+    std::vector<double> lowering;
+    for (int i = 0; i <= kLoweringSteps; ++i) {
+      lowering.push_back(loweringAt(longest * i / kLoweringSteps));
+    }
+    walk = std::make_unique<WalkController>(blend, reference, stand_channels, lowering, longest);
+  }
+
+  double loweringAt(double step_length) const {
+    if (!(step_length > 0.0)) return 0.0;
+    const WalkController plain(blend, reference, stand_channels, {}, 1.0);
+    FootPlacement p = placement;
+    p.step_length = step_length;
+    const Stance from{Eigen::Vector3d::Zero(), 0.0, false, kLeft};
+    constexpr int kSteps = 4, kFramesPerStep = 24;
+    Stance to = from;
+    to.position.x() = kSteps * step_length;
+    Footsteps steps(p, from, to, kSteps, kRight);
+    steps.place([&](int i) {
+      return GroundPoint{{(i + 0.5) * step_length + p.forward, 0.0, 0.0}, 0.0};
+    });
+    AnimationBuffer buffer;
+    buffer.poses = PoseArray(skeleton.size());
+    for (int k = 0; k <= kSteps * kFramesPerStep; ++k) {
+      const double progress = static_cast<double>(k) / kFramesPerStep;
+      FrameState state;
+      state.position.x() = progress * step_length;
+      state.phase = std::fmod(0.5 * progress, 1.0);
+      state.step_length = step_length;
+      state.feet = steps.at(progress);
+      buffer.states.push_back(state);
+    }
+    buffer.poses.resize(static_cast<int>(buffer.states.size()));
+    plain.apply(buffer);
+    std::vector<JointFrame> joints(skeleton.size());
+    double lowest = 0.0;
+    for (int i = 0; i < buffer.size(); ++i) {
+      lowest = std::max(lowest, feet.missingHeight(buffer, i, kStraightReach, joints));
+    }
+    return lowest;
+  }
+
+  // Height of the ground under a whole sole: the highest of heel, ball and tip. None where any has no ground.
+  std::optional<double> groundUnder(const FootPlace& foot, Side side) const {
+    const FootShape& shape = shapes[side];
+    std::optional<double> highest;
+    for (const double x : {shape.heel_x, shape.ball_x, shape.tip_x}) {
+      const double px = foot.position.x() + x * std::cos(foot.heading);
+      const double py = foot.position.y() + x * std::sin(foot.heading);
+      const auto z = ground.height(px, py, foot.position.z(), kGroundReach);
+      if (!z) return std::nullopt;
+      highest = std::max(highest.value_or(*z), *z);
+    }
+    return highest;
+  }
+
+  bool standOnGround(Footsteps& steps) const {
+    for (int i = -1; i <= steps.steps(); ++i) {
+      FootPlace& place = steps.places()[i + 1];
+      const auto z = groundUnder(place, steps.side(i));
+      if (!z) return false;
+      place.position.z() = *z;
+    }
+    return true;
+  }
+
+  FrameState stanceState(const Stance& stance, double arc) const {
+    FrameState state;
+    state.position = stance.position;
+    state.heading = stance.heading;
+    state.arc = arc;
+    state.standing = stance.standing ? 1.0 : 0.0;
+    state.speed = stance.standing ? 0.0 : settings.speed;
+    state.turning = 0.0;
+    state.phase = stance.standing || stance.leading == kLeft ? 0.0 : 0.5;
+    state.step_length = placement.step_length;
+    state.feet = Footsteps::atStance(placement, stance);
+    for (const Side side : {kLeft, kRight}) {
+      FootState& foot = state.feet[side];
+      if (const auto z = groundUnder(foot.from, side)) {
+        foot.from.position.z() = foot.to.position.z() = *z;
+      }
+    }
+    return state;
+  }
+
+  WalkResult pose(AnimationBuffer& out, int steps, Side leading) const {
+    out.frame_time = settings.frame_time;
+    if (out.poses.joints() != skeleton.size()) out.poses = PoseArray(skeleton.size());
+    out.poses.resize(static_cast<int>(out.states.size()));
+    walk->apply(out);
+    if (!feet.apply(out)) return {WalkRule::kReach, steps, leading};
+    out.markFootprints();
+    return {WalkRule::kNone, steps, leading};
+  }
+
+  CharacterSettings settings;
+  const Ground& ground;
+  double scale, stature;
+  Skeleton skeleton;
+  JointRoles roles;
+  std::array<FootShape, 2> shapes;
+  std::vector<Eigen::Quaterniond> reference;
+  GaitBlend blend;
+  FootController feet;
+  FootPlacement placement;
+  Eigen::VectorXd stand_channels;
+  SpeedLimits limits;
+  std::unique_ptr<WalkController> walk;
+};
+
+WalkSynthesizer::WalkSynthesizer(const MotionLibrary& library, const Ground& ground,
+                                 const CharacterSettings& settings) {
+  checkSettings(settings);
+  impl_ = std::make_unique<Impl>(library, ground, settings);
+}
+
+WalkSynthesizer::~WalkSynthesizer() = default;
+
+const CharacterSettings& WalkSynthesizer::settings() const { return impl_->settings; }
+const Skeleton& WalkSynthesizer::skeleton() const { return impl_->skeleton; }
+const JointRoles& WalkSynthesizer::roles() const { return impl_->roles; }
+double WalkSynthesizer::stature() const { return impl_->stature; }
+double WalkSynthesizer::ankleHeight() const { return impl_->shapes[kLeft].ankle_height; }
+double WalkSynthesizer::toeHeight() const { return impl_->shapes[kLeft].radius; }
+double WalkSynthesizer::stepLength() const { return impl_->placement.step_length; }
+double WalkSynthesizer::maxTurnRate() const { return impl_->blend.maxTurnRate(); }
+double WalkSynthesizer::shortestWalk() const {
+  return StrideLaw::kShortestStep * impl_->blend.law().capturedStep();
+}
+
+namespace {
+
+// A point of the path, going on straight beyond its ends.
+GroundPoint pathPoint(const RootPath& path, double s, double z) {
+  const RootPath::Sample at = path.at(s);
+  const double beyond = s < 0.0 ? s : std::max(0.0, s - path.length());
+  return {{at.position.x() + beyond * std::cos(at.heading),
+           at.position.y() + beyond * std::sin(at.heading), z},
+          at.heading};
+}
+
+// Which foot steps first: from standing the one on the inside of the first turn, unless parity and the last foot say otherwise.
+Side firstFoot(const Stance& from, const Stance& to, const RootPath& path, int steps,
+               bool any_leading) {
+  if (!from.standing) return other(from.leading);
+  if (!to.standing && !any_leading) return steps % 2 == 1 ? to.leading : other(to.leading);
+  return path.at(0.5 * path.length()).curvature > 1e-6 ? kLeft : kRight;
+}
+
+}  // namespace
+
+WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const RootPath& path,
+                                 bool any_leading, AnimationBuffer& out) const {
+  const Impl& m = *impl_;
+  SpeedProfileEnds ends{from.standing, to.standing, std::nullopt};
+  if (!from.standing && !to.standing && !any_leading) ends.parity = from.leading == to.leading ? 0 : 1;
+  const SpeedProfile profile(path, m.limits, ends);
+  if (profile.refusal() == SpeedProfile::Refusal::kTurnRate) return {WalkRule::kTurnRate, 0, kLeft};
+  if (profile.refusal() == SpeedProfile::Refusal::kStepLength) return {WalkRule::kStepLength, 0, kLeft};
+
+  const int n = profile.steps();
+  const Side first = firstFoot(from, to, path, n, any_leading);
+  Stance end = to;
+  end.leading = n % 2 == 1 ? first : other(first);
+  Footsteps steps(m.placement, from, end, n, first);
+  steps.place([&](int i) {
+    const double s = 0.5 * (profile.arcAtStep(i) + profile.arcAtStep(i + 1)) + m.placement.forward;
+    return pathPoint(path, s, from.position.z());
+  });
+  if (!m.standOnGround(steps)) return {WalkRule::kNoGround, n, end.leading};
+
+  out.states.clear();
+  out.states.push_back(m.stanceState(from, 0.0));
+  // Phase is that of the foot in front: 0 or 0.5 at every node.
+  const double phase_offset = first == kLeft ? 0.5 : 0.0;  // the first step lands `first` in front
+  for (int k = 1; k < profile.frames(); ++k) {
+    const SpeedProfile::Sample at = profile.at(k);
+    const RootPath::Sample on = path.at(at.arc);
+    FrameState state;
+    state.position << on.position, from.position.z() + smoothstep(at.arc / path.length()) * (to.position.z() - from.position.z());
+    state.arc = at.arc;
+    state.heading = on.heading;
+    state.speed = at.speed;
+    state.turn_rate = on.curvature * at.speed;
+    const double begin = at.steps, left = n - at.steps;
+    state.turning = smoothstep(begin) * smoothstep(left);
+    state.phase = 0.5 * at.steps + phase_offset;
+    state.phase -= std::floor(state.phase);
+    state.step_length = at.step_length;
+    if (from.standing) state.standing = std::max(state.standing, 1.0 - smoothstep(begin));
+    if (to.standing) state.standing = std::max(state.standing, 1.0 - smoothstep(left));
+    state.feet = steps.at(at.steps);
+    out.states.push_back(state);
+  }
+  out.states.push_back(m.stanceState(end, path.length()));
+  return m.pose(out, n, end.leading);
+}
+
+WalkResult WalkSynthesizer::turnOnSpot(const Stance& at, double angle, AnimationBuffer& out) const {
+  const Impl& m = *impl_;
+  const int pairs = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / kTurnPair - 1e-9)));
+  const int n = 2 * pairs;
+  const double step_time = kTurnStepTime * std::sqrt(m.scale);
+  const int frames = std::max(2, static_cast<int>(std::lround(n * step_time / m.settings.frame_time)));
+  const Side first = angle > 0.0 ? kLeft : kRight;
+  Stance end = at;
+  end.heading = at.heading + angle;
+
+  // The foot on the inside opens, the other closes, pair by pair.
+  const auto place = [&](int placing) {
+    Stance turned = at;
+    turned.heading = at.heading + angle * ((placing + 1) / 2) / pairs;
+    return Footsteps::atStance(m.placement, turned)[placing % 2 != 0 ? first : other(first)].from;
+  };
+  Footsteps steps(m.placement, at, end, n, first);
+  for (int i = 1; i <= n; ++i) steps.places()[i + 1] = place(i);
+  if (!m.standOnGround(steps)) return {WalkRule::kNoGround, n, first};
+
+  out.states.clear();
+  out.states.push_back(m.stanceState(at, 0.0));
+  for (int k = 1; k < frames; ++k) {
+    const double share = static_cast<double>(k) / frames, progress = n * share;
+    FrameState state = out.states.front();
+    state.heading = at.heading + angle * minimumJerk(share);
+    state.turn_rate = angle * 30.0 * std::pow(share * (1.0 - share), 2) / (n * step_time);
+    state.feet = steps.at(progress);
+    for (FootState& foot : state.feet) {
+      foot.strike_roll = 0.0;
+      foot.lift_roll = std::min(foot.lift_roll, kTurnRoll) * (foot.planted() && progress < 1.0 ? smoothstep(progress) : 1.0);
+    }
+    // Towards the foot that stands: to the right while the left one swings.
+    const double into = progress - std::floor(progress);
+    const bool left_swings = (static_cast<int>(progress) % 2 == 0) == (first == kLeft);
+    state.sway = (left_swings ? -1.0 : 1.0) * kTurnSway * m.scale * std::pow(std::sin(kPi * into), 2);
+    out.states.push_back(state);
+  }
+  out.states.push_back(m.stanceState(end, 0.0));
+  return m.pose(out, n, first);
+}
+
+WalkResult WalkSynthesizer::stand(const Stance& at, AnimationBuffer& out) const {
+  out.states.assign(1, impl_->stanceState(at, 0.0));
+  for (const Side side : {kLeft, kRight}) {
+    if (!impl_->groundUnder(out.states[0].feet[side].from, side)) return {WalkRule::kNoGround, 0, kLeft};
+  }
+  return impl_->pose(out, 0, kLeft);
+}
+
+}  // namespace amble
