@@ -109,7 +109,7 @@ void writeJson(std::ostream& out, const Report& report) {
                {"scenario", report.scenario},
                {"seed", report.seed},
                {"planner", report.planner},
-               {"stopped_by", report.stopped_by}};
+               {"stopped_by", report.stopped_by.empty() ? Json(nullptr) : Json(report.stopped_by)}};
   if (!report.why.empty()) json["why"] = report.why;
   if (report.status == PlanStatus::kSolved) json.update(walkJson(report));
   json.update(searchJson(report));

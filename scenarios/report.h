@@ -10,7 +10,6 @@
 #include <optional>
 #include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "animation/joint_roles.h"
@@ -42,7 +41,8 @@ struct ClearanceReport {
 };
 
 struct RoadmapReport {
-  int guards = 0, connectors = 0, edges = 0, samples = 0;
+  int guards = 0, connectors = 0, edges = 0;
+  long long samples = 0;
   double coverage =
       0.0;  ///< estimated share of free space, 1 - 1/M when the search stopped by failures [0 to 1]
 };
@@ -50,6 +50,8 @@ struct RoadmapReport {
 /// Seconds by the clock: the only part that differs from run to run.
 struct RunTimes {
   double load = 0.0, roadmap = 0.0, search = 0.0, refine = 0.0, export_ = 0.0;
+
+  double planning() const { return roadmap + search + refine; }
 };
 
 /// A measure of QUALITY.md beside its bar.
@@ -79,8 +81,8 @@ struct Report {
   double foot_skate_mean = 0.0, foot_skate_max = 0.0;  ///< of the placings' slides [m]
   double ground_penetration = 0.0;  ///< largest depth of a sole's underside under the ground [m]
   RoadmapReport roadmap;
-  std::vector<std::pair<std::string, std::int64_t>> refusals;  ///< rule and count, by name
-  std::int64_t poses_checked = 0;
+  std::map<std::string, long long> refusals;  ///< by rule
+  long long poses_checked = 0;
   RunTimes times;
   std::map<std::string, std::string>
       inputs;  ///< file, relative to the scenario's folder, and its SHA-256

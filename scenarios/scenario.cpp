@@ -1,9 +1,12 @@
 #include "scenarios/scenario.h"
 
 #include <fstream>
+#include <iostream>
+#include <iterator>
 
 #include "animation/error.h"
 #include "animation/rotation.h"
+#include "animation/sha256.h"
 
 namespace amble {
 namespace {
@@ -15,8 +18,12 @@ double asAngle(const YamlNode& node, double min_deg, double max_deg, const char*
   return node.asDouble(min_deg, max_deg, what) * kDegree;
 }
 
-Place readPlace(const YamlNode& node) {
-  node.requireKeys({"at", "heading"});
+Place readPlace(const YamlNode& node, bool with_heading) {
+  if (with_heading) {
+    node.requireKeys({"at", "heading"});
+  } else {
+    node.requireKeys({"at"});
+  }
   Place place;
   const YamlNode at = node.at("at");
   place.line = at.line();
@@ -144,6 +151,20 @@ Expectation readExpectation(const YamlNode& node) {
 
 }  // namespace
 
+std::string statusName(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::kSolved:
+      return "solved";
+    case PlanStatus::kNoWalk:
+      return "no_walk";
+    case PlanStatus::kStartBlocked:
+      return "start_blocked";
+    case PlanStatus::kGoalBlocked:
+      return "goal_blocked";
+  }
+  return "";
+}
+
 Scenario readScenario(const YamlNode& root) {
   root.requireKeys(
       {"scene", "character", "start", "goal", "via", "bounds", "walk", "planner", "expect"});
@@ -153,10 +174,10 @@ Scenario readScenario(const YamlNode& root) {
   scenario.scene = root.at("scene").asPath();
   scenario.scene_line = root.at("scene").line();
   if (const YamlNode n = root["character"]) scenario.character = readCharacter(n);
-  scenario.start = readPlace(root.at("start"));
-  scenario.goal = readPlace(root.at("goal"));
+  scenario.start = readPlace(root.at("start"), true);
+  scenario.goal = readPlace(root.at("goal"), true);
   if (const YamlNode n = root["via"]) {
-    for (const YamlNode& place : n.items()) scenario.via.push_back(readPlace(place));
+    for (const YamlNode& place : n.items()) scenario.via.push_back(readPlace(place, false));
   }
   if (const YamlNode n = root["bounds"]) scenario.bounds = readBounds(n);
   if (const YamlNode n = root["walk"]) scenario.walk = readWalk(n);
@@ -165,7 +186,19 @@ Scenario readScenario(const YamlNode& root) {
   return scenario;
 }
 
-Scenario readScenario(const std::filesystem::path& file) { return readScenario(readYaml(file)); }
+Scenario readScenario(const std::filesystem::path& file) {
+  std::string text;
+  if (file == "-") {
+    text.assign(std::istreambuf_iterator<char>(std::cin), {});
+  } else {
+    readYaml(file);  // says what is wrong with a file that is missing, unreadable or too large
+    std::ifstream in(file, std::ios::binary);
+    text.assign(std::istreambuf_iterator<char>(in), {});
+  }
+  Scenario scenario = readScenario(parseYaml(text, file.string()));
+  scenario.sha256 = sha256(text);
+  return scenario;
+}
 
 bool isScenario(const std::filesystem::path& file) {
   try {

@@ -12,6 +12,7 @@
 
 #include "animation/rotation.h"
 #include "animation/strict_yaml.h"
+#include "planner/plan_walk.h"
 
 namespace amble {
 
@@ -54,7 +55,6 @@ struct Bounds {
   Eigen::Vector2d min, max;  ///< [m]
 };
 
-enum class PlanStatus { kSolved, kNoWalk, kStartBlocked, kGoalBlocked };
 /// "solved", "no_walk", "start_blocked", "goal_blocked", as files and reports write it.
 std::string statusName(PlanStatus status);
 
@@ -71,6 +71,7 @@ struct Expectation {
 struct Scenario {
   std::string name;  ///< the file's, without folder and extension
   std::filesystem::path file;
+  std::string sha256;  ///< of the file as it was read; empty where a text was given
   std::filesystem::path scene;
   int scene_line = 0;
   CharacterSpec character;

@@ -4,15 +4,14 @@
 #include <cmath>
 
 #include "animation/error.h"
-#include "animation/motion_library.h"
+#include "animation/foot_shape.h"
+#include "animation/joint_roles.h"
 #include "scenarios/foot_measures.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 namespace {
 
-// Thigh and shank over stature: hip at 0.530, knee at 0.285, ankle at 0.039 of it (Winter,
-// Biomechanics and Motor Control of Human Movement, figure 4.1).
-constexpr double kLegOfStature = 0.491;
 // Where plants are looked for: a foot of a capture stands a little over its floor and creeps.
 constexpr double kPlantHeight = 0.02;  // [m]
 constexpr double kPlantSpeed = 0.3;    // [m/s]
@@ -21,7 +20,6 @@ struct Character {
   JointRoles roles;
   double stature;
   SoleHeight sole;
-  bool known;
 };
 
 Clip readClip(const std::filesystem::path& file, const ValidateOptions& options, double& unit) {
@@ -41,24 +39,18 @@ Clip readClip(const std::filesystem::path& file, const ValidateOptions& options,
   return clip;
 }
 
-// How high ankles and balls are over the floor where they are lowest: the tenth lowest of a hundred
-// frames, so that one bad frame does not count.
-SoleHeight lowestFeet(const Clip& clip, const JointRoles& roles) {
+// Height of the ankles where they are lowest: the tenth lowest of a hundred, so that one bad frame
+// does not count [m, World].
+double lowestAnkle(const Clip& clip, const JointRoles& roles) {
   std::vector<JointFrame> joints(clip.skeleton.size());
-  std::vector<double> ankle, toe;
+  std::vector<double> heights;
   for (int frame = 0; frame < clip.frames(); ++frame) {
     forwardKinematics(clip, frame, joints);
-    for (const LegJoints& leg : roles.legs) {
-      ankle.push_back(joints[leg.foot].p_WJ.z());
-      toe.push_back(leg.toe < 0 ? ankle.back() : joints[leg.toe].p_WJ.z());
-    }
+    for (const LegJoints& leg : roles.legs) heights.push_back(joints[leg.foot].p_WJ.z());
   }
-  const auto low = [](std::vector<double>& values) {
-    const auto tenth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
-    std::nth_element(values.begin(), tenth, values.end());
-    return *tenth;
-  };
-  return {low(ankle), low(toe)};
+  const auto tenth = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 10);
+  std::nth_element(heights.begin(), tenth, heights.end());
+  return *tenth;
 }
 
 double nearestFloor(const Scene& scene, const Clip& clip, double foot, const std::string& file) {
@@ -73,22 +65,20 @@ double nearestFloor(const Scene& scene, const Clip& clip, double foot, const std
   });
 }
 
-Character makeCharacter(const Clip& clip, const std::string& file, const ValidateOptions& options) {
+Character makeCharacter(const Clip& clip, const JointRoles& roles, double floor,
+                        const ValidateOptions& options) {
   Character character;
-  const MotionLibrary library = openMotionLibrary(options.library);
-  const std::optional<double> scale = scaleOf(clip.skeleton, library.skeleton);
-  character.known = scale.has_value();
-  if (scale) {
-    character.roles = library.roles;
-    character.stature = library.stature * *scale;
-    character.sole = {library.ankle_height * *scale, library.toe_height * *scale};
+  character.roles = roles;
+  character.stature = options.height > 0.0 ? options.height : statureOf(clip.skeleton, roles);
+  if (roles.legs[kLeft].toe >= 0) {
+    const FootShape shape = makeFootShape(clip.skeleton, roles, kLeft, character.stature);
+    character.sole = {shape.ankle_height, shape.radius};
   } else {
-    character.roles = guessJointRoles(clip.skeleton, file);
-    character.stature = character.roles.legLength(clip.skeleton, kLeft) / kLegOfStature;
-    character.sole =
-        lowestFeet(clip, character.roles);  // over World's zero: the floor is taken off later
+    constexpr double kThinnest =
+        0.02;  // a foot whose ankle is lower than that is a broken capture [m]
+    character.sole.ankle = std::max(lowestAnkle(clip, roles) - floor, kThinnest);
+    character.sole.toe = 0.5 * kThinnest;
   }
-  if (options.height > 0.0) character.stature = options.height;
   return character;
 }
 
@@ -119,7 +109,7 @@ std::vector<ContactSpan> findContacts(const CollisionWorld& world, const PoseArr
     const int frame = begin + contact->frame;
     const double time = (frame + contact->between) * frame_time;
     const std::string& part = world.body().parts.at(contact->part).name;
-    const std::string& object = world.scene().objects.at(contact->object).name;
+    const std::string object = objectName(world.scene().objects.at(contact->object));
     const auto same = std::find_if(spans.rbegin(), spans.rend(), [&](const ContactSpan& span) {
       return span.part == part && span.object == object && time - span.end < 2.0 * frame_time;
     });
@@ -150,41 +140,19 @@ void measureFeet(const SoleTracks& soles, double frame_time, WalkValidation& res
 
 }  // namespace
 
-std::optional<double> scaleOf(const Skeleton& skeleton, const Skeleton& of) {
-  constexpr double kTolerance = 1e-4;  // [m]
-  if (skeleton.size() != of.size()) return std::nullopt;
-  double length = 0.0, length_of = 0.0;
-  for (int i = 0; i < of.size(); ++i) {
-    if (skeleton.joint(i).parent != of.joint(i).parent) return std::nullopt;
-    length += skeleton.joint(i).offset.norm();
-    length_of += of.joint(i).offset.norm();
-  }
-  if (!(length > 0.0) || !(length_of > 0.0)) return std::nullopt;
-  const double scale = length / length_of;
-  for (int i = 1; i < of.size(); ++i) {
-    const Eigen::Vector3d error = skeleton.joint(i).offset - scale * of.joint(i).offset;
-    if (error.norm() > kTolerance) return std::nullopt;
-  }
-  return scale;
-}
-
 WalkValidation validateWalk(const std::filesystem::path& bvh,
                             const std::filesystem::path& scene_file,
                             const ValidateOptions& options) {
   WalkValidation result;
   const Clip clip = readClip(bvh, options, result.metres_per_unit);
   const Scene scene = readScene(scene_file);
-  Character character = makeCharacter(clip, bvh.string(), options);
-  const double foot = lowestFeet(clip, character.roles).ankle;
-  result.floor = options.floor ? *options.floor : nearestFloor(scene, clip, foot, bvh.string());
-  if (!character.known) {
-    character.sole.ankle = std::max(character.sole.ankle - result.floor, 0.01);
-    character.sole.toe = std::clamp(character.sole.toe - result.floor, 0.005, character.sole.ankle);
-  }
+  const JointRoles roles = guessJointRoles(clip.skeleton, bvh.string());
+  result.floor = options.floor ? *options.floor
+                               : nearestFloor(scene, clip, lowestAnkle(clip, roles), bvh.string());
+  const Character character = makeCharacter(clip, roles, result.floor, options);
   result.frames = clip.frames();
   result.frame_time = clip.frame_time;
   result.stature = character.stature;
-  result.known_skeleton = character.known;
 
   const Body body = makeBody(clip.skeleton, character.roles, character.stature, character.sole);
   const SceneGround ground(scene, result.floor);
@@ -201,7 +169,7 @@ WalkValidation validateWalk(const std::filesystem::path& bvh,
   result.clearance = near.object < 0 ? options.clearance_limit : near.distance;
   if (near.object >= 0) {
     result.clearance_part = body.parts.at(near.part).name;
-    result.clearance_object = scene.objects.at(near.object).name;
+    result.clearance_object = objectName(scene.objects.at(near.object));
     result.clearance_time = near.frame * frame_time;
   }
   measureFeet(SoleTracks(clip.skeleton, body, clip.poses, ground), clip.frame_time, result);

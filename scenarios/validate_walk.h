@@ -15,10 +15,7 @@ struct ValidateOptions {
   std::optional<double>
       metres_per_unit;  ///< of the BVH; none: guessed from the length of its legs [m, > 0]
   UpAxis up = UpAxis::kY;
-  double height = 0.0;  ///< stature [m, 0.5 to 2.5]; 0: the library's where the skeleton is its,
-                        ///< else from the legs
-  std::string library =
-      "default";  ///< whose skeletons are known, so that the body is the one that was planned with
+  double height = 0.0;  ///< stature [m, 0.5 to 2.5]; 0: from the length of the legs
   double fps = 0.0;  ///< checked at this rate too, in between as a player shows it [1/s]; 0: at the
                      ///< frames only
   std::optional<double>
@@ -38,7 +35,6 @@ struct WalkValidation {
   int poses_checked = 0;    ///< with those in between
   double metres_per_unit = 1.0;
   double stature = 0.0;               ///< of the body that was checked [m]
-  bool known_skeleton = false;        ///< the library's, at some scale
   double floor = 0.0;                 ///< [m]
   std::vector<ContactSpan> contacts;  ///< in order of start
   double clearance = 0.0;  ///< smallest, at frames; the limit where nothing is nearer [m]
@@ -56,9 +52,5 @@ struct WalkValidation {
 /// @throws InputError with file and line.
 WalkValidation validateWalk(const std::filesystem::path& bvh, const std::filesystem::path& scene,
                             const ValidateOptions& options = {});
-
-/// The library's stature and sole for a skeleton that is the library's at some scale: same joints,
-/// same offsets times one factor, to 0.1 mm. @return the factor, or none
-std::optional<double> scaleOf(const Skeleton& skeleton, const Skeleton& of);
 
 }  // namespace amble

@@ -71,7 +71,8 @@ TEST(Scenario, EveryBadKeyIsNamedWithItsLine) {
       {"via:\n  - {at: [1, 2]}\n  - {at: [1]}\n", "dir/case.yaml:6:", "[x, y]"},
       {"via:\n  - {at: [1, 2, 3, 4]}\n", "dir/case.yaml:5:", "[x, y]"},
       {"via:\n  - {at: [1, .inf]}\n", "dir/case.yaml:5:", "number"},
-      {"via:\n  - {at: [1, 2], heading: 400}\n", "dir/case.yaml:5:", "heading [degrees]"},
+      {"via:\n  - {at: [1, 2], heading: 40}\n", "dir/case.yaml:5:", "heading"},
+      {"start: 3\n", "dir/case.yaml:4:", "start"},
       {"bounds: {min: [0, 0]}\n", "dir/case.yaml:4:", "max"},
       {"bounds:\n  min: [0, 0]\n  max: [1, 0]\n", "dir/case.yaml:6:", "bounds.min"},
       {"bounds:\n  min: [0, 0, 0]\n  max: [1, 1]\n", "dir/case.yaml:5:", "corner [m]"},
@@ -127,10 +128,10 @@ TEST(Scenario, DefaultsAreDesignsDefaults) {
 TEST(Scenario, DegreesBecomeRadians) {
   const Scenario s = parse(
       "scene: a\nstart: {at: [1, 1, 2.5], heading: 90}\ngoal: {at: [0, 0], heading: -180}\n"
-      "via: [{at: [4, 2], heading: 45}]\ncharacter: {max_slope: 30}\n");
+      "via: [{at: [4, 2]}]\ncharacter: {max_slope: 30}\n");
   EXPECT_NEAR(*s.start.heading, kPi / 2, 1e-15);
   EXPECT_NEAR(*s.goal.heading, -kPi, 1e-15);
-  EXPECT_NEAR(*s.via.at(0).heading, kPi / 4, 1e-15);
+  EXPECT_EQ(s.via.at(0).at, Eigen::Vector2d(4, 2));
   EXPECT_NEAR(s.character.max_slope, kPi / 6, 1e-15);
   EXPECT_EQ(*s.start.z, 2.5);
 }

@@ -1,0 +1,40 @@
+/// The run of a scenario: everything loaded, the walk planned, checked again as it will be
+/// exported, measured.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "animation/clip.h"
+#include "planner/plan_walk.h"
+#include "scenarios/problem.h"
+#include "scenarios/report.h"
+
+namespace amble {
+
+struct RunOptions {
+  int threads = 1;                 ///< [1 to 64]; changes no result
+  double frame_time = 1.0 / 60.0;  ///< of the animation [s, 1/240 to 1/24]
+  double bvh_unit = 1.0;  ///< length of the BVH's unit: 1 for metres, 0.01 for centimetres [m]
+  const std::atomic<bool>* stop = nullptr;              ///< Ctrl-C
+  std::function<void(const SearchProgress&)> progress;  ///< called from the calling thread
+};
+
+struct RunResult {
+  std::unique_ptr<const Problem> problem;
+  PlanOutcome outcome;
+  Report report;
+  std::string bvh;  ///< the file's bytes, as they were checked; empty without a walk
+
+  std::string bvhDigest() const;  ///< SHA-256 of `bvh`; empty without a walk
+};
+
+/// The walk as a clip, for exports. @pre the result has a walk
+Clip walkClip(const RunResult& result);
+
+/// @throws InputError for bad input only; that there is no walk is a result.
+RunResult runScenario(const Scenario& scenario, const RunOptions& options = {});
+
+}  // namespace amble

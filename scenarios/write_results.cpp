@@ -1,0 +1,77 @@
+#include "scenarios/write_results.h"
+
+#include <chrono>
+#include <system_error>
+
+#include "animation/error.h"
+
+namespace amble {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Makes a folder with all above it, and takes away again what it made unless told to keep it.
+class MadeFolder {
+ public:
+  explicit MadeFolder(const fs::path& folder) {
+    std::error_code unknown, error;
+    for (fs::path way = fs::absolute(folder).lexically_normal();
+         !way.empty() && !fs::exists(way, unknown); way = way.parent_path()) {
+      made_.push_back(way);  // the deepest first
+    }
+    fs::create_directories(folder, error);
+    if (!fs::is_directory(folder, unknown)) {
+      removeMade();
+      throw InputError(folder.string(), 0,
+                       "cannot be made: " + (error ? error.message() : "it is a file"),
+                       "a folder that can be written");
+    }
+  }
+  ~MadeFolder() {
+    if (!keep_) removeMade();
+  }
+  MadeFolder(const MadeFolder&) = delete;
+  MadeFolder& operator=(const MadeFolder&) = delete;
+  void keep() { keep_ = true; }
+
+ private:
+  void removeMade() {
+    std::error_code not_empty;
+    for (const fs::path& folder : made_) fs::remove(folder, not_empty);
+  }
+  std::vector<fs::path> made_;
+  bool keep_ = false;
+};
+
+void removeEarlierWalk(const fs::path& folder) {
+  std::error_code not_there;
+  for (const char* name : {"walk.bvh", "walk.glb", "walk.html", "walk.png", "walk.csv"}) {
+    fs::remove(folder / name, not_there);
+  }
+}
+
+}  // namespace
+
+void writeResults(RunResult& result, const fs::path& folder, const WriteOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const bool walk = result.report.status == PlanStatus::kSolved;
+  MadeFolder made(folder);
+  std::vector<ResultFile> files;
+  if (options.bvh && walk) {
+    files.push_back({folder / "walk.bvh", [&](std::ostream& out) { out << result.bvh; }});
+  }
+  for (const ResultFile& more : options.more) files.push_back({folder / more.file, more.write});
+  if (options.json) {
+    files.push_back(
+        {folder / "report.json", [&](std::ostream& out) {
+           result.report.times.export_ =
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+           writeJson(out, result.report);
+         }});
+  }
+  writeFiles(files);
+  if (!walk) removeEarlierWalk(folder);
+  made.keep();
+}
+
+}  // namespace amble
