@@ -168,7 +168,9 @@ class WalkValidator : public ob::MotionValidator {
   bool checkMotion(const ob::State* from, const ob::State* to) const override {
     const SteerResult result =
         walkSpace(*si_).steering().steer(waypoint(from), waypoint(to), *scratch_);
-    walkSpace(*si_).effort().steering.add(result);
+    OmplEffort& effort = walkSpace(*si_).effort();
+    effort.steering.add(result);
+    if (!result.edge) effort.refused.push_back(result.failure);
     result.edge ? ++valid_ : ++invalid_;
     return result.edge.has_value();
   }

@@ -45,6 +45,7 @@ OmplPlannerPtr makeRrtPlanner(const OmplSpacePtr& space, std::uint64_t seed, dou
 struct OmplEffort {
   long long samples = 0;
   SteeringCount steering;
+  std::vector<SteeringFailure> refused;
 };
 OmplEffort effortOf(const OmplSpacePtr& space);
 

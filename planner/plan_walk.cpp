@@ -1,0 +1,207 @@
+#include "planner/plan_walk.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "animation/rotation.h"
+#include "planner/leg_planner.h"
+#include "planner/walk_steering.h"
+
+namespace amble {
+namespace {
+
+constexpr int kHeadings = 16;  // tried where a place may be stood on by any heading
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(what);
+}
+
+void checkRequest(const PlanRequest& request) {
+  require(request.synthesizer && request.world && request.ground,
+          "synthesizer, world and ground are needed");
+  require(!request.bounds.isEmpty() && request.bounds.sizes().allFinite(),
+          "bounds must hold something");
+  require(request.limits.max_failures >= 1, "max_failures must be 1 or more");
+  require(request.limits.threads >= 1 && request.limits.threads <= 64, "threads must be 1 to 64");
+  require(request.refine.tries >= 0, "tries must be 0 or more");
+}
+
+double headingFromTo(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return std::atan2(to.y() - from.y(), to.x() - from.x());
+}
+
+double seconds(std::chrono::steady_clock::time_point since) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+}
+
+/// One run of planWalk.
+class Plan {
+ public:
+  explicit Plan(const PlanRequest& request)
+      : request_(widened(request)),
+        steering_(*request_.synthesizer, *request_.world, *request_.ground,
+                  request_.ground->floor()),
+        scratch_(steering_.makeScratch()) {}
+
+  PlanOutcome run();
+
+ private:
+  static PlanRequest widened(PlanRequest request);
+  std::optional<SteeringFailure> settle(const PlanEnd& end, double likely_heading, Waypoint& at);
+  bool settleEnds();
+  std::optional<EdgePath> walkAllLegs();
+  void finish(EdgePath path);
+  void refuse(PlanStatus status, const SteeringFailure& failure);
+  void addPath(const WalkEdge& edge);
+
+  const PlanRequest request_;
+  WalkSteering steering_;
+  SteeringScratchPtr scratch_;
+  std::vector<Waypoint> stops_;  // start, via points, goal
+  PlanOutcome outcome_;
+};
+
+PlanRequest Plan::widened(PlanRequest request) {
+  request.bounds.extend(request.start.position.head<2>().eval());
+  request.bounds.extend(request.goal.position.head<2>().eval());
+  for (const Eigen::Vector3d& via : request.via) request.bounds.extend(via.head<2>().eval());
+  return request;
+}
+
+// The waypoint of an end. Where its heading is free, one by which the body can stand, the likely
+// one if it may.
+std::optional<SteeringFailure> Plan::settle(const PlanEnd& end, double likely_heading,
+                                            Waypoint& at) {
+  at = {};
+  at.stance.position = end.position;
+  at.any_heading = !end.heading;
+  std::optional<SteeringFailure> first;
+  for (int i = 0; i < (end.heading ? 1 : kHeadings); ++i) {
+    at.stance.heading =
+        end.heading ? *end.heading : wrapAngle(likely_heading + 2.0 * kPi * i / kHeadings);
+    const auto failure = steering_.stand(at.stance, *scratch_);
+    at.stance.standing = end.standing;
+    if (!failure) return std::nullopt;
+    if (!first) first = failure;
+  }
+  return first;
+}
+
+void Plan::refuse(PlanStatus status, const SteeringFailure& failure) {
+  outcome_.status = status;
+  outcome_.why = mostOften({failure}, request_.world->scene(), request_.world->body());
+  ++outcome_.refusals[std::string(failure.rule)];
+}
+
+bool Plan::settleEnds() {
+  std::vector<Eigen::Vector3d> places = {request_.start.position};
+  places.insert(places.end(), request_.via.begin(), request_.via.end());
+  places.push_back(request_.goal.position);
+  const size_t last = places.size() - 1;
+  stops_.resize(places.size());
+  for (size_t i = 0; i <= last; ++i) {
+    const double likely = headingFromTo(places[i == 0 ? 0 : i - 1], places[std::min(i + 1, last)]);
+    const PlanEnd end = i == 0      ? request_.start
+                        : i == last ? request_.goal
+                                    : PlanEnd{places[i], {}, true};
+    if (const auto failure = settle(end, likely, stops_[i])) {
+      refuse(i == 0      ? PlanStatus::kStartBlocked
+             : i == last ? PlanStatus::kGoalBlocked
+                         : PlanStatus::kNoWalk,
+             *failure);
+      return false;
+    }
+    if (i > 0 && i < last)
+      stops_[i].any_heading = false;  // legs must join: refinement walks on there if it can
+  }
+  return true;
+}
+
+std::optional<EdgePath> Plan::walkAllLegs() {
+  const auto planner = makeLegPlanner(request_, steering_, request_.limits);
+  EdgePath path;
+  path.start = stops_.front();
+  path.goal = stops_.back();
+  path.pinned = {true};
+  bool solved = true;
+  for (size_t i = 0; solved && i + 1 < stops_.size(); ++i) {
+    const auto leg = planner->solve(stops_[i], stops_[i + 1]);
+    solved = leg.has_value();
+    if (!solved) break;
+    path.edges.insert(path.edges.end(), leg->begin(), leg->end());
+    path.pinned.resize(path.edges.size(), false);
+    path.pinned.push_back(true);
+  }
+  planner->describe(outcome_);
+  outcome_.time_limit_hit = !solved && request_.limits.timeIsUp();
+  outcome_.stopped = !solved && request_.limits.stopped() && !outcome_.time_limit_hit;
+  if (!solved) outcome_.why = planner->why();
+  if (!solved) return std::nullopt;
+  return path;
+}
+
+void Plan::addPath(const WalkEdge& edge) {
+  AnimationBuffer part;
+  steering_.animate(edge, part);
+  if (outcome_.walk.buffer.size() == 0)
+    outcome_.walk.buffer = std::move(part);
+  else
+    outcome_.walk.buffer.append(part);
+  if (!edge.path.empty()) outcome_.walk.path.append(edge.path);
+  outcome_.walk.stances.push_back(edge.to);
+}
+
+// What is refined is animated as a whole and checked as a whole: these frames are what is exported.
+void Plan::finish(EdgePath path) {
+  const auto begin = std::chrono::steady_clock::now();
+  SteeringCount count;
+  const RefineSettings settings{request_.planner != "cylinder" && request_.refine.walk_on,
+                                request_.refine.tries};
+  path = refineWalk(steering_, std::move(path), settings, request_.limits, count);
+  outcome_.time_limit_hit = request_.limits.timeIsUp();
+  outcome_.stopped = request_.limits.stopped() && !outcome_.time_limit_hit;
+  outcome_.walk.stances = {path.edges.front().from};
+  for (const WalkEdge& edge : path.edges) addPath(edge);
+  for (const auto& [rule, times] : count.refusals) outcome_.refusals[rule] += times;
+  outcome_.poses_checked += count.poses + outcome_.walk.buffer.size();
+  const auto failure = steering_.contact(outcome_.walk.buffer, *scratch_);
+  if (failure) {
+    outcome_.walk = {};
+    refuse(PlanStatus::kNoWalk, *failure);
+  } else {
+    outcome_.status = PlanStatus::kSolved;
+  }
+  outcome_.times.refine = seconds(begin);
+}
+
+PlanOutcome Plan::run() {
+  if (settleEnds()) {
+    if (auto path = walkAllLegs()) finish(std::move(*path));
+  }
+  return std::move(outcome_);
+}
+
+}  // namespace
+
+PlanOutcome planWalk(const PlanRequest& request) {
+  checkRequest(request);
+  return Plan(request).run();
+}
+
+const std::vector<PlannerInfo>& listPlanners() {
+  static const std::vector<PlannerInfo> planners = {
+      {"visibility",
+       "visibility roadmap of directed edges (Simeon, Laumond, Nissoux 2000); every edge animated "
+       "and checked"},
+      {"prm", "directed k-nearest roadmap on the same steering; max_failures counts its samples"},
+      {"rrt", "OMPL's RRT on the same steering, grown forward; draws up to 4 max_failures samples"},
+      {"cylinder",
+       "plans for the body's bounding cylinder, then animates the path; a contact has it tried "
+       "again"},
+  };
+  return planners;
+}
+
+}  // namespace amble
