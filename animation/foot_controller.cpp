@@ -60,6 +60,7 @@ FootController::FootController(const Skeleton& skeleton, const JointRoles& roles
       left_R_(restToHeading(skeleton, roles).conjugate() * Eigen::Vector3d::UnitY()) {}
 
 bool FootController::apply(AnimationBuffer& buffer) const {
+  if (!dipHips(buffer)) return false;
   std::vector<JointFrame> joints(skeleton_.size());
   for (int i = 0; i < buffer.size(); ++i) {
     forwardKinematics(skeleton_, buffer.poses[i], joints);
@@ -68,6 +69,31 @@ bool FootController::apply(AnimationBuffer& buffer) const {
           footTarget(buffer.states[i].feet[side], blend_.foot(side), shapes_[side]);
       if (!placeLeg(side, target, joints, buffer.poses.rotations(i))) return false;
     }
+  }
+  return true;
+}
+
+// Lowers the root around frames in which a leg would be too short, never at the first and last frame: those are stances.
+bool FootController::dipHips(AnimationBuffer& buffer) const {
+  const int n = buffer.size();
+  std::vector<JointFrame> joints(skeleton_.size());
+  std::vector<double> dip(n, 0.0);
+  const int reach = std::max(1, static_cast<int>(std::lround(kDipTime / buffer.frame_time)));
+  bool any = false;
+  for (int i = 1; i + 1 < n; ++i) {
+    const double missing = missingHeight(buffer, i, kDipReach, joints);
+    if (missing <= 0.0) continue;
+    if (missing > kDeepestDip) return false;
+    any = true;
+    for (int j = std::max(1, i - reach); j <= std::min(n - 2, i + reach); ++j) {
+      const double away = std::abs(j - i) / static_cast<double>(reach);
+      dip[j] = std::max(dip[j], missing * 0.5 * (1.0 + std::cos(kPi * away)));
+    }
+  }
+  if (!any) return true;
+  for (int i = 1; i + 1 < n; ++i) {
+    const double from_end = std::min(i, n - 1 - i) / static_cast<double>(reach);
+    buffer.poses.p_WR(i).z() -= dip[i] * smoothstep(std::min(1.0, from_end));
   }
   return true;
 }
@@ -96,20 +122,6 @@ bool FootController::placeLeg(Side side, const FootTarget& target,
   rotations[leg.toe] = shapes_[side].q_FT * Eigen::Quaterniond(Eigen::AngleAxisd(
                                                 -target.toe_bend, shapes_[side].lateral_T));
   return true;
-}
-
-double FootController::reach(const AnimationBuffer& buffer, int frame,
-                             std::vector<JointFrame>& joints) const {
-  forwardKinematics(skeleton_, buffer.poses[frame], joints);
-  double farthest = 0.0;
-  for (const Side side : {kLeft, kRight}) {
-    const FootTarget target =
-        footTarget(buffer.states[frame].feet[side], blend_.foot(side), shapes_[side]);
-    const double length = roles_.legLength(skeleton_, side);
-    farthest = std::max(farthest,
-                        (target.ankle - joints[roles_.legs[side].up_leg].p_WJ).norm() / length);
-  }
-  return farthest;
 }
 
 double FootController::missingHeight(const AnimationBuffer& buffer, int frame, double share,

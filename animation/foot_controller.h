@@ -27,19 +27,22 @@ class FootController : public SubController {
  public:
   /// A leg stretched farther than this share of thigh and shank is refused: the knee would snap.
   static constexpr double kLongestReach = 0.9995;
+  /// Where a leg would stretch farther than this, the hips dip, over kDipTime before and after; deeper than kDeepestDip is refused.
+  static constexpr double kDipReach = 0.998;
+  static constexpr double kDipTime = 0.3;      // [s]
+  static constexpr double kDeepestDip = 0.04;  // [m]; by trial, deeper looks like a stumble
 
   FootController(const Skeleton& skeleton, const JointRoles& roles,
                  const std::array<FootShape, 2>& shapes, const GaitBlend& blend);
 
   bool apply(AnimationBuffer& buffer) const override;
 
-  /// How far each leg would have to reach in a frame, as a share of its length; also beyond 1. `joints` is scratch.
-  double reach(const AnimationBuffer& buffer, int frame, std::vector<JointFrame>& joints) const;
-  /// How much lower the root has to be for no leg to reach farther than `share`, in a frame [m, >= 0].
+  /// How much lower the root has to be for no leg to reach farther than `share`, in a frame [m, >= 0]. `joints` is scratch.
   double missingHeight(const AnimationBuffer& buffer, int frame, double share,
                        std::vector<JointFrame>& joints) const;
 
  private:
+  bool dipHips(AnimationBuffer& buffer) const;
   bool placeLeg(Side side, const FootTarget& target, std::span<const JointFrame> joints,
                 std::span<Eigen::Quaterniond> rotations) const;
 

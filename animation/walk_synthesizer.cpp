@@ -14,9 +14,9 @@
 namespace amble {
 namespace {
 
-// Legs are not stretched farther than this share of their length by the straight walk: below 1 the knee turns at a bounded rate, and footprints
-// of turns may lie a little farther off.
-constexpr double kStraightReach = 0.985;
+// Legs are not stretched farther than this share of their length by the straight walk, a knee bent by 9 degrees: captured walkers reach 0.999.
+constexpr double kStraightReach = 0.997;
+constexpr double kStandingReach = 0.995;
 constexpr int kLoweringSteps = 16;     // step lengths for which the root's lowering is prepared
 constexpr double kGroundReach = 0.05;  // heights within so much of the path's point are its ground [m]
 
@@ -86,6 +86,7 @@ struct WalkSynthesizer::Impl {
     stand_channels[2] = stand.root_height * scale;
     limits = {blend.law(), settings.speed, blend.maxTurnRate(), settings.frame_time};
     prepareLowering();
+    bendStandingKnees();
   }
 
   // How much lower the root must walk at each step length for the legs to reach: long steps lower the hips.
@@ -96,6 +97,18 @@ struct WalkSynthesizer::Impl {
       lowering.push_back(loweringAt(longest * i / kLoweringSteps));
     }
     walk = std::make_unique<WalkController>(blend, reference, stand_channels, lowering, longest);
+  }
+
+  // Captured people stand on straight legs, with no room to turn on the spot or to step off from.
+  void bendStandingKnees() {
+    AnimationBuffer buffer;
+    buffer.poses = PoseArray(skeleton.size());
+    buffer.states.push_back(stanceState({}, 0.0));
+    buffer.poses.resize(1);
+    walk->apply(buffer);
+    std::vector<JointFrame> joints(skeleton.size());
+    stand_channels[2] -= feet.missingHeight(buffer, 0, kStandingReach, joints);
+    prepareLowering();
   }
 
   double loweringAt(double step_length) const {
