@@ -1,0 +1,79 @@
+// BVH read and write, in MB/s, beside Assimp's importer on the same text.
+
+#include <benchmark/benchmark.h>
+
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "animation/bvh.h"
+#include "animation/rotation.h"
+
+namespace {
+
+using amble::Clip;
+
+constexpr int kJoints = 60;    // of a rig with fingers
+constexpr int kFrames = 2000;  // half a minute at 60 Hz: 7 MB of text
+
+// A chain that waves: every number has all its digits, as in a capture.
+Clip makeClip() {
+  std::vector<amble::Joint> joints(kJoints);
+  for (int i = 0; i < kJoints; ++i) {
+    joints[i].name = "joint" + std::to_string(i);
+    joints[i].parent = i - 1;
+    if (i > 0) joints[i].offset = {0.0, 0.1 + 0.001 * i, 0.0123456};
+  }
+  joints.back().end_sites.emplace_back(0.0, 0.1, 0.0);
+  Clip clip{"chain", amble::Skeleton(joints), 1.0 / 60.0, amble::PoseArray(kJoints), {}};
+  clip.poses.resize(kFrames);
+  for (int frame = 0; frame < kFrames; ++frame) {
+    clip.poses.p_WR(frame) = {0.02 * frame, std::sin(0.01 * frame), 1.0};
+    for (int j = 0; j < kJoints; ++j) {
+      const double angle = 0.7 * std::sin(0.05 * frame + j);
+      clip.poses.rotations(frame)[j] = amble::expRotation(angle * Eigen::Vector3d(0.6, 0.48, 0.64));
+    }
+  }
+  return clip;
+}
+
+const std::string& text() {
+  static const std::string written = [] {
+    std::ostringstream out;
+    amble::writeBvh(out, makeClip());
+    return out.str();
+  }();
+  return written;
+}
+
+void readBvh(benchmark::State& state) {
+  for (auto _ : state) {
+    std::istringstream in(text());
+    benchmark::DoNotOptimize(amble::readBvh(in, "chain.bvh"));
+  }
+  state.SetBytesProcessed(state.iterations() * static_cast<int64_t>(text().size()));
+}
+BENCHMARK(readBvh)->Unit(benchmark::kMillisecond);
+
+void writeBvh(benchmark::State& state) {
+  const Clip clip = makeClip();
+  for (auto _ : state) {
+    std::ostringstream out;
+    amble::writeBvh(out, clip);
+    benchmark::DoNotOptimize(out);
+  }
+  state.SetBytesProcessed(state.iterations() * static_cast<int64_t>(text().size()));
+}
+BENCHMARK(writeBvh)->Unit(benchmark::kMillisecond);
+
+void readBvhWithAssimp(benchmark::State& state) {
+  for (auto _ : state) {
+    Assimp::Importer importer;
+    benchmark::DoNotOptimize(importer.ReadFileFromMemory(text().data(), text().size(), 0, "bvh"));
+  }
+  state.SetBytesProcessed(state.iterations() * static_cast<int64_t>(text().size()));
+}
+BENCHMARK(readBvhWithAssimp)->Unit(benchmark::kMillisecond);
+
+}  // namespace
