@@ -103,7 +103,7 @@ bool FootController::placeLeg(Side side, const FootTarget& target,
                               std::span<Eigen::Quaterniond> rotations) const {
   const LegJoints& leg = roles_.legs[side];
   const TwoLink links{joints[leg.up_leg].p_WJ, joints[leg.leg].p_WJ, joints[leg.foot].p_WJ,
-                      joints[0].q_WJ * left_R_};
+                      joints[leg.up_leg].q_WJ * left_R_};
   const double length = (links.knee - links.hip).norm() + (links.ankle - links.knee).norm();
   if ((target.ankle - links.hip).norm() > kLongestReach * length) return false;
   const auto solved = solveTwoLink(links, target.ankle);

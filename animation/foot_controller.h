@@ -50,7 +50,7 @@ class FootController : public SubController {
   JointRoles roles_;
   std::array<FootShape, 2> shapes_;
   const GaitBlend& blend_;
-  Eigen::Vector3d left_R_;  // a walker's left, in the root's frame
+  Eigen::Vector3d left_R_;  // a walker's left in the rest pose's frame, to which all joints' frames are parallel
 };
 
 }  // namespace amble

@@ -11,8 +11,8 @@ struct TwoLink {
   Eigen::Vector3d hip;
   Eigen::Vector3d knee;
   Eigen::Vector3d ankle;
-  /// Axis about which the knee flexes where hip, knee and ankle lie in a line, and the side of the plane to which the knee may
-  /// point: flexing turns the shank about it, right-handed. A walker's left. Need not be a unit vector.
+  /// Axis about which the knee flexes, right-handed: the thigh's left. It says to which side of the plane the knee may
+  /// point, and takes the plane's place where the leg is straight within 10 degrees. Need not be a unit vector.
   Eigen::Vector3d flexion_axis;
 };
 

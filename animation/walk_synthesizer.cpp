@@ -24,7 +24,6 @@ constexpr double kGroundReach = 0.05;  // heights within so much of the path's p
 constexpr double kTurnPair = 45.0 * kDegree;  // [rad]
 constexpr double kTurnStepTime = 0.45;        // [s], for a captured subject; grows with the root of scale
 constexpr double kTurnSway = 0.02;            // of the root towards the standing foot [m]
-constexpr double kTurnRoll = 0.3;             // share of the captured roll of the foot
 
 double smoothstep(double t) {
   t = std::clamp(t, 0.0, 1.0);
@@ -331,8 +330,7 @@ WalkResult WalkSynthesizer::turnOnSpot(const Stance& at, double angle, Animation
     state.turn_rate = angle * 30.0 * std::pow(share * (1.0 - share), 2) / (n * step_time);
     state.feet = steps.at(progress);
     for (FootState& foot : state.feet) {
-      foot.strike_roll = 0.0;
-      foot.lift_roll = std::min(foot.lift_roll, kTurnRoll) * (foot.planted() && progress < 1.0 ? smoothstep(progress) : 1.0);
+      foot.strike_roll = foot.lift_roll = 0.0;  // small steps are put down flat
     }
     // Towards the foot that stands: to the right while the left one swings.
     const double into = progress - std::floor(progress);
