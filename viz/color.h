@@ -1,0 +1,39 @@
+/// The colours of the pictures; one place, so that plan view, walk and film strip agree.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+
+#include "animation/joint_roles.h"
+
+namespace amble {
+
+/// sRGB, each 0 to 1.
+using Color = Eigen::Vector3f;
+
+inline Color rgb(int r, int g, int b) {
+  return Color(static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)) / 255.0f;
+}
+
+/// Left is blue and right is orange wherever feet are told apart: seen as two by the colour-blind
+/// too.
+Color sideColor(Side side);
+/// The colour of a moment: from teal at 0 through violet to amber at 1.
+Color timeColor(double share);
+/// A muted colour for a thing: after what its names say it is ("leaves" are green), the part's
+/// before the object's; else one of ten by the object's name, so that it stays when other things
+/// are added.
+Color thingColor(const std::string& object, const std::string& part);
+/// A little lighter or darker, by a number that looks random: books of a shelf differ so.
+Color tinted(const Color& color, int i);
+Color mix(const Color& a, const Color& b, float share);
+
+inline const Color kWallColor = rgb(232, 230, 224);
+inline const Color kFloorColor = rgb(214, 196, 170);
+inline const Color kPathColor = rgb(190, 30, 75);
+
+/// "#rrggbb"
+std::string hexColor(const Color& color);
+
+}  // namespace amble

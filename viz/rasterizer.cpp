@@ -1,0 +1,165 @@
+#include "viz/rasterizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+namespace amble {
+namespace {
+
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+
+constexpr float kDecalLift = 0.02f;  // a decal wins against what is no more than this before it [m]
+
+struct Corner {
+  Vector3f view;  // in view axes [m]
+  Vector3f normal;
+};
+
+// Cuts the triangle at the nearest depth. @return corners in `out`, 0 to 4 of them
+int clipNear(const std::array<Corner, 3>& in, std::array<Corner, 4>& out) {
+  int count = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Corner& a = in[i];
+    const Corner& b = in[(i + 1) % 3];
+    if (a.view.z() >= kNearest) out[count++] = a;
+    if ((a.view.z() >= kNearest) != (b.view.z() >= kNearest)) {
+      const float t = (kNearest - a.view.z()) / (b.view.z() - a.view.z());
+      out[count++] = {a.view + t * (b.view - a.view), a.normal + t * (b.normal - a.normal)};
+    }
+  }
+  return count;
+}
+
+// Three corners on the picture, and what interpolation over it needs.
+struct ScreenTriangle {
+  std::array<Vector2f, 3> at;     // [pixels]
+  std::array<float, 3> nearness;  // linear over the picture: 1 / depth, or -depth where parallel
+  std::array<Vector3f, 3> normal;
+};
+
+// Calls visit(x, y, weights) for every sample of the triangle whose row is in [first, last).
+template <typename Visit>
+void coverSamples(const ScreenTriangle& t, int width, int first, int last, const Visit& visit) {
+  const Vector2f &a = t.at[0], &b = t.at[1], &c = t.at[2];
+  const float area = (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+  if (area == 0) return;
+  const auto [low_x, high_x] = std::minmax({a.x(), b.x(), c.x()});
+  const auto [low_y, high_y] = std::minmax({a.y(), b.y(), c.y()});
+  if (high_x < 0 || low_x > static_cast<float>(width)) return;
+  const int x0 = std::max(0, static_cast<int>(std::max(low_x, -1.0f)));
+  const int x1 = std::min(width - 1, static_cast<int>(std::min(high_x, 1e6f)));
+  const int y0 = std::max(first, static_cast<int>(std::max(low_y, -1.0f)));
+  const int y1 = std::min(last - 1, static_cast<int>(std::min(high_y, 1e6f)));
+  const float inverse = 1 / area;
+  for (int y = y0; y <= y1; ++y) {
+    for (int x = x0; x <= x1; ++x) {
+      const Vector2f s(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+      const float w0 = ((b - s).x() * (c - s).y() - (b - s).y() * (c - s).x()) * inverse;
+      const float w1 = ((c - s).x() * (a - s).y() - (c - s).y() * (a - s).x()) * inverse;
+      const float w2 = 1 - w0 - w1;
+      if (w0 < 0 || w1 < 0 || w2 < 0) continue;
+      visit(x, y, Vector3f(w0, w1, w2));
+    }
+  }
+}
+
+// Calls visit(screen triangle) for what of `triangle` is before the camera and turned to it.
+template <typename Visit>
+void project(const DrawTriangle& triangle, const Camera& camera, const Visit& visit) {
+  const Vector3f face = (triangle.p[1] - triangle.p[0]).cross(triangle.p[2] - triangle.p[0]);
+  const bool front = face.dot(camera.towardsEye(triangle.p[0])) > 0;
+  if (!front && !(triangle.flags & (kTwoSided | kCut))) return;
+  std::array<Corner, 3> corners;
+  for (int i = 0; i < 3; ++i) {
+    corners[i] = {camera.toView(triangle.p[i]), front ? triangle.normal[i] : -triangle.normal[i]};
+    if (!front && (triangle.flags & kCut)) corners[i].normal = Vector3f::UnitZ();
+  }
+  std::array<Corner, 4> clipped;
+  const int count = clipNear(corners, clipped);
+  for (int i = 2; i < count; ++i) {
+    ScreenTriangle screen;
+    const std::array<const Corner*, 3> fan = {&clipped[0], &clipped[i - 1], &clipped[i]};
+    for (int k = 0; k < 3; ++k) {
+      screen.at[k] = camera.toPixel(fan[k]->view);
+      screen.nearness[k] = camera.parallel ? -fan[k]->view.z() : 1 / fan[k]->view.z();
+      screen.normal[k] = fan[k]->normal;
+    }
+    visit(screen);
+  }
+}
+
+float depthOf(float nearness, bool parallel) { return parallel ? -nearness : 1 / nearness; }
+
+uint8_t byteOf(float v) {
+  return static_cast<uint8_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 255));
+}
+
+void drawBand(const DrawTriangle& triangle, const Camera& camera, int first, int last,
+              SampleBuffer& buffer) {
+  const std::array<uint8_t, 3> color = {byteOf(triangle.color.x()), byteOf(triangle.color.y()),
+                                        byteOf(triangle.color.z())};
+  const float lift = triangle.flags & kDecal ? kDecalLift : 0.0f;
+  project(triangle, camera, [&](const ScreenTriangle& t) {
+    coverSamples(t, buffer.width, first, last, [&](int x, int y, const Vector3f& w) {
+      if ((triangle.flags & kSeeThrough) && ((x & 1) || (y & 1))) return;
+      const float nearness = w.x() * t.nearness[0] + w.y() * t.nearness[1] + w.z() * t.nearness[2];
+      const float depth = depthOf(nearness, camera.parallel);
+      Sample& sample = buffer.samples[static_cast<size_t>(y) * buffer.width + x];
+      if (sample.depth > 0 && depth - lift >= sample.depth) return;
+      Vector3f normal = Vector3f::Zero();
+      for (int k = 0; k < 3; ++k)
+        normal += w[k] * (camera.parallel ? 1.0f : t.nearness[k]) * t.normal[k];
+      sample = {depth, normal.normalized(), color, triangle.flags};
+    });
+  });
+}
+
+}  // namespace
+
+void forBands(int rows, const std::function<void(int, int)>& work) {
+  const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
+  const int bands = threads * 4;
+  std::vector<std::thread> pool;
+  for (int t = 0; t < threads; ++t) {
+    pool.emplace_back([&, t] {
+      for (int b = t; b < bands; b += threads) work(rows * b / bands, rows * (b + 1) / bands);
+    });
+  }
+  for (std::thread& thread : pool) thread.join();
+}
+
+SampleBuffer rasterize(std::span<const DrawTriangle> triangles, const Camera& camera, int width,
+                       int height) {
+  SampleBuffer buffer{width, height, std::vector<Sample>(static_cast<size_t>(width) * height)};
+  forBands(height, [&](int first, int last) {
+    for (const DrawTriangle& triangle : triangles)
+      if (!(triangle.flags & kDecal)) drawBand(triangle, camera, first, last, buffer);
+    for (const DrawTriangle& triangle : triangles)
+      if (triangle.flags & kDecal) drawBand(triangle, camera, first, last, buffer);
+  });
+  return buffer;
+}
+
+DepthMap rasterizeDepth(std::span<const DrawTriangle> triangles, const Camera& camera, int width,
+                        int height, uint8_t skip_flags) {
+  DepthMap map{width, height, std::vector<float>(static_cast<size_t>(width) * height)};
+  forBands(height, [&](int first, int last) {
+    for (const DrawTriangle& triangle : triangles) {
+      if (triangle.flags & skip_flags) continue;
+      project(triangle, camera, [&](const ScreenTriangle& t) {
+        coverSamples(t, width, first, last, [&](int x, int y, const Vector3f& w) {
+          const float nearness =
+              w.x() * t.nearness[0] + w.y() * t.nearness[1] + w.z() * t.nearness[2];
+          const float depth = depthOf(nearness, camera.parallel);
+          float& old = map.depth[static_cast<size_t>(y) * width + x];
+          if (old == 0 || depth < old) old = depth;
+        });
+      });
+    }
+  });
+  return map;
+}
+
+}  // namespace amble

@@ -1,0 +1,183 @@
+#include "viz/render.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "viz/draw_mesh.h"
+#include "viz/lighting.h"
+#include "viz/room.h"
+#include "viz/tiny_text.h"
+
+namespace amble {
+namespace {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kAround = 1.8;  // how much of the room is shown around the walk [m]
+constexpr double kHeadroom =
+    2.5;  // what must fit into the picture above the floor, where it is there [m]
+constexpr double kPathLift = 0.006;   // of the path's ribbon above the floor [m]
+constexpr double kPrintLift = 0.009;  // of footprints: over the path [m]
+constexpr float kMargin = 28;         // about the room [pixels]
+constexpr double kElevation = 0.72;   // of the eye above the horizon [rad]
+
+// Frames to draw a body at: every so many seconds, and the last.
+std::vector<int> bodyFrames(const WalkView& view, double every) {
+  std::vector<int> frames;
+  if (!view.hasBody()) return frames;
+  const int last = view.animation->size() - 1;
+  const double step = std::max(1.0, every / view.animation->frame_time);
+  for (int i = 0;; ++i) {
+    const int frame = static_cast<int>(std::lround(i * step));
+    if (frame > last) break;
+    frames.push_back(frame);
+  }
+  if (last - frames.back() > step / 2) frames.push_back(last);
+  return frames;
+}
+
+// What the picture is about: bodies where there are any, else start and goal.
+std::vector<Vector3d> watchedPoints(const WalkView& view, const std::vector<int>& frames) {
+  std::vector<Vector2d> places;
+  for (const int frame : frames) places.push_back(view.animation->poses.p_WR(frame).head<2>());
+  if (places.empty()) {
+    for (const auto& place : {view.start, view.goal})
+      if (place) places.push_back(place->position);
+  }
+  std::vector<Vector3d> points;
+  for (const Vector2d& p : places)
+    for (const double height : {0.1, 0.6, 1.1, 1.6})
+      points.emplace_back(p.x(), p.y(), view.floor + height);
+  return points;
+}
+
+// The box of the picture: what is around the watched points and belongs to the scene.
+AlignedBox3d focusBox(const WalkView& view, const std::vector<Vector3d>& watched) {
+  const AlignedBox3d scene = view.scene->bounds();
+  AlignedBox3d box = scene;
+  if (!watched.empty()) {
+    AlignedBox3d around;
+    for (const Vector3d& p : watched) around.extend(p);
+    around.min().array() -= kAround;
+    around.max().array() += kAround;
+    const AlignedBox3d common = around.intersection(scene);
+    if (!common.isEmpty()) box = common;
+  }
+  box.min().z() = view.floor;
+  box.max().z() = view.floor + std::clamp(scene.max().z() - view.floor, 1.8, kHeadroom);
+  return box;
+}
+
+std::vector<Vector3f> corners(const AlignedBox3d& box) {
+  std::vector<Vector3f> points;
+  for (int i = 0; i < 8; ++i)
+    points.push_back(box.corner(static_cast<AlignedBox3d::CornerType>(i)).cast<float>());
+  return points;
+}
+
+// How many watched points nothing hides, in a small picture.
+int visibleCount(const std::vector<DrawTriangle>& triangles, const Camera& camera, int width,
+                 int height, const std::vector<Vector3d>& watched) {
+  constexpr float kSlack = 0.25f;  // half a body's thickness [m]
+  const DepthMap map = rasterizeDepth(triangles, camera, width, height, kSeeThrough);
+  int count = 0;
+  for (const Vector3d& p : watched) {
+    const Vector3f view = camera.toView(p.cast<float>());
+    const Eigen::Vector2f at = camera.toPixel(view);
+    const int x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
+    if (x < 0 || y < 0 || x >= width || y >= height) continue;
+    const float depth = map.at(x, y);
+    count += depth == 0 || depth > view.z() - kSlack;
+  }
+  return count;
+}
+
+struct Shot {
+  Camera camera;
+  std::vector<DrawTriangle> triangles;  // of the room
+};
+
+// The corner from which most of the walk is seen; the first of equals.
+Shot chooseShot(const WalkView& view, const AlignedBox3d& focus,
+                const std::vector<Vector3d>& watched, const RenderSettings& settings) {
+  constexpr int kSmall = 4;  // the trial pictures are so many times smaller
+  const std::vector<RoomSurface> room = sortRoom(*view.scene, view.floor);
+  const std::vector<Vector3f> points = corners(focus);
+  const bool wide = focus.sizes().x() >= focus.sizes().y();
+  const double turn = wide ? 62 * kPi / 180 : 28 * kPi / 180;
+  Shot best;
+  int most = -1;
+  for (const double azimuth : {-turn, turn - kPi, turn, kPi - turn}) {
+    Shot shot;
+    shot.camera =
+        frameView(points, {azimuth, kElevation}, settings.width, settings.height, kMargin);
+    addRoom(room, {shot.camera.eye.cast<double>(), watched, view.floor}, shot.triangles);
+    const int count = visibleCount(shot.triangles, shot.camera.enlarged(1.0f / kSmall),
+                                   settings.width / kSmall, settings.height / kSmall, watched);
+    if (count <= most) continue;
+    most = count;
+    best = std::move(shot);
+  }
+  return best;
+}
+
+void addFloorMarks(const WalkView& view, std::vector<DrawTriangle>& triangles) {
+  addRibbon(pathLine(view), 0.022, view.floor + kPathLift, kPathColor, triangles);
+  if (view.animation == nullptr) return;
+  const double length = soleLength(view);
+  for (const Footprint& print : view.animation->footprints)
+    addPolygon(placedShoe(print, length), view.floor + kPrintLift, sideColor(print.side),
+               triangles);
+}
+
+// High, and from between the two walls that are not drawn: both walls that are get light.
+Vector3f sunDirection(const Camera& camera) {
+  const Vector3f back = -camera.axes.row(2).transpose();
+  return {back.x() > 0 ? 0.55f : -0.55f, back.y() > 0 ? 0.30f : -0.30f, 1.0f};
+}
+
+// "0 s [colours] 9.5 s" in the lower left corner.
+void drawTimeBar(Image& image, double duration) {
+  constexpr int kBar = 260, kThick = 14, kDot = 2, kIndent = 26;
+  const int y = image.height - kIndent - kThick;
+  const Color ink = rgb(70, 74, 82);
+  drawText(image, kIndent, y, "0 s", kDot, ink);
+  const int x = kIndent + textWidth("0 s ", kDot);
+  for (int i = 0; i < kBar; ++i) fillRect(image, x + i, y, 1, kThick, timeColor((i + 0.5) / kBar));
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f s", duration);
+  drawText(image, x + kBar + 4 * kDot, y, text, kDot, ink);
+}
+
+}  // namespace
+
+Image renderWalk(const WalkView& view, const RenderSettings& settings) {
+  const std::vector<int> frames = bodyFrames(view, settings.every);
+  const std::vector<Vector3d> watched = watchedPoints(view, frames);
+  const AlignedBox3d focus = focusBox(view, watched);
+  Shot shot = chooseShot(view, focus, watched, settings);
+  for (const int frame : frames) {
+    const double share = static_cast<double>(frame) / std::max(1, view.animation->size() - 1);
+    const std::vector<Color> colors(view.body->parts.size(), timeColor(share));
+    addBody(view, frame, colors, shot.triangles);
+  }
+  addFloorMarks(view, shot.triangles);
+  const Camera large = shot.camera.enlarged(kSupersampling);
+  const SampleBuffer samples = rasterize(shot.triangles, large, settings.width * kSupersampling,
+                                         settings.height * kSupersampling);
+  LightSettings light;
+  light.to_sun = sunDirection(shot.camera);
+  light.shadowed = Eigen::AlignedBox3f(focus.min().cast<float>(), focus.max().cast<float>());
+  Image image = lightSamples(samples, large, shot.triangles, light);
+  if (!frames.empty())
+    drawTimeBar(image, (view.animation->size() - 1) * view.animation->frame_time);
+  return image;
+}
+
+}  // namespace amble

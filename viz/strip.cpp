@@ -1,0 +1,174 @@
+// The film strip: renderStrip of viz/render.h.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "viz/draw_mesh.h"
+#include "viz/lighting.h"
+#include "viz/render.h"
+#include "viz/tiny_text.h"
+
+namespace amble {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+constexpr double kBelow = 0.16;      // how much is shown below the floor [m]
+constexpr double kTick = 0.1;        // between the marks of the floor [m]
+constexpr double kLevelView = 0.02;  // an eye lower than this sees the floor as a line [rad]
+constexpr float kSinkTint = 0.75f;   // how red a body is drawn below the floor
+
+const Color kTrunk = rgb(176, 178, 184);
+const Color kEarth = rgb(222, 214, 200);
+const Color kInk = rgb(60, 62, 70);
+
+std::vector<Color> limbColors(const Body& body) {
+  std::vector<Color> colors;
+  for (const BodyPart& part : body.parts) {
+    const bool left = part.name.find("left") != std::string::npos;
+    const bool right = part.name.find("right") != std::string::npos;
+    const bool leg = part.sole >= 0 || part.name.find("arm") == std::string::npos;
+    const Color side = sideColor(left ? kLeft : kRight);
+    colors.push_back(!left && !right ? kTrunk : leg ? side : mix(side, kTrunk, 0.45f));
+  }
+  return colors;
+}
+
+// A parallel view of the walker at a frame; the picture's middle column is the root's.
+Camera tileCamera(const WalkView& view, int frame, const StripSettings& settings, int factor) {
+  const Vector3d root = view.animation->poses.p_WR(frame);
+  const double azimuth = view.animation->states[frame].heading + settings.side;
+  const double level = std::cos(settings.lift);
+  const Vector3d back(level * std::cos(azimuth), level * std::sin(azimuth),
+                      std::sin(settings.lift));
+  const Vector3d middle(root.x(), root.y(), view.floor + settings.window / 2 - kBelow);
+  Camera camera;
+  camera.parallel = true;
+  camera.axes = viewAxes((-back).cast<float>());
+  camera.eye = (middle + 4 * back).cast<float>();
+  camera.centre = Eigen::Vector2f(static_cast<float>(settings.tile_width),
+                                  static_cast<float>(settings.tile_height)) /
+                  2;
+  camera.scale = static_cast<float>(settings.tile_height / settings.window);
+  return camera.enlarged(static_cast<float>(factor));
+}
+
+// The floor from the side: a line with a mark every 10 cm of World, so that a sliding foot shows;
+// what of the body is below it is drawn red.
+void drawFloorLine(const WalkView& view, const Camera& camera, const SampleBuffer& samples,
+                   Image& tile) {
+  const auto column = [&](const Vector3d& p) {
+    return camera.toPixel(camera.toView(p.cast<float>()));
+  };
+  const Vector3d on_floor(camera.eye.x(), camera.eye.y(), view.floor);
+  const int line = static_cast<int>(std::lround(column(on_floor).y()));
+  for (int y = std::max(0, line); y < tile.height; ++y) {
+    for (int x = 0; x < tile.width; ++x) {
+      const bool body = samples.at(x * kSupersampling, y * kSupersampling).depth > 0;
+      const uint8_t* old = tile.pixel(x, y);
+      const Color sunk = mix(rgb(old[0], old[1], old[2]), rgb(220, 20, 20), kSinkTint);
+      fillRect(tile, x, y, 1, 1, body ? sunk : kEarth);
+    }
+  }
+  fillRect(tile, 0, line, tile.width, 1, kInk);
+  const Vector3d right = camera.axes.row(0).transpose().cast<double>();
+  const double middle = right.dot(on_floor);
+  const double half = tile.width / (2.0 * camera.scale);
+  for (int i = static_cast<int>(std::ceil((middle - half) / kTick)); i * kTick <= middle + half;
+       ++i) {
+    const int x =
+        static_cast<int>(std::lround(column(on_floor + (i * kTick - middle) * right).x()));
+    fillRect(tile, x, line, 1, i % 5 == 0 ? 12 : 5, kInk);
+  }
+}
+
+// A bar below the floor's line under each foot that is planted in this frame.
+void drawPlants(const WalkView& view, int frame, const Camera& camera, Image& tile) {
+  const double length = soleLength(view);
+  for (const Footprint& print : view.animation->footprints) {
+    if (frame < print.first_frame || frame > print.last_frame) continue;
+    const Vector3d along(std::cos(print.heading), std::sin(print.heading), 0);
+    const Vector3d heel = print.position - along * (length / 2),
+                   toe = print.position + along * (length / 2);
+    const auto a = camera.toPixel(camera.toView(heel.cast<float>()));
+    const auto b = camera.toPixel(camera.toView(toe.cast<float>()));
+    const int x = static_cast<int>(std::lround(std::min(a.x(), b.x())));
+    const int width = std::max(2, static_cast<int>(std::lround(std::abs(a.x() - b.x()))));
+    fillRect(tile, x, static_cast<int>(std::lround(a.y())) + 14 + (print.side == kRight ? 5 : 0),
+             width, 4, sideColor(print.side));
+  }
+}
+
+void addFloorAround(const WalkView& view, int frame, std::vector<DrawTriangle>& triangles) {
+  constexpr double kHalf = 2.0;  // [m]
+  const Vector3d root = view.animation->poses.p_WR(frame);
+  const auto snap = [](double v) { return std::round(v / kTick) * kTick; };
+  const Vector2d middle(snap(root.x()), snap(root.y()));
+  TriangleMesh floor = makeBox({2 * kHalf, 2 * kHalf, 0.02});
+  for (Vector3d& p : floor.vertices) p += Vector3d(middle.x(), middle.y(), view.floor - 0.01);
+  addMesh(floor, kEarth, kNoShadow, triangles);
+  for (double d = -kHalf; d <= kHalf + 1e-9; d += kTick) {
+    const std::vector<Vector2d> across = {middle + Vector2d(d, -kHalf),
+                                          middle + Vector2d(d, kHalf)};
+    const std::vector<Vector2d> along = {middle + Vector2d(-kHalf, d), middle + Vector2d(kHalf, d)};
+    addRibbon(across, 0.004, view.floor, mix(kEarth, kInk, 0.25f), triangles);
+    addRibbon(along, 0.004, view.floor, mix(kEarth, kInk, 0.25f), triangles);
+  }
+  for (const Footprint& print : view.animation->footprints)
+    if (frame >= print.first_frame && frame <= print.last_frame)
+      addPolygon(placedShoe(print, soleLength(view)), view.floor,
+                 mix(sideColor(print.side), kEarth, 0.35f), triangles);
+}
+
+Image renderTile(const WalkView& view, int frame, const StripSettings& settings) {
+  const bool level = std::abs(settings.lift) < kLevelView;
+  std::vector<DrawTriangle> triangles;
+  addBody(view, frame, limbColors(*view.body), triangles);
+  if (!level) addFloorAround(view, frame, triangles);
+  const Camera camera = tileCamera(view, frame, settings, kSupersampling);
+  const SampleBuffer samples = rasterize(triangles, camera, settings.tile_width * kSupersampling,
+                                         settings.tile_height * kSupersampling);
+  LightSettings light;
+  light.background = rgb(250, 250, 251);
+  const Vector3f back = -camera.axes.row(2).transpose();
+  light.to_sun = Vector3f(back.x(), back.y(), 0) * 0.8f + Vector3f(0.1f, 0.2f, 1.0f);
+  const Vector3f root = view.animation->poses.p_WR(frame).cast<float>();
+  light.shadowed =
+      Eigen::AlignedBox3f(root - Vector3f::Constant(1.2f), root + Vector3f::Constant(1.2f));
+  light.shadow_size = 512;
+  Image tile = lightSamples(samples, camera, triangles, light);
+  const Camera small = tileCamera(view, frame, settings, 1);
+  if (level) {
+    drawFloorLine(view, small, samples, tile);
+    drawPlants(view, frame, small, tile);
+  }
+  char text[48];
+  std::snprintf(text, sizeof text, "%d  %.3f s", frame, frame * view.animation->frame_time);
+  drawText(tile, 6, 6, text, 2, kInk);
+  fillRect(tile, 0, 0, 1, tile.height, mix(kInk, light.background, 0.7f));
+  return tile;
+}
+
+}  // namespace
+
+Image renderStrip(const WalkView& view, const StripSettings& settings) {
+  if (!view.hasBody()) return Image(settings.tile_width, settings.tile_height);
+  const int left = view.animation->size() - std::max(0, settings.first);
+  const int count = std::clamp((left + settings.step - 1) / settings.step, 1, settings.pictures);
+  const int columns = std::min(settings.columns, count);
+  const int rows = (count + columns - 1) / columns;
+  Image strip(columns * settings.tile_width, rows * settings.tile_height);
+  std::fill(strip.rgb.begin(), strip.rgb.end(), uint8_t{250});
+  for (int i = 0; i < count; ++i) {
+    const int frame = std::min(settings.first + i * settings.step, view.animation->size() - 1);
+    const Image tile = renderTile(view, frame, settings);
+    const int x = i % columns * settings.tile_width, y = i / columns * settings.tile_height;
+    for (int row = 0; row < tile.height; ++row)
+      std::copy_n(tile.pixel(0, row), static_cast<size_t>(tile.width) * 3, strip.pixel(x, y + row));
+  }
+  return strip;
+}
+
+}  // namespace amble

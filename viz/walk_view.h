@@ -1,0 +1,79 @@
+/// What the pictures show: a scene, and whatever is known of the walk through it.
+///
+/// World, metres. Everything but the scene may be missing (null or empty): where no walk was found
+/// the plan view still shows the room, start, goal and roadmap.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "animation/animation_buffer.h"
+#include "animation/root_path.h"
+#include "animation/skeleton.h"
+#include "environments/body.h"
+#include "environments/scene.h"
+
+namespace amble {
+
+/// A place on the floor; without a heading any will do.
+struct PlaceView {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
+  std::optional<double> heading;                       ///< [rad]
+};
+
+/// The roadmap as it is drawn.
+struct RoadmapView {
+  struct Node {
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
+    double heading = 0.0;                                ///< [rad]
+    bool connector = false;                              ///< else a guard
+  };
+  struct Edge {
+    int from = 0, to = 0;               ///< indices of nodes
+    std::vector<Eigen::Vector2d> line;  ///< its root path [m]; empty: straight
+  };
+  std::vector<Node> nodes;
+  std::vector<Edge> edges;
+};
+
+/// Borrowed: what the pointers name outlives the view.
+struct WalkView {
+  std::string title;
+  const Scene* scene = nullptr;  ///< never null where a picture is made
+  double floor = 0.0;            ///< height of the floor that is walked on [m]
+  const Skeleton* skeleton = nullptr;
+  const Body* body = nullptr;
+  const AnimationBuffer* animation = nullptr;
+  const RootPath* path = nullptr;
+  RoadmapView roadmap;
+  std::optional<PlaceView> start, goal;
+  std::vector<PlaceView> via;
+
+  /// Skeleton, body and frames are there.
+  bool hasBody() const {
+    return skeleton != nullptr && body != nullptr && animation != nullptr && animation->size() > 0;
+  }
+};
+
+/// Capsule ends of the body's parts at a frame, in World. @pre view.hasBody()
+struct PlacedBody {
+  std::vector<Eigen::Vector3d> from, to;  ///< [m], one a part
+};
+PlacedBody placeBodyAt(const WalkView& view, int frame);
+
+/// The root path as a polyline, a point every 2 cm or so [m]; empty without one.
+std::vector<Eigen::Vector2d> pathLine(const WalkView& view);
+
+/// Length of the soles [m]: of the body's sole capsules, or 0.27 without a body.
+double soleLength(const WalkView& view);
+
+/// The outline of a shoe's sole, counter-clockwise from above: heel at -length/2, toe at +length/2
+/// along x, big toe on the inner side [m].
+std::vector<Eigen::Vector2d> shoeOutline(Side side, double length);
+
+/// The same, placed as a footprint lies.
+std::vector<Eigen::Vector2d> placedShoe(const Footprint& footprint, double length);
+
+}  // namespace amble
