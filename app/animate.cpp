@@ -90,7 +90,7 @@ int run(const Options& options) {
   if (result.refused != WalkRule::kNone) {
     fmt::print(stderr, "amble animate: there is no such walk: {} refused\n",
                walkRuleName(result.refused));
-    return kNone;
+    return kExitNone;
   }
   Clip clip{"walk", synthesizer.skeleton(), walk.frame_time, std::move(walk.poses), {}};
   writeBvh(std::filesystem::path(options.out), clip,
@@ -98,7 +98,7 @@ int run(const Options& options) {
   fmt::print(options.out == "-" ? stderr : stdout, "{}: {:.2f} s, {} frames, {} steps, {:.2f} m\n",
              options.out, clip.duration(), clip.frames(), result.steps,
              walk.states.empty() ? 0.0 : walk.states.back().arc);
-  return kDone;
+  return kExitDone;
 }
 
 }  // namespace

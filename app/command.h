@@ -8,10 +8,10 @@
 namespace amble {
 
 /// Exit status, as grep's (DESIGN.md, section 4).
-inline constexpr int kDone = 0;       ///< a walk was found; all hold
-inline constexpr int kNone = 1;       ///< none was found; something differs
-inline constexpr int kWrong = 2;      ///< the input or the use is wrong
-inline constexpr int kStopped = 130;  ///< Ctrl-C, as shells count it
+inline constexpr int kExitDone = 0;       ///< a walk was found; all hold
+inline constexpr int kExitNone = 1;       ///< none was found; something differs
+inline constexpr int kExitWrong = 2;      ///< the input or the use is wrong
+inline constexpr int kExitStopped = 130;  ///< Ctrl-C, as shells count it
 
 /// The command that was chosen, to be run when the command line has been read.
 using Command = std::function<int()>;

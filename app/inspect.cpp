@@ -55,7 +55,7 @@ void addInspect(CLI::App& app, Command& chosen) {
       std::vector<Findings> all;
       for (const std::string& file : options->files) all.push_back(inspectFile(file));
       printFindings(all, options->json);
-      return kDone;
+      return kExitDone;
     };
   });
 }

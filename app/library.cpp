@@ -41,7 +41,7 @@ void addBuild(CLI::App& library, Command& chosen) {
       const MotionLibrary built = buildMotionLibrary(options->recipe, options->captures);
       writeMotionLibrary(built, out);
       fmt::print(stderr, "{}: {} motions\n", out.string(), built.motions.size());
-      return kDone;
+      return kExitDone;
     };
   });
 }
@@ -59,7 +59,7 @@ void addShow(CLI::App& library, Command& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       printFindings({inspectLibrary(openMotionLibrary(options->name).file)}, options->json);
-      return kDone;
+      return kExitDone;
     };
   });
 }

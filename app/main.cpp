@@ -19,7 +19,7 @@ int complain(std::string line) {
   std::replace(line.begin(), line.end(), '\n', ' ');
   std::cout.flush();
   fmt::print(stderr, "{}\n", line);
-  return kWrong;
+  return kExitWrong;
 }
 
 int runProgram(int argc, char** argv) {
@@ -30,6 +30,8 @@ int runProgram(int argc, char** argv) {
       "Exit status: 0 a walk was found, all hold; 1 none was found, something differs; "
       "2 the input or the use is wrong.");
   Command chosen;
+  addPlan(app, chosen);
+  addCheck(app, chosen);
   addValidate(app, chosen);
   addAnimate(app, chosen);
   addLibrary(app, chosen);

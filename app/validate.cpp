@@ -26,9 +26,7 @@ struct Options {
 void printText(const std::string& walk, const WalkValidation& result) {
   fmt::print("{}: {} frames of {:.7g} s, {} poses checked\n", walk, result.frames,
              result.frame_time, result.poses_checked);
-  fmt::print("  body         {:.3f} m tall, {}; file unit {:g} m; floor at {:.3f} m\n",
-             result.stature,
-             result.known_skeleton ? "the library's skeleton" : "a skeleton of its own",
+  fmt::print("  body         {:.3f} m tall; file unit {:g} m; floor at {:.3f} m\n", result.stature,
              result.metres_per_unit, result.floor);
   for (const ContactSpan& contact : result.contacts) {
     fmt::print("  contact      {:.3f} s to {:.3f} s: {} and {}\n", contact.start, contact.end,
@@ -61,7 +59,6 @@ void printJson(const std::string& walk, const WalkValidation& result) {
       {"poses_checked", result.poses_checked},
       {"bvh_unit", result.metres_per_unit},
       {"stature", result.stature},
-      {"known_skeleton", result.known_skeleton},
       {"floor", result.floor},
       {"contacts", contacts},
       {"clearance",
@@ -86,7 +83,7 @@ int run(Options options) {
   } else {
     printText(options.walk, result);
   }
-  return result.contacts.empty() ? kDone : kNone;
+  return result.contacts.empty() ? kExitDone : kExitNone;
 }
 
 }  // namespace
@@ -104,8 +101,6 @@ void addValidate(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_option("--height", options->validate.height, "Stature; default: from the skeleton")
       ->check(number(0.5, 2.5, "m"));
-  command->add_option("--library", options->validate.library, "Library whose skeleton is known")
-      ->capture_default_str();
   command->add_option("--fps", options->validate.fps, "Check between the frames too, at this rate")
       ->check(number(1, 10000, "1/s"));
   command->add_option("--floor", options->floor, "Height of the floor; default: below the feet")

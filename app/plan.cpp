@@ -1,0 +1,177 @@
+// amble plan SCENARIO.yaml: one walk, with its report and pictures.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <iostream>
+#include <memory>
+#include <thread>
+
+#include "animation/error.h"
+#include "app/command.h"
+#include "app/progress.h"
+#include "app/stop.h"
+#include "app/view_of.h"
+#include "scenarios/run_scenario.h"
+#include "scenarios/write_results.h"
+#include "viz/plan_view.h"
+#include "viz/render.h"
+
+namespace amble {
+namespace {
+
+struct Options {
+  std::string scenario, out, planner;
+  int seed = -1;  // -1: the scenario's
+  int threads = 1;
+  double time_limit = 0.0;  // [s]; 0: the scenario's
+  double fps = 60.0;
+  std::string bvh_units = "m";
+  std::vector<std::string> formats = {"bvh", "json", "svg", "png"};
+  bool json = false, list_planners = false;
+};
+
+bool wants(const Options& options, const std::string& format) {
+  return std::find(options.formats.begin(), options.formats.end(), format) != options.formats.end();
+}
+
+Scenario readAsked(const Options& options) {
+  Scenario scenario = readScenario(options.scenario);
+  if (!options.planner.empty()) scenario.planner.name = options.planner;
+  if (options.seed >= 0) scenario.planner.seed = static_cast<std::uint64_t>(options.seed);
+  if (options.time_limit > 0.0) scenario.planner.time_limit = options.time_limit;
+  return scenario;
+}
+
+// Into a folder of the scenario's name below out/, unless one is named. That it can be made is seen
+// before the planning, not after it.
+std::filesystem::path chooseFolder(const Options& options, const Scenario& scenario) {
+  namespace fs = std::filesystem;
+  const fs::path folder =
+      options.out.empty() ? fs::path("out") / scenario.name : fs::path(options.out);
+  std::error_code unknown;
+  fs::path there = fs::absolute(folder).lexically_normal();
+  while (!fs::exists(there, unknown) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there, unknown)) {
+    throw InputError(folder.string(), 0,
+                     fmt::format("cannot be made: {} is no folder", there.string()), "a folder");
+  }
+  if (::access(there.c_str(), W_OK | X_OK) != 0) {
+    throw InputError(
+        folder.string(), 0,
+        fmt::format("{} cannot be written to: {}", there.string(), std::strerror(errno)),
+        "a folder that may be written to");
+  }
+  return folder;
+}
+
+void writeAll(const Options& options, RunResult& result, const std::filesystem::path& folder) {
+  const WalkView view = viewOf(result);
+  WriteOptions write;
+  write.bvh = wants(options, "bvh");
+  write.json = wants(options, "json");
+  if (wants(options, "svg")) {
+    write.more.push_back({"top.svg", [&](std::ostream& out) { writePlanView(out, view); }});
+  }
+  if (wants(options, "png") && view.hasBody()) {
+    write.more.push_back({"walk.png", [&](std::ostream& out) { writePng(out, renderWalk(view)); }});
+  }
+  writeResults(result, folder, write);
+}
+
+void printResult(const Report& report, const std::filesystem::path& folder) {
+  fmt::print("{}: {}\n", report.scenario, statusName(report.status));
+  if (report.status == PlanStatus::kSolved) {
+    fmt::print("  walk       {:.2f} m, {:.2f} s, {} frames, {} steps\n", report.length,
+               report.duration, report.frames, report.steps.size());
+    if (!report.clearance.object.empty()) {
+      fmt::print("  clearance  {:.3f} m, {} and {} at {:.2f} s\n", report.clearance.min,
+                 report.clearance.part, report.clearance.object, report.clearance.time);
+    }
+    fmt::print("  foot skate {:.1f} mm at most\n", 1000.0 * report.foot_skate_max);
+  } else {
+    fmt::print("  why        {}\n", report.why);
+  }
+  fmt::print("  roadmap    {} guards, {} connectors, {} edges from {} samples, {:.1f} % covered\n",
+             report.roadmap.guards, report.roadmap.connectors, report.roadmap.edges,
+             report.roadmap.samples, 100.0 * report.roadmap.coverage);
+  const RunTimes& times = report.times;
+  fmt::print("  time       {:.2f} s: load {:.2f}, roadmap {:.2f}, search {:.2f}, refine {:.2f}\n",
+             times.load + times.roadmap + times.search + times.refine, times.load, times.roadmap,
+             times.search, times.refine);
+  if (!report.stopped_by.empty()) fmt::print("  ended by   {}\n", report.stopped_by);
+  fmt::print("  written to {}\n", folder.string());
+}
+
+int printPlanners() {
+  for (const PlannerInfo& planner : listPlanners()) {
+    fmt::print("{:<12} {}\n", planner.name, planner.explanation);
+  }
+  return kExitDone;
+}
+
+int run(const Options& options) {
+  if (options.list_planners) return printPlanners();
+  const Scenario scenario = readAsked(options);
+  const std::filesystem::path folder = chooseFolder(options, scenario);
+  Progress progress;
+  RunOptions how;
+  how.threads = options.threads;
+  how.frame_time = 1.0 / options.fps;
+  how.bvh_unit = options.bvh_units == "cm" ? 0.01 : 1.0;
+  how.stop = &stopFlag();
+  how.progress = [&](const SearchProgress& at) {
+    const double done =
+        at.total > 0 ? static_cast<double>(at.done) / static_cast<double>(at.total) : -1.0;
+    progress.update(fmt::format("{}, {} guards, {} connectors", at.phase, at.guards, at.connectors),
+                    done);
+  };
+  RunResult result = runScenario(scenario, how);
+  progress.clear();
+  writeAll(options, result, folder);
+  if (options.json) {
+    writeJson(std::cout, result.report);
+  } else {
+    printResult(result.report, folder);
+  }
+  if (result.report.status == PlanStatus::kSolved) return kExitDone;
+  return stopFlag() ? kExitStopped : kExitNone;
+}
+
+}  // namespace
+
+void addPlan(CLI::App& app, Command& chosen) {
+  const auto options = std::make_shared<Options>();
+  options->threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+  CLI::App* command = app.add_subcommand("plan", "Plan one walk and write it with its report");
+  CLI::Option* scenario = command->add_option("SCENARIO", options->scenario,
+                                              "Scenario file (YAML); - is standard input");
+  command->add_option("-o,--output", options->out, "Folder for the results; default: out/NAME");
+  command->add_option("--planner", options->planner, "Instead of the scenario's");
+  command->add_option("--seed", options->seed, "Instead of the scenario's")
+      ->check(wholeNumber(0, 2147483647));
+  command->add_option("--threads", options->threads, "Threads; changes no result")
+      ->check(wholeNumber(1, 64));
+  command->add_option("--time-limit", options->time_limit, "Instead of the scenario's")
+      ->check(number(0.001, 86400, "s"));
+  command->add_option("--fps", options->fps, "Frames a second")
+      ->check(number(24, 240, "1/s"))
+      ->capture_default_str();
+  command->add_option("--bvh-units", options->bvh_units, "Unit of length in the BVH")
+      ->check(CLI::IsMember({"m", "cm"}))
+      ->capture_default_str();
+  command->add_option("--formats", options->formats, "What to write: bvh,json,svg,png")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"bvh", "json", "svg", "png"}));
+  command->add_flag("--json", options->json, "Print the report");
+  command->add_flag("--list-planners", options->list_planners, "Explain each planner");
+  command->callback([options, scenario, &chosen] {
+    if (scenario->count() == 0 && !options->list_planners) throw CLI::RequiredError("SCENARIO");
+    chosen = [options] { return run(*options); };
+  });
+}
+
+}  // namespace amble

@@ -1,0 +1,42 @@
+#include "app/view_of.h"
+
+namespace amble {
+namespace {
+
+PlaceView viewOf(const Place& place) { return {place.at, place.heading}; }
+
+RoadmapView viewOf(const RoadmapPicture& roadmap) {
+  RoadmapView view;
+  for (const RoadmapPicture::Node& node : roadmap.nodes) {
+    view.nodes.push_back(
+        {node.stance.position.head<2>(), node.stance.heading, node.kind == NodeKind::kConnector});
+  }
+  for (const RoadmapPicture::Edge& edge : roadmap.edges) {
+    view.edges.push_back({edge.from, edge.to, {}});
+  }
+  return view;
+}
+
+}  // namespace
+
+WalkView viewOf(const RunResult& result) {
+  const Problem& problem = *result.problem;
+  const Walk& walk = result.outcome.walk;
+  WalkView view;
+  view.title = problem.scenario.name;
+  view.scene = &problem.scene;
+  view.floor = problem.ground.floor();
+  view.skeleton = &problem.synthesizer.skeleton();
+  view.body = &problem.body;
+  if (walk.buffer.size() > 0) {
+    view.animation = &walk.buffer;
+    view.path = &walk.path;
+  }
+  view.roadmap = viewOf(result.outcome.roadmap);
+  view.start = viewOf(problem.scenario.start);
+  view.goal = viewOf(problem.scenario.goal);
+  for (const Place& place : problem.scenario.via) view.via.push_back(viewOf(place));
+  return view;
+}
+
+}  // namespace amble
