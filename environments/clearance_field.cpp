@@ -11,7 +11,10 @@ namespace amble {
 namespace {
 
 constexpr uint8_t kSurface = 1, kInside = 2;
-constexpr int16_t kFarSquared = std::numeric_limits<int16_t>::max();
+// Squared voxels. Windows are shorter than 50 voxels: adding their squares stays below an int16_t's
+// end.
+constexpr int16_t kFarSquared = 30000;
+static_assert(ClearanceField::kFarthest / ClearanceField::kFinestVoxel < 48.0);
 
 using Triangle = std::array<Eigen::Vector3d, 3>;
 
@@ -77,22 +80,41 @@ Eigen::AlignedBox3d boundsOf(const Obstacle& obstacle) {
   return box;
 }
 
-// Least of `in` over a window of voxels along one axis, with the squared distance added that points
-// of the two are apart at least, in voxels. `stride` is the axis' step in memory and runs of `run`
-// voxels are handled side by side.
-void spread(const std::vector<int16_t>& in, std::vector<int16_t>& out, int count, size_t stride,
-            size_t outer, size_t outer_step, size_t run, int window) {
-  for (size_t o = 0; o < outer; ++o) {
-    for (int c = 0; c < count; ++c) {
-      int16_t* to = &out[o * outer_step + c * stride];
-      std::fill_n(to, run, kFarSquared);
-      for (int d = std::max(-window, -c); d <= std::min(window, count - 1 - c); ++d) {
-        const int apart = std::max(0, std::abs(d) - 1);
-        const int16_t add = static_cast<int16_t>(apart * apart);
-        const int16_t most = static_cast<int16_t>(kFarSquared - add);
-        const int16_t* from = &in[o * outer_step + (c + d) * stride];
-        for (size_t x = 0; x < run; ++x)
-          to[x] = std::min<int16_t>(to[x], static_cast<int16_t>(std::min(from[x], most) + add));
+// Where `outer` slabs of `count` runs of `run` neighbouring voxels lie in memory, along one axis.
+struct Axis {
+  int count;
+  size_t stride, outer, outer_step, run;
+};
+
+// Least of `in` over a window of voxels along an axis, with the squared distance in voxels added
+// that points of the two voxels are apart at least. In blocks of a fixed size, which compilers keep
+// in registers.
+void spread(const std::vector<int16_t>& in, std::vector<int16_t>& out, const Axis& axis,
+            int window) {
+  constexpr size_t kBlock = 32;
+  for (size_t o = 0; o < axis.outer; ++o) {
+    for (int c = 0; c < axis.count; ++c) {
+      const int first = std::max(-window, -c), last = std::min(window, axis.count - 1 - c);
+      const size_t row = o * axis.outer_step + c * axis.stride;
+      for (size_t x = 0; x < axis.run; x += kBlock) {
+        const size_t width = std::min(kBlock, axis.run - x);
+        std::array<int16_t, kBlock> least, from;
+        least.fill(kFarSquared);
+        from.fill(kFarSquared);
+        for (int d = first; d <= last; ++d) {
+          const int apart = std::max(0, std::abs(d) - 1);
+          const int16_t add = static_cast<int16_t>(apart * apart);
+          const int16_t* source = &in[row + x] + d * static_cast<ptrdiff_t>(axis.stride);
+          if (width == kBlock)
+            std::copy_n(source, kBlock, from.data());
+          else
+            std::copy_n(source, width, from.data());
+          for (size_t k = 0; k < kBlock; ++k) {
+            const int16_t sum = static_cast<int16_t>(from[k] + add);
+            least[k] = sum < least[k] ? sum : least[k];
+          }
+        }
+        std::copy_n(least.data(), width, &out[row + x]);
       }
     }
   }
@@ -249,15 +271,15 @@ void ClearanceField::transform(const std::vector<uint8_t>& occupied) {
       out[x] = d >= far ? kFarSquared : static_cast<int16_t>(apart * apart);
     }
   }
-  spread(a, b, count_.y(), nx, nz, nx * ny, nx, window);
-  spread(b, a, count_.z(), nx * ny, 1, 0, nx * ny, window);
+  spread(a, b, {count_.y(), nx, nz, nx * ny, nx}, window);
+  spread(b, a, {count_.z(), nx * ny, 1, 0, nx * ny}, window);
   // Rounded down, with a thousandth of a voxel against the rounding of places.
   const auto toByte = [&](int squared) {
     const double distance =
         std::max(0.0, (std::sqrt(static_cast<double>(squared)) - 1e-3) * voxel_);
     return static_cast<uint8_t>(std::min(255.0, std::floor(distance / kQuantum)));
   };
-  std::vector<uint8_t> table(static_cast<size_t>(kFarSquared) + 1);
+  std::vector<uint8_t> table(static_cast<size_t>(std::numeric_limits<int16_t>::max()) + 1);
   for (size_t i = 0; i < table.size(); ++i) table[i] = toByte(static_cast<int>(i));
   bound_.resize(total);
   for (size_t i = 0; i < total; ++i) bound_[i] = table[a[i]];
