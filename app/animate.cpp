@@ -85,8 +85,14 @@ int run(const Options& options) {
   }
   AnimationBuffer walk;
   const double curvature = options.turn_deg * kDegree / options.speed;
-  const double length = std::max(options.speed * options.duration, synthesizer.shortestWalk());
-  const WalkResult result = walkAlong(synthesizer, length, curvature, walk);
+  const double at_speed = options.speed * options.duration;
+  double length = std::max(at_speed, synthesizer.shortestWalk());
+  WalkResult result = walkAlong(synthesizer, length, curvature, walk);
+  if (result.refused == WalkRule::kNone) {  // once more, less what starting and stopping took
+    length += at_speed - options.speed * (walk.size() - 1) * walk.frame_time;
+    length = std::max(length, synthesizer.shortestWalk());
+    result = walkAlong(synthesizer, length, curvature, walk);
+  }
   if (result.refused != WalkRule::kNone) {
     fmt::print(stderr, "amble animate: there is no such walk: {} refused\n",
                walkRuleName(result.refused));

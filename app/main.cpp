@@ -34,6 +34,7 @@ int runProgram(int argc, char** argv) {
   addCheck(app, chosen);
   addValidate(app, chosen);
   addAnimate(app, chosen);
+  addAnalyse(app, chosen);
   addLibrary(app, chosen);
   addInspect(app, chosen);
   try {
