@@ -46,21 +46,6 @@ Eigen::Vector3d toePoint(const Clip& clip, const LegJoints& leg,
   return tips.empty() ? joints[leg.foot].p_WJ : joints[leg.foot] * tips[0];
 }
 
-std::array<Eigen::MatrixXd, 2> footPaths(const Clip& clip, const JointRoles& roles) {
-  std::array<Eigen::MatrixXd, 2> paths;  // columns: ankle x y z, toe x y z [m]
-  for (Eigen::MatrixXd& path : paths) path.resize(clip.frames(), 6);
-  std::vector<JointFrame> joints(clip.skeleton.size());
-  for (int i = 0; i < clip.frames(); ++i) {
-    forwardKinematics(clip, i, joints);
-    for (const Side side : {kLeft, kRight}) {
-      const LegJoints& leg = roles.legs[side];
-      paths[side].row(i) << joints[leg.foot].p_WJ.transpose(),
-          toePoint(clip, leg, joints).transpose();
-    }
-  }
-  return paths;
-}
-
 FootSignals footSignals(Eigen::MatrixXd path, const FloorFit& floor, double leg, double rate,
                         double cutoff) {
   path /= leg;
@@ -169,6 +154,21 @@ void mergeTouching(std::vector<FootPlant>& plants) {
 }
 
 }  // namespace
+
+std::array<Eigen::MatrixXd, 2> footPaths(const Clip& clip, const JointRoles& roles) {
+  std::array<Eigen::MatrixXd, 2> paths;  // columns: ankle x y z, toe x y z [m]
+  for (Eigen::MatrixXd& path : paths) path.resize(clip.frames(), 6);
+  std::vector<JointFrame> joints(clip.skeleton.size());
+  for (int i = 0; i < clip.frames(); ++i) {
+    forwardKinematics(clip, i, joints);
+    for (const Side side : {kLeft, kRight}) {
+      const LegJoints& leg = roles.legs[side];
+      paths[side].row(i) << joints[leg.foot].p_WJ.transpose(),
+          toePoint(clip, leg, joints).transpose();
+    }
+  }
+  return paths;
+}
 
 bool FootPlants::planted(Side side, int frame) const {
   return std::any_of(plants[side].begin(), plants[side].end(), [&](const FootPlant& plant) {

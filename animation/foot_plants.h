@@ -63,4 +63,8 @@ struct PlantOptions {
 FootPlants detectPlants(const Clip& clip, const JointRoles& roles,
                         const PlantOptions& options = {});
 
+/// Where ankle and toe point of both feet are, by Side: a row a frame, columns ankle x y z, toe x y
+/// z [m, World]. The toe point is what detectPlants takes for the toe.
+std::array<Eigen::MatrixXd, 2> footPaths(const Clip& clip, const JointRoles& roles);
+
 }  // namespace amble
