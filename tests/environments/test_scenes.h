@@ -1,0 +1,62 @@
+/// Scenes made in memory, and random capsules in them.
+#pragma once
+
+#include <random>
+#include <string>
+
+#include "environments/capsule.h"
+#include "environments/obstacle_set.h"
+#include "environments/scene.h"
+
+namespace amble {
+
+inline SceneObject makeObject(const std::string& name, Shape shape, const Eigen::Vector3d& at,
+                              Role role = Role::kAuto) {
+  SceneObject object;
+  object.name = name;
+  object.shape = std::move(shape);
+  object.X_WO.translation() = at;
+  object.role = role;
+  return object;
+}
+
+/// A slab of 20 x 20 m whose top is z = 0.
+inline SceneObject floorSlab() { return makeObject("floor", Box{{20, 20, 0.1}}, {0, 0, -0.05}); }
+
+inline Scene sceneOf(std::vector<SceneObject> objects) {
+  Scene scene;
+  scene.objects = std::move(objects);
+  return scene;
+}
+
+/// The mesh with every triangle wound the other way.
+inline TriangleMesh turned(TriangleMesh mesh) {
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+inline TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
+  const int base = static_cast<int>(a.vertices.size());
+  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
+  for (const auto& t : b.triangles) a.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+  return a;
+}
+
+inline Obstacle obstacleOf(const SceneObject& object, int index) {
+  const bool is_mesh = std::holds_alternative<TriangleMesh>(object.shape);
+  return {index, object.shape, object.X_WO, is_mesh ? worldMesh(object) : TriangleMesh{}};
+}
+
+inline Capsule randomCapsule(std::mt19937_64& generator, const Eigen::AlignedBox3d& box,
+                             double longest = 0.5) {
+  const auto number = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(generator);
+  };
+  const Eigen::Vector3d from(number(box.min().x(), box.max().x()),
+                             number(box.min().y(), box.max().y()),
+                             number(box.min().z(), box.max().z()));
+  const Eigen::Vector3d way(number(-1, 1), number(-1, 1), number(-1, 1));
+  return {from, from + number(0, longest) * way.normalized(), number(0.01, 0.15)};
+}
+
+}  // namespace amble
