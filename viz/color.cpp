@@ -82,17 +82,25 @@ std::string lowerCase(std::string text) {
 
 }  // namespace
 
-Color thingColor(const std::string& object, const std::string& part) {
+std::optional<Color> namedColor(const std::string& object, const std::string& part) {
+  for (const std::string& name : {lowerCase(part), lowerCase(object)})
+    for (const Material& material : materials())
+      if (name.find(material.word) != std::string::npos) return material.color;
+  return std::nullopt;
+}
+
+Color otherColor(const std::string& object) {
   static const std::array<Color, 10> kOthers = {
       rgb(120, 140, 150), rgb(150, 112, 82),  rgb(140, 155, 125), rgb(176, 140, 104),
       rgb(112, 124, 150), rgb(165, 120, 110), rgb(160, 155, 130), rgb(105, 130, 125),
       rgb(180, 160, 120), rgb(140, 125, 145)};
-  for (const std::string& name : {lowerCase(part), lowerCase(object)})
-    for (const Material& material : materials())
-      if (name.find(material.word) != std::string::npos) return material.color;
-  unsigned hash = 2166136261u;
+  unsigned hash = 2166136261u;  // FNV-1a
   for (const char c : object) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
   return kOthers[hash % kOthers.size()];
+}
+
+bool isMotley(const std::string& part) {
+  return lowerCase(part).find("books") == 0 && part.size() == 5;
 }
 
 Color tinted(const Color& color, int i) {

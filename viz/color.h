@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "animation/joint_roles.h"
@@ -21,16 +22,22 @@ inline Color rgb(int r, int g, int b) {
 Color sideColor(Side side);
 /// The colour of a moment: from teal at 0 through violet to amber at 1.
 Color timeColor(double share);
-/// A muted colour for a thing: after what its names say it is ("leaves" are green), the part's
-/// before the object's; else one of ten by the object's name, so that it stays when other things
-/// are added.
-Color thingColor(const std::string& object, const std::string& part);
-/// A little lighter or darker, by a number that looks random: books of a shelf differ so.
-Color tinted(const Color& color, int i);
+/// What its names say a thing is ("leaves" are green), the part's before the object's; none where
+/// they say nothing.
+std::optional<Color> namedColor(const std::string& object, const std::string& part);
+/// One of ten muted colours, by the object's name: it stays when other things are added.
+Color otherColor(const std::string& object);
+/// A little lighter or darker, by a number that looks random: pieces of one thing differ so.
+Color tinted(const Color& color, int piece);
+/// Pieces of a thing that are known for being of many colours (books).
+bool isMotley(const std::string& part);
 Color mix(const Color& a, const Color& b, float share);
 
 inline const Color kWallColor = rgb(232, 230, 224);
 inline const Color kFloorColor = rgb(214, 196, 170);
+inline const Color kRugColor = rgb(150, 70, 62);
+inline const Color kStartColor = rgb(29, 122, 69);
+inline const Color kGoalColor = rgb(179, 38, 30);
 inline const Color kPathColor = rgb(190, 30, 75);
 
 /// "#rrggbb"

@@ -171,8 +171,8 @@ Vector3f lightSample(const Sample& sample, const Vector3f& p, float open, const 
   if ((sample.flags & kPlanks) && sample.normal.z() > 0.9f) color *= plankShade(p);
   const float facing = std::max(0.0f, sample.normal.dot(settings.to_sun.normalized()));
   const float sun = facing > 0 ? facing * shadows.lit(p, sample.normal) : 0;
-  const float sky = 0.62f + 0.38f * sample.normal.z();
-  return color * (settings.sun * sun + settings.sky * sky * open) * 1.25f;
+  const float sky = 0.70f + 0.30f * sample.normal.z();
+  return color * (settings.sun * sun + settings.sky * sky * open) * 1.2f;
 }
 
 // Whether the samples of a pixel show one surface, so that one of them may be lit for all.

@@ -105,10 +105,6 @@ std::vector<Vector2d> clipLevels(const std::array<Vector3d, 3>& triangle, double
   return flat;
 }
 
-struct Segment {
-  Vector2d a, b;
-};
-
 // Covers the inside of a level cut through a closed mesh: rows between crossings with a winding
 // other than 0.
 void coverSlice(const TriangleMesh& mesh, double z, Grid& grid) {
@@ -170,8 +166,7 @@ std::vector<std::vector<Eigen::Vector2i>> traceBorders(const Grid& grid) {
         cx += kStep[d][0];
         cy += kStep[d][1];
         for (const int turn :
-             {3, 0,
-              1})  // right, straight on, left: cells that touch in a corner stay apart... or join
+             {3, 0, 1})  // right, straight on, left: cells that touch in a corner stay apart
           if (leaves(cx, cy, (d + turn) % 4)) {
             d = (d + turn) % 4;
             break;
@@ -236,6 +231,29 @@ Outline simplifiedBorder(const Grid& grid, const std::vector<Eigen::Vector2i>& b
   return kept;
 }
 
+// Andrew's monotone chain: counter-clockwise, without points on the edges.
+Outline convexHull(std::vector<Vector2d> points) {
+  std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  Outline hull;
+  if (points.empty()) return hull;
+  for (const bool upper : {false, true}) {
+    const size_t base = hull.size();
+    for (const Vector2d& p : points) {
+      while (hull.size() >= base + 2) {
+        const Vector2d &a = hull[hull.size() - 2], &b = hull.back();
+        if ((b - a).x() * (p - a).y() - (b - a).y() * (p - a).x() > 1e-9) break;
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();  // begins the other half
+    if (!upper) std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
 }  // namespace
 
 std::vector<Outline> traceOutlines(const TriangleMesh& mesh, const OutlineSettings& settings) {
@@ -266,6 +284,18 @@ std::vector<Outline> traceOutlines(const TriangleMesh& mesh, const OutlineSettin
       outlines.push_back(std::move(outline));
   }
   return outlines;
+}
+
+std::vector<Outline> traceConvexOutline(const TriangleMesh& mesh, const OutlineSettings& settings) {
+  std::vector<Vector2d> points;
+  for (const auto& t : mesh.triangles)
+    for (const Vector2d& p :
+         clipLevels({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, settings.low,
+                    settings.high))
+      points.push_back(p);
+  Outline outline = convexHull(std::move(points));
+  if (outline.size() < 3) return {};
+  return {outline};
 }
 
 double coveredArea(const std::vector<Outline>& outlines) {

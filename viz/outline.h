@@ -22,6 +22,9 @@ struct OutlineSettings {
 /// linear in triangles and cells.
 std::vector<Outline> traceOutlines(const TriangleMesh& mesh, const OutlineSettings& settings);
 
+/// The same of a convex mesh, exactly: one outline at most.
+std::vector<Outline> traceConvexOutline(const TriangleMesh& mesh, const OutlineSettings& settings);
+
 /// Area inside, holes taken off [m^2].
 double coveredArea(const std::vector<Outline>& outlines);
 

@@ -19,16 +19,19 @@ using Eigen::Vector3d;
 
 constexpr double kLow = 0.05, kHigh = 1.80;        // what a body can touch, over the floor [m]
 constexpr double kHipLow = 0.50, kHipHigh = 1.20;  // where hips and hands are [m]
+constexpr double kCell = 0.008;                    // of the outlines of meshes [m]
 constexpr double kFloorDepth = 0.03;  // tops this close to the floor are floor or rug [m]
+constexpr double kOneThing = 5.0;     // what a file with parts spans at most to be one thing [m]
 constexpr double kWidth = 1100;       // of the room [units]
 constexpr double kTallest = 1300;     // of the room [units]
 constexpr double kMargin = 30;        // about the room [units]
 constexpr double kHeader = 46;        // for the title [units]
-constexpr double kFooter = 96;        // for scale bar and legend [units]
+constexpr double kFooter = 60;        // for scale bar and legend [units]
 constexpr double kAround = 0.3;       // shown beyond what the picture is about [m]
 constexpr double kBeyondWalk = 3.0;   // shown of a large scene around the walk [m]
 
-// What of the scene is drawn: objects of one name are one thing.
+// What of the scene is drawn: objects of one name are one thing; a file that holds a whole flat is
+// a thing a part.
 struct Thing {
   std::string name;
   std::vector<Outline> floor, body, hips;  // by height
@@ -36,11 +39,36 @@ struct Thing {
   double top = 0;                          // highest point over the floor [m]
 };
 
-TriangleMesh wholeMesh(const Scene& scene, const std::string& name) {
-  TriangleMesh whole;
+// Objects that are drawn as one thing.
+struct ThingObjects {
+  std::string name;
+  std::vector<const SceneObject*> objects;
+};
+
+std::vector<ThingObjects> groupObjects(const Scene& scene) {
+  std::vector<ThingObjects> groups;
   for (const SceneObject& object : scene.objects) {
-    if (object.name != name) continue;
-    const TriangleMesh part = worldMesh(object);
+    if (groups.empty() || groups.back().name != object.name) groups.push_back({object.name, {}});
+    groups.back().objects.push_back(&object);
+  }
+  std::vector<ThingObjects> things;
+  for (const ThingObjects& group : groups) {
+    AlignedBox2d box;
+    for (const SceneObject* object : group.objects)
+      for (const Vector3d& p : worldMesh(*object).vertices) box.extend(p.head<2>());
+    if (group.objects.size() == 1 || box.diagonal().norm() < kOneThing) {
+      things.push_back(group);
+    } else {
+      for (const SceneObject* object : group.objects) things.push_back({object->part, {object}});
+    }
+  }
+  return things;
+}
+
+TriangleMesh wholeMesh(const std::vector<const SceneObject*>& objects) {
+  TriangleMesh whole;
+  for (const SceneObject* object : objects) {
+    const TriangleMesh part = worldMesh(*object);
     const int base = static_cast<int>(whole.vertices.size());
     whole.vertices.insert(whole.vertices.end(), part.vertices.begin(), part.vertices.end());
     for (const auto& t : part.triangles)
@@ -51,17 +79,17 @@ TriangleMesh wholeMesh(const Scene& scene, const std::string& name) {
 
 std::vector<Thing> cutScene(const Scene& scene, double floor) {
   std::vector<Thing> things;
-  for (const SceneObject& object : scene.objects) {
-    if (std::any_of(things.begin(), things.end(),
-                    [&](const Thing& t) { return t.name == object.name; }))
-      continue;
+  for (const ThingObjects& group : groupObjects(scene)) {
     Thing& thing = things.emplace_back();
-    thing.name = object.name;
-    const TriangleMesh mesh = wholeMesh(scene, object.name);
+    thing.name = group.name;
+    const TriangleMesh mesh = wholeMesh(group.objects);
+    const bool convex =
+        group.objects.size() == 1 && !std::holds_alternative<TriangleMesh>(group.objects[0]->shape);
+    const auto trace = convex ? traceConvexOutline : traceOutlines;
     for (const Vector3d& p : mesh.vertices) thing.top = std::max(thing.top, p.z() - floor);
-    thing.floor = traceOutlines(mesh, {floor - kFloorDepth, floor + kFloorDepth, 0.02});
-    thing.body = traceOutlines(mesh, {floor + kLow, floor + kHigh, 0.01});
-    thing.hips = traceOutlines(mesh, {floor + kHipLow, floor + kHipHigh, 0.01});
+    thing.floor = trace(mesh, {floor - kFloorDepth, floor + kFloorDepth, 0.02});
+    thing.body = trace(mesh, {floor + kLow, floor + kHigh, kCell});
+    thing.hips = trace(mesh, {floor + kHipLow, floor + kHipHigh, kCell});
     for (const Outline& outline : thing.body)
       for (const Vector2d& p : outline) thing.box.extend(p);
   }
@@ -218,7 +246,7 @@ class Drawing {
 
   // A disc with a letter, and an arrow where the heading is given.
   void drawPlace(const PlaceView& place, const char* id, const std::string& letter,
-                 const char* color) {
+                 const std::string& color) {
     const Vector2d p = frame_(place.position);
     out_ << "<g class=\"" << id << "\">\n";
     if (place.heading) {
@@ -244,8 +272,8 @@ class Drawing {
   void drawPlaces() {
     for (size_t i = 0; i < view_.via.size(); ++i)
       drawPlace(view_.via[i], "via", std::to_string(i + 1), "#6d5bb0");
-    if (view_.start) drawPlace(*view_.start, "start", "S", "#1d7a45");
-    if (view_.goal) drawPlace(*view_.goal, "goal", "G", "#b3261e");
+    if (view_.start) drawPlace(*view_.start, "start", "S", hexColor(kStartColor));
+    if (view_.goal) drawPlace(*view_.goal, "goal", "G", hexColor(kGoalColor));
   }
 
   // Names of things that are large enough to write them on; walls need none.

@@ -19,9 +19,11 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kAround = 1.8;  // how much of the room is shown around the walk [m]
+constexpr double kWholeRoom = 14.0;  // a scene no longer than this is shown whole [m]
+constexpr double kAround = 2.0;      // of a larger one so much is shown around the walk [m]
 constexpr double kHeadroom =
     2.5;  // what must fit into the picture above the floor, where it is there [m]
+constexpr double kPlaceLift = 0.003;  // of the marks of start and goal above the floor [m]
 constexpr double kPathLift = 0.006;   // of the path's ribbon above the floor [m]
 constexpr double kPrintLift = 0.009;  // of footprints: over the path [m]
 constexpr float kMargin = 28;         // about the room [pixels]
@@ -61,7 +63,7 @@ std::vector<Vector3d> watchedPoints(const WalkView& view, const std::vector<int>
 AlignedBox3d focusBox(const WalkView& view, const std::vector<Vector3d>& watched) {
   const AlignedBox3d scene = view.scene->bounds();
   AlignedBox3d box = scene;
-  if (!watched.empty()) {
+  if (!watched.empty() && scene.sizes().head<2>().maxCoeff() > kWholeRoom) {
     AlignedBox3d around;
     for (const Vector3d& p : watched) around.extend(p);
     around.min().array() -= kAround;
@@ -127,7 +129,30 @@ Shot chooseShot(const WalkView& view, const AlignedBox3d& focus,
   return best;
 }
 
+// A disc, and a wedge before it where the heading is given.
+void addPlace(const PlaceView& place, double height, const Color& color,
+              std::vector<DrawTriangle>& triangles) {
+  constexpr double kRadius = 0.13, kReach = 0.32;  // [m]
+  std::vector<Vector2d> disc;
+  for (int i = 0; i < 32; ++i)
+    disc.push_back(place.position +
+                   kRadius * Vector2d(std::cos(i * kPi / 16), std::sin(i * kPi / 16)));
+  addPolygon(disc, height, color, triangles);
+  if (!place.heading) return;
+  const auto at = [&](double turn, double reach) -> Vector2d {
+    return place.position +
+           reach * Vector2d(std::cos(*place.heading + turn), std::sin(*place.heading + turn));
+  };
+  addPolygon(
+      std::vector<Vector2d>{at(-0.9, kRadius * 1.15), at(0, kReach), at(0.9, kRadius * 1.15)},
+      height, color, triangles);
+}
+
 void addFloorMarks(const WalkView& view, std::vector<DrawTriangle>& triangles) {
+  for (const PlaceView& place : view.via)
+    addPlace(place, view.floor + kPlaceLift, rgb(109, 91, 176), triangles);
+  if (view.start) addPlace(*view.start, view.floor + kPlaceLift, kStartColor, triangles);
+  if (view.goal) addPlace(*view.goal, view.floor + kPlaceLift, kGoalColor, triangles);
   addRibbon(pathLine(view), 0.022, view.floor + kPathLift, kPathColor, triangles);
   if (view.animation == nullptr) return;
   const double length = soleLength(view);
@@ -139,7 +164,7 @@ void addFloorMarks(const WalkView& view, std::vector<DrawTriangle>& triangles) {
 // High, and from between the two walls that are not drawn: both walls that are get light.
 Vector3f sunDirection(const Camera& camera) {
   const Vector3f back = -camera.axes.row(2).transpose();
-  return {back.x() > 0 ? 0.55f : -0.55f, back.y() > 0 ? 0.30f : -0.30f, 1.0f};
+  return {back.x() > 0 ? 0.65f : -0.65f, back.y() > 0 ? 0.48f : -0.48f, 1.0f};
 }
 
 // "0 s [colours] 9.5 s" in the lower left corner.
@@ -147,6 +172,8 @@ void drawTimeBar(Image& image, double duration) {
   constexpr int kBar = 260, kThick = 14, kDot = 2, kIndent = 26;
   const int y = image.height - kIndent - kThick;
   const Color ink = rgb(70, 74, 82);
+  const int plate = textWidth("0 s 00.0 s ", kDot) + kBar + 2 * kDot;
+  fillRect(image, kIndent - 10, y - 8, plate, kThick + 16, rgb(246, 247, 249));
   drawText(image, kIndent, y, "0 s", kDot, ink);
   const int x = kIndent + textWidth("0 s ", kDot);
   for (int i = 0; i < kBar; ++i) fillRect(image, x + i, y, 1, kThick, timeColor((i + 0.5) / kBar));

@@ -36,14 +36,14 @@ RoomPart partOf(const AlignedBox3d& box, double floor) {
   return RoomPart::kFurniture;
 }
 
-Color colorOf(RoomPart part, const AlignedBox3d& box, const SceneObject& object, int component) {
-  const Color named = thingColor(object.name, object.part);
+Color colorOf(RoomPart part, const AlignedBox3d& box, const SceneObject& object, int piece) {
+  const std::optional<Color> named = namedColor(object.name, object.part);
   const Vector3d size = box.sizes();
-  const bool broad = std::min(size.x(), size.y()) > 3.0;  // else a rug on the floor
-  if (part == RoomPart::kFloor) return broad ? kFloorColor : thingColor("rug", "");
-  if (part == RoomPart::kFurniture || std::holds_alternative<TriangleMesh>(object.shape))
-    return tinted(named, component);
-  return kWallColor;
+  if (part == RoomPart::kFloor)
+    return named.value_or(std::min(size.x(), size.y()) > kLong ? kFloorColor : kRugColor);
+  if (part != RoomPart::kFurniture) return named.value_or(kWallColor);
+  if (isMotley(object.part)) return mix(*named, otherColor(std::to_string(piece)), 0.7f);
+  return tinted(named.value_or(otherColor(object.name)), piece);
 }
 
 // Whether the segment passes through the box.
@@ -130,6 +130,7 @@ TriangleMesh cutLevel(const TriangleMesh& mesh, double height, bool below) {
 bool hangsOn(const RoomSurface& thing, const std::vector<const RoomSurface*>& cut) {
   if (thing.part == RoomPart::kFloor) return false;
   return std::any_of(cut.begin(), cut.end(), [&](const RoomSurface* wall) {
+    if (wall == &thing) return false;
     AlignedBox3d around = wall->box;
     around.min().array() -= kOnWall;
     around.max().array() += kOnWall;
@@ -142,16 +143,23 @@ bool hangsOn(const RoomSurface& thing, const std::vector<const RoomSurface*>& cu
 std::vector<RoomSurface> sortRoom(const Scene& scene, double floor) {
   std::vector<RoomSurface> room;
   for (const SceneObject& object : scene.objects) {
-    int component = 0;
+    const size_t first = room.size();
     for (MeshComponent& piece : splitComponents(worldMesh(object))) {
       RoomSurface surface;
       for (const Vector3d& p : piece.mesh.vertices) surface.box.extend(p);
       surface.part = partOf(surface.box, floor);
-      surface.color = colorOf(surface.part, surface.box, object, component++);
+      surface.color =
+          colorOf(surface.part, surface.box, object, static_cast<int>(room.size() - first));
       surface.closed = piece.closed;
       surface.mesh = std::move(piece.mesh);
       room.push_back(std::move(surface));
     }
+    // What is in one part with walls (lintels, sills) is painted as they are.
+    const bool walls = std::any_of(room.begin() + static_cast<std::ptrdiff_t>(first), room.end(),
+                                   [](const RoomSurface& s) { return s.part == RoomPart::kWall; });
+    if (!walls || namedColor(object.name, object.part)) continue;
+    for (size_t i = first; i < room.size(); ++i)
+      if (room[i].part == RoomPart::kFurniture) room[i].color = kWallColor;
   }
   return room;
 }
@@ -164,12 +172,10 @@ void addRoom(const std::vector<RoomSurface>& room, const RoomSight& sight,
   for (const RoomSurface& s : room) {
     const uint8_t sides = s.closed ? 0 : kTwoSided;
     const bool is_cut = std::find(cut.begin(), cut.end(), &s) != cut.end();
-    if (s.part == RoomPart::kCeiling) continue;
+    if (s.part == RoomPart::kCeiling || hangsOn(s, cut)) continue;
     if (is_cut) {
       addMesh(cutLevel(s.mesh, sight.floor + kSkirting, true), s.color, kNoShadow | kCut,
               triangles);
-    } else if (hangsOn(s, cut)) {
-      continue;
     } else if (s.part == RoomPart::kFloor) {
       addMesh(s.mesh, s.color,
               static_cast<uint8_t>(kNoShadow | sides | (s.color == kFloorColor ? kPlanks : 0)),

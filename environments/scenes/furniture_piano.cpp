@@ -88,9 +88,9 @@ void addLid(Furniture& piano) {
                      kHinge + reach * std::sin(lean) - 0.006);
   piano.add("prop", makeTube({{0.66, -0.12, kRim - 0.02}, top}, {0.010, 0.008}, 14));
   // The front flap of the lid lies folded back; the music desk stands before it.
-  piano.add("desk", block({1.36, 0.20, 0.016}, {0, -0.43, kRim - 0.03}, 0.005));
+  piano.add("stand", block({1.36, 0.20, 0.016}, {0, -0.43, kRim - 0.03}, 0.005));
   Surface desk = makeRoundedBox({{0.72, 0.014, 0.24}, 0.006, 1});
-  piano.add("desk", desk.rotate(0, -14).move(0, -0.40, kRim + 0.10));
+  piano.add("stand", desk.rotate(0, -14).move(0, -0.40, kRim + 0.10));
   Surface sheet = makeRoundedBox({{0.42, 0.004, 0.20}, 0.0015, 1});
   piano.add("music", sheet.rotate(0, -14).move(0, -0.412, kRim + 0.10));
 }

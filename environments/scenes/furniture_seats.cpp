@@ -101,7 +101,7 @@ Furniture makePianoStool() {
     const double tuft = 0.004 * std::pow(std::cos(p.x() * 22) * std::cos(p.y() * 28), 2);
     return Vector3d(p.x(), p.y(), p.z() + share * (dome - tuft - 0.010));
   });
-  piece.add("seat", seat.move(0, 0, 0.469));
+  piece.add("seat", seat.move(0, 0, 0.465));
   piece.add("apron", block({0.41, 0.31, 0.05}, {0, 0, 0.410}, 0.006, 2));
   addFourLegs(piece, 0.175, 0.125, 0.012, {{}, {}, 0.39, 0.014, 0.022, 16});
   for (const double y : {-0.128, 0.128})
