@@ -9,30 +9,28 @@
 namespace amble {
 namespace {
 
+// Within these a heel may rise farther than captured (FootState::at): from mid-stance on, into the early swing.
+constexpr double kHeelMayRise = 0.3;
+constexpr double kHeelMustFall = 1.9;
+constexpr double kExtraRise = 35.0 * kDegree;  // by trial: more, and the walker goes on tiptoe [rad]
+
 double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
 
 double rolled(double pitch, double strike_roll, double lift_roll) {
   return pitch * (pitch < 0.0 ? strike_roll : lift_roll);
 }
 
-FootTarget targetAt(const FootShape& shape, const Eigen::Vector3d& sole, double heading,
-                    double pitch, double roll) {
-  FootTarget target;
-  const Eigen::Quaterniond q_WH = aboutZ(heading);
-  target.ankle = sole + q_WH * rolledAnkle(shape, pitch);
-  target.q_WF = q_WH * Eigen::Quaterniond(Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY())) *
-                Eigen::Quaterniond(Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX())) * shape.q_SF;
-  target.toe_bend = std::max(pitch, 0.0);  // toes stay level while the heel is up
-  return target;
-}
+// A sole before it is a target: its frame over the ground and how it is rolled.
+struct SolePose {
+  Eigen::Vector3d position;
+  double heading, pitch, roll;
+};
 
-}  // namespace
-
-FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape) {
+SolePose solePose(const FootState& state, const FootCycle& cycle) {
   const double pitch = footPitch(cycle, state.at);
   if (state.planted()) {
-    return targetAt(shape, state.from.position, state.from.heading,
-                    rolled(pitch, state.strike_roll, state.lift_roll), 0.0);
+    return {state.from.position, state.from.heading,
+            rolled(pitch, state.strike_roll, state.lift_roll), 0.0};
   }
   const double tau = state.at - 1.0, ease = smoothstep(tau);
   const double share = state.lift_roll + ease * (state.strike_roll - state.lift_roll);
@@ -47,8 +45,37 @@ FootTarget footTarget(const FootState& state, const FootCycle& cycle, const Foot
   const double heading = state.from.heading +
                          ease * wrapAngle(state.to.heading - state.from.heading) +
                          swingPolynomial(cycle.yaw, tau);
-  return targetAt(shape, sole, heading, rolled(pitch, share, share),
-                  swingPolynomial(cycle.roll, tau));
+  return {sole, heading, rolled(pitch, share, share), swingPolynomial(cycle.roll, tau)};
+}
+
+FootTarget targetOf(const FootShape& shape, const SolePose& sole) {
+  FootTarget target;
+  const Eigen::Quaterniond q_WH = aboutZ(sole.heading);
+  target.ankle = sole.position + q_WH * rolledAnkle(shape, sole.pitch);
+  target.q_WF = q_WH * Eigen::Quaterniond(Eigen::AngleAxisd(sole.pitch, Eigen::Vector3d::UnitY())) *
+                Eigen::Quaterniond(Eigen::AngleAxisd(sole.roll, Eigen::Vector3d::UnitX())) *
+                shape.q_SF;
+  target.toe_bend = std::max(sole.pitch, 0.0);  // toes stay level while the heel is up
+  return target;
+}
+
+}  // namespace
+
+FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
+                      const Eigen::Vector3d& hip, double longest) {
+  SolePose sole = solePose(state, cycle);
+  FootTarget target = targetOf(shape, sole);
+  if (state.at < kHeelMayRise || state.at > kHeelMustFall ||
+      (target.ankle - hip).norm() <= longest) {
+    return target;
+  }
+  double low = sole.pitch, high = sole.pitch + kExtraRise;
+  for (int i = 0; i < 24; ++i) {
+    sole.pitch = 0.5 * (low + high);
+    ((targetOf(shape, sole).ankle - hip).norm() > longest ? low : high) = sole.pitch;
+  }
+  sole.pitch = high;
+  return targetOf(shape, sole);
 }
 
 FootController::FootController(const Skeleton& skeleton, const JointRoles& roles,
@@ -65,12 +92,18 @@ bool FootController::apply(AnimationBuffer& buffer) const {
   for (int i = 0; i < buffer.size(); ++i) {
     forwardKinematics(skeleton_, buffer.poses[i], joints);
     for (const Side side : {kLeft, kRight}) {
-      const FootTarget target =
-          footTarget(buffer.states[i].feet[side], blend_.foot(side), shapes_[side]);
+      const FootTarget target = targetFor(side, buffer.states[i], joints);
       if (!placeLeg(side, target, joints, buffer.poses.rotations(i))) return false;
     }
   }
   return true;
+}
+
+FootTarget FootController::targetFor(Side side, const FrameState& state,
+                                     std::span<const JointFrame> joints) const {
+  return footTarget(state.feet[side], blend_.foot(side), shapes_[side],
+                    joints[roles_.legs[side].up_leg].p_WJ,
+                    kHeelReach * roles_.legLength(skeleton_, side));
 }
 
 // Lowers the root around frames in which a leg would be too short, never at the first and last frame: those are stances.
@@ -129,8 +162,7 @@ double FootController::missingHeight(const AnimationBuffer& buffer, int frame, d
   forwardKinematics(skeleton_, buffer.poses[frame], joints);
   double missing = 0.0;
   for (const Side side : {kLeft, kRight}) {
-    const FootTarget target =
-        footTarget(buffer.states[frame].feet[side], blend_.foot(side), shapes_[side]);
+    const FootTarget target = targetFor(side, buffer.states[frame], joints);
     const Eigen::Vector3d d = joints[roles_.legs[side].up_leg].p_WJ - target.ankle;
     const double longest = share * roles_.legLength(skeleton_, side);
     const double room = longest * longest - d.head<2>().squaredNorm();

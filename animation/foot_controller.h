@@ -21,14 +21,19 @@ struct FootTarget {
   double toe_bend = 0.0;     ///< [rad, >= 0]
 };
 
-FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape);
+/// Where the foot is to be in a frame. Behind the walker, where the leg from `hip` [World] would be longer than `longest` [m], the heel rises
+/// farther than captured, as it does when people take longer steps.
+FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
+                      const Eigen::Vector3d& hip, double longest);
 
 class FootController : public SubController {
  public:
   /// A leg stretched farther than this share of thigh and shank is refused: the knee would snap.
   static constexpr double kLongestReach = 0.9995;
+  /// A leg behind does not stretch farther than this, its heel rises instead.
+  static constexpr double kHeelReach = 0.995;
   /// Where a leg would stretch farther than this, the hips dip, over kDipTime before and after; deeper than kDeepestDip is refused.
-  static constexpr double kDipReach = 0.998;
+  static constexpr double kDipReach = 0.999;
   static constexpr double kDipTime = 0.3;      // [s]
   static constexpr double kDeepestDip = 0.04;  // [m]; by trial, deeper looks like a stumble
 
@@ -42,6 +47,7 @@ class FootController : public SubController {
                        std::vector<JointFrame>& joints) const;
 
  private:
+  FootTarget targetFor(Side side, const FrameState& state, std::span<const JointFrame> joints) const;
   bool dipHips(AnimationBuffer& buffer) const;
   bool placeLeg(Side side, const FootTarget& target, std::span<const JointFrame> joints,
                 std::span<Eigen::Quaterniond> rotations) const;

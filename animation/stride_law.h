@@ -3,11 +3,12 @@
 
 namespace amble {
 
-/// Cadence grows with the square root of speed (Inman's law, f = 0.743 sqrt(V), Glardon eq. 4), through the captured walk's own speed and
-/// cadence: each subject's own constant, since the published one is 5 % high on ours. So does the step length. Below `kSlowestCadence` of the
+/// Step length grows with speed to the power 0.42 and cadence with the rest (Grieve & Gear 1966), through the captured walk's own speed and step
+/// length: the constants differ from subject to subject (Inman's law, Glardon eq. 4, is 5 % high on ours). Below `kSlowestCadence` of the
 /// captured cadence people take shorter steps rather than slower ones.
 class StrideLaw {
  public:
+  static constexpr double kStepPower = 0.42;
   static constexpr double kSlowestCadence = 0.7;  // by trial: slower steps look like wading
   /// Steps shorter or longer than this, times the captured one, are not walked: the warped cycle no longer looks like a walk.
   static constexpr double kShortestStep = 0.3;

@@ -40,6 +40,11 @@ double WalkController::lowering(double step_length) const {
   return lowering_[i] + t * (lowering_[i + 1] - lowering_[i]);
 }
 
+double WalkController::loweringShare(double phase) {
+  constexpr double kLeast = 0.5;  // by trial: less and the hips bob, more and the standing knee bends
+  return kLeast + (1.0 - kLeast) * 0.5 * (1.0 + std::cos(4.0 * kPi * phase));
+}
+
 bool WalkController::apply(AnimationBuffer& buffer) const {
   Eigen::VectorXd channels(stand_.size());
   for (int i = 0; i < buffer.size(); ++i) {
@@ -48,7 +53,7 @@ bool WalkController::apply(AnimationBuffer& buffer) const {
       channels = stand_;
     } else {
       blend_.evaluate(state.phase, state.turning * state.turn_rate, state.step_length, channels);
-      channels[2] -= lowering(state.step_length);
+      channels[2] -= lowering(state.step_length) * loweringShare(state.phase);
       if (state.standing > 0.0) channels += state.standing * (stand_ - channels);
     }
     channels[1] += state.sway;

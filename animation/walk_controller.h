@@ -24,7 +24,9 @@ class WalkController : public SubController {
   /// Overwrites every pose. The share of the standing posture (FrameState::standing) is mixed in here, channel by channel, since the
   /// mean of two rotations is that of their rotation vectors against a reference that lies near both.
   bool apply(AnimationBuffer& buffer) const override;
-  double lowering(double step_length) const;  ///< [m]
+  double lowering(double step_length) const;  ///< in the middle of the double support [m]
+  /// Share of the lowering at a phase: whole in the double support, where the legs are spread, least over the standing leg [0, 1].
+  static double loweringShare(double phase);
 
  private:
   const GaitBlend& blend_;

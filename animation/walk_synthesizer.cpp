@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "animation/foot_controller.h"
@@ -14,9 +15,12 @@
 namespace amble {
 namespace {
 
-// Legs are not stretched farther than this share of their length by the straight walk, a knee bent by 9 degrees: captured walkers reach 0.999.
-constexpr double kStraightReach = 0.997;
+// Legs are not stretched farther than this share of their length by the straight walk, a knee bent by 6 degrees: captured walkers reach 0.999.
+constexpr double kStraightReach = 0.9985;
 constexpr double kStandingReach = 0.995;
+constexpr double kLongestLean = 0.06;  // of the root before its feet, beyond the captured [m]
+constexpr double kLeanCost = 0.2;      // metres of lowering that a metre of lean is worth; by trial
+constexpr int kLeanSteps = 12;
 constexpr int kLoweringSteps = 16;     // step lengths for which the root's lowering is prepared
 constexpr double kGroundReach = 0.05;  // heights within so much of the path's point are its ground [m]
 
@@ -80,6 +84,7 @@ struct WalkSynthesizer::Impl {
     placement.stand_toe_out = 0.5 * (stand.toe_out[kLeft] - stand.toe_out[kRight]);
     placement.half_support =
         0.5 * doubleSupport(settings.speed, roles.legLength(skeleton, kLeft));
+    placement.forward -= leanForStep();
     stand_channels = Eigen::VectorXd::Zero(3 + 3 * skeleton.size());
     stand_channels[0] = placement.forward + stand.root_forward * scale;
     stand_channels[2] = stand.root_height * scale;
@@ -96,6 +101,22 @@ struct WalkSynthesizer::Impl {
       lowering.push_back(loweringAt(longest * i / kLoweringSteps));
     }
     walk = std::make_unique<WalkController>(blend, reference, stand_channels, lowering, longest);
+  }
+
+  // How much farther ahead of its feet the root walks than captured: a striking leg is nearly straight and a long step would lower the hips
+  // onto bent knees, while the leg behind still has room. The least lean that spares most of the lowering.
+  double leanForStep() {
+    double best = 0.0, least = std::numeric_limits<double>::infinity();
+    const double forward = placement.forward;
+    stand_channels = Eigen::VectorXd::Zero(3 + 3 * skeleton.size());
+    for (int i = 0; i <= kLeanSteps; ++i) {
+      const double lean = kLongestLean * scale * i / kLeanSteps;
+      placement.forward = forward - lean;
+      const double cost = loweringAt(placement.step_length) + kLeanCost * lean;
+      if (cost < least) least = cost, best = lean;
+    }
+    placement.forward = forward;
+    return best;
   }
 
   // Captured people stand on straight legs, with no room to turn on the spot or to step off from.
@@ -139,7 +160,8 @@ struct WalkSynthesizer::Impl {
     std::vector<JointFrame> joints(skeleton.size());
     double lowest = 0.0;
     for (int i = 0; i < buffer.size(); ++i) {
-      lowest = std::max(lowest, feet.missingHeight(buffer, i, kStraightReach, joints));
+      lowest = std::max(lowest, feet.missingHeight(buffer, i, kStraightReach, joints) /
+                                    WalkController::loweringShare(buffer.states[i].phase));
     }
     return lowest;
   }
