@@ -1,0 +1,139 @@
+#include "viz/rasterizer.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "viz/draw_mesh.h"
+#include "viz/lighting.h"
+
+namespace amble {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr int kSize = 64;
+
+// From above: pixel (x, y) sees World (x / 16 - 2, 2 - y / 16) from a height of 5 m.
+Camera fromAbove() {
+  Camera camera;
+  camera.parallel = true;
+  camera.eye = {0, 0, 5};
+  camera.axes << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  camera.centre = {kSize / 2.0f, kSize / 2.0f};
+  camera.scale = 16;
+  return camera;
+}
+
+DrawTriangle level(float height, const Color& color, uint8_t flags = 0) {
+  DrawTriangle t;
+  t.p = {Vector3f(-9, -9, height), Vector3f(9, -9, height), Vector3f(0, 9, height)};
+  t.normal.fill(Vector3f::UnitZ());
+  t.color = color;
+  t.flags = flags;
+  return t;
+}
+
+DrawTriangle turnedOver(DrawTriangle t) {
+  std::swap(t.p[1], t.p[2]);
+  t.normal.fill(-Vector3f::UnitZ());
+  return t;
+}
+
+TEST(Rasterizer, NothingIsSeenOfNothing) {
+  const SampleBuffer buffer = rasterize({}, fromAbove(), kSize, kSize);
+  for (const Sample& sample : buffer.samples) EXPECT_EQ(sample.depth, 0);
+}
+
+TEST(Rasterizer, TheNearerWinsInEitherOrder) {
+  const DrawTriangle low = level(0, rgb(10, 20, 30)), high = level(1, rgb(200, 100, 50));
+  for (const auto& triangles : {std::vector{low, high}, std::vector{high, low}}) {
+    const SampleBuffer buffer = rasterize(triangles, fromAbove(), kSize, kSize);
+    EXPECT_NEAR(buffer.at(32, 32).depth, 4, 1e-5);
+    EXPECT_EQ(buffer.at(32, 32).color[0], 200);
+  }
+}
+
+TEST(Rasterizer, BacksAreNotDrawnUnlessTwoSidedOrCut) {
+  const DrawTriangle back = turnedOver(level(0, rgb(9, 9, 9)));
+  EXPECT_EQ(rasterize(std::vector{back}, fromAbove(), kSize, kSize).at(32, 32).depth, 0);
+  for (const uint8_t flag : {kTwoSided, kCut}) {
+    DrawTriangle shown = back;
+    shown.flags = flag;
+    const SampleBuffer buffer = rasterize(std::vector{shown}, fromAbove(), kSize, kSize);
+    EXPECT_GT(buffer.at(32, 32).depth, 0);
+    EXPECT_GT(buffer.at(32, 32).normal.z(), 0.99f);
+  }
+}
+
+TEST(Rasterizer, SeeThroughCoversAQuarter) {
+  const auto triangles = std::vector{level(0, rgb(0, 0, 0)), level(1, rgb(255, 0, 0), kSeeThrough)};
+  const SampleBuffer buffer = rasterize(triangles, fromAbove(), kSize, kSize);
+  int red = 0;
+  for (int y = 20; y < 40; ++y)
+    for (int x = 20; x < 40; ++x) red += buffer.at(x, y).color[0] == 255;
+  EXPECT_EQ(red, 100);
+}
+
+TEST(Rasterizer, DecalsLieOnWhatIsJustBeforeThem) {
+  const auto triangles = std::vector{level(-0.01f, rgb(255, 0, 0), kDecal), level(0, rgb(0, 0, 0))};
+  EXPECT_EQ(rasterize(triangles, fromAbove(), kSize, kSize).at(32, 32).color[0], 255);
+  const auto deep = std::vector{level(-0.1f, rgb(255, 0, 0), kDecal), level(0, rgb(0, 0, 0))};
+  EXPECT_EQ(rasterize(deep, fromAbove(), kSize, kSize).at(32, 32).color[0], 0);
+}
+
+TEST(Rasterizer, CutsWhatReachesBehindTheEye) {
+  Camera camera;  // at the origin, looking along +x
+  camera.axes = viewAxes(Vector3f::UnitX());
+  camera.centre = {kSize / 2.0f, kSize / 2.0f};
+  camera.scale = 32;
+  DrawTriangle floor;
+  floor.p = {Vector3f(-5, -9, -1), Vector3f(-5, 9, -1), Vector3f(60, 0, -1)};
+  floor.normal.fill(Vector3f::UnitZ());
+  floor.flags = kTwoSided;
+  const SampleBuffer buffer = rasterize(std::vector{floor}, camera, kSize, kSize);
+  EXPECT_EQ(buffer.at(32, 20).depth, 0);  // above the horizon
+  EXPECT_NEAR(buffer.at(32, 63).depth, 1.0159,
+              0.02);  // 31.5 pixels below the middle: depth 32 / 31.5
+}
+
+TEST(Rasterizer, AgreesWithItsDepthMap) {
+  std::vector<DrawTriangle> triangles;
+  addMesh(makeSphere(1, 24), rgb(90, 90, 90), 0, triangles);
+  const SampleBuffer buffer = rasterize(triangles, fromAbove(), kSize, kSize);
+  const DepthMap map = rasterizeDepth(triangles, fromAbove(), kSize, kSize, 0);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) EXPECT_EQ(buffer.at(x, y).depth, map.at(x, y));
+  EXPECT_NEAR(map.at(32, 32), 4, 0.01);
+}
+
+TEST(Rasterizer, BandsCoverEveryRowOnce) {
+  for (const int rows : {1, 7, 100}) {
+    std::vector<std::atomic<int>> seen(rows);
+    forBands(rows, [&](int first, int last) {
+      for (int y = first; y < last; ++y) ++seen[y];
+    });
+    for (const auto& count : seen) EXPECT_EQ(count, 1);
+  }
+}
+
+TEST(Lighting, WhatLiesUnderAPlateIsInItsShadow) {
+  std::vector<DrawTriangle> triangles = {level(0, rgb(200, 200, 200))};
+  TriangleMesh plate = makeBox({1, 1, 0.02});
+  for (auto& p : plate.vertices) p.z() += 0.5;
+  addMesh(plate, rgb(200, 200, 200), 0, triangles);
+  LightSettings light;
+  light.to_sun = {-1, 0, 1};  // the shadow falls half a metre towards +x
+  light.shadowed = Eigen::AlignedBox3f(Vector3f(-2, -2, 0), Vector3f(2, 2, 1));
+  const Camera large = fromAbove().enlarged(kSupersampling);
+  const SampleBuffer samples =
+      rasterize(triangles, large, kSize * kSupersampling, kSize * kSupersampling);
+  const Image image = lightSamples(samples, large, triangles, light);
+  const int shade = image.pixel(32 + 12, 32)[0];  // (0.75, 0): shaded, and not hidden by the plate
+  const int open = image.pixel(32 - 20, 32)[0];
+  EXPECT_LT(shade, open - 30);
+  EXPECT_NEAR(image.pixel(32 + 24, 32)[0], open, 6);  // (1.5, 0) is in the sun
+}
+
+}  // namespace
+}  // namespace amble
