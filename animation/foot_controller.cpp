@@ -9,10 +9,9 @@
 namespace amble {
 namespace {
 
-// Within these a heel may rise farther than captured (FootState::at): from mid-stance on, into the early swing.
-constexpr double kHeelMayRise = 0.3;
-constexpr double kHeelMustFall = 1.9;
-constexpr double kExtraRise = 35.0 * kDegree;  // by trial: more, and the walker goes on tiptoe [rad]
+constexpr double kExtraRise = 35.0 * kDegree;  // of a heel, by trial: more, and the walker goes on tiptoe [rad]
+constexpr double kBehind = 0.12;  // a ball of the foot so far behind the hip lets its heel rise freely [m]
+constexpr double kSoftReach = 0.01;  // over which the heel begins to rise before the leg is at its longest [m]
 
 double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
 
@@ -65,16 +64,19 @@ FootTarget footTarget(const FootState& state, const FootCycle& cycle, const Foot
                       const Eigen::Vector3d& hip, double longest) {
   SolePose sole = solePose(state, cycle);
   FootTarget target = targetOf(shape, sole);
-  if (state.at < kHeelMayRise || state.at > kHeelMustFall ||
-      (target.ankle - hip).norm() <= longest) {
-    return target;
-  }
-  double low = sole.pitch, high = sole.pitch + kExtraRise;
-  for (int i = 0; i < 24; ++i) {
+  const double distance = (target.ankle - hip).norm();
+  const double over = (distance - longest) / kSoftReach;
+  if (over < -6.0) return target;
+  const Eigen::Vector3d ball = sole.position + shape.ball_x * (aboutZ(sole.heading) * Eigen::Vector3d::UnitX());
+  const double behind = (hip - ball).dot(aboutZ(sole.heading) * Eigen::Vector3d::UnitX());
+  const double freedom = smoothstep(std::clamp(behind / kBehind, 0.0, 1.0));
+  // A smooth minimum of what it is and what it may be.
+  const double wanted = distance - kSoftReach * std::log1p(std::exp(over));
+  double low = sole.pitch, high = sole.pitch + kExtraRise * freedom;
+  for (int i = 0; i < 30; ++i) {
     sole.pitch = 0.5 * (low + high);
-    ((targetOf(shape, sole).ankle - hip).norm() > longest ? low : high) = sole.pitch;
+    ((targetOf(shape, sole).ankle - hip).norm() > wanted ? low : high) = sole.pitch;
   }
-  sole.pitch = high;
   return targetOf(shape, sole);
 }
 
@@ -125,7 +127,7 @@ bool FootController::dipHips(AnimationBuffer& buffer) const {
   }
   if (!any) return true;
   for (int i = 1; i + 1 < n; ++i) {
-    const double from_end = std::min(i, n - 1 - i) / static_cast<double>(reach);
+    const double from_end = std::min(i, n - 1 - i) / (0.5 * reach);
     buffer.poses.p_WR(i).z() -= dip[i] * smoothstep(std::min(1.0, from_end));
   }
   return true;
