@@ -68,7 +68,7 @@ Json qualityJson(const Report& report) {
                        {"value", number(line.value)},
                        {"bar", number(line.bar)},
                        {"unit", line.unit},
-                       {"holds", line.holds}});
+                       {"holds", line.holds()}});
   }
   return quality;
 }

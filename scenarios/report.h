@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "animation/joint_roles.h"
+#include "animation/walk_quality.h"
 #include "environments/body.h"
 #include "scenarios/scenario.h"
 
@@ -52,15 +53,6 @@ struct RunTimes {
   double load = 0.0, roadmap = 0.0, search = 0.0, refine = 0.0, export_ = 0.0;
 
   double planning() const { return roadmap + search + refine; }
-};
-
-/// A measure of QUALITY.md beside its bar.
-struct QualityLine {
-  std::string measure;
-  double value = 0.0;
-  double bar = 0.0;  ///< holds where value <= bar
-  std::string unit;
-  bool holds = true;
 };
 
 struct Report {

@@ -187,6 +187,9 @@ void exportAndCheck(const RunOptions& options, RunResult& result) {
   reportGoalError(problem, result.outcome.walk, exported.poses, report);
   reportClearance(problem, walk, exported.poses, *scratch, report);
   reportFeet(problem, walk, exported.poses, report);
+  const Clip clip = {
+      problem.scenario.name, problem.synthesizer.skeleton(), walk.frame_time, exported.poses, {}};
+  report.quality = judgeWalk(clip, problem.synthesizer.roles(), walk, problem.ground);
 }
 
 }  // namespace

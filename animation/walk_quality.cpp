@@ -1,0 +1,118 @@
+#include "animation/walk_quality.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "animation/gait_measures.h"
+#include "animation/rotation.h"
+
+namespace amble {
+namespace {
+
+// QUALITY.md's bars.
+constexpr double kToeSkate = 0.010;         // with foot lock [m/s]
+constexpr double kDrift = 0.002;            // with foot lock [m]
+constexpr double kPenetration = 0.005;      // [m]
+constexpr double kRootAcceleration = 1.15;  // of the anchor
+constexpr double kJointJerk = 1.1;          // of the anchor
+constexpr double kPops = 2.5;               // or
+constexpr double kPopsOfAnchor = 1.05;      // if more
+constexpr double kPathMean = 0.02;          // [m]
+constexpr double kPathLargest = 0.06;       // [m]
+constexpr double kPathEnd = 0.02;           // [m]
+constexpr double kEndHeading = 2.0;         // [degrees]
+constexpr double kAchieved = 0.05;          // speed and turn rate, of what was asked
+constexpr double kDoubleSupport = 0.04;     // from the norm
+constexpr double kTurns = 0.15;             // slower is straight: walkers sway by as much [rad/s]
+
+FootPlants plantsOfWalk(const AnimationBuffer& walk) {
+  std::array<std::vector<bool>, 2> planted;
+  for (const FrameState& state : walk.states) {
+    for (int side = 0; side < 2; ++side) planted[side].push_back(state.planted[side]);
+  }
+  return plantsOf(planted);
+}
+
+PathError pathErrorOf(const Clip& clip, const JointRoles& roles, const AnimationBuffer& walk) {
+  std::vector<PlannedPoint> planned;
+  for (const FrameState& state : walk.states) {
+    planned.push_back({state.position.head<2>(), state.heading});
+  }
+  return pathError(clip, roles, planned);
+}
+
+// What was asked over the span that the gait was measured in.
+struct Asked {
+  double speed = 0.0;      // [m/s]
+  double turn_rate = 0.0;  // [rad/s]
+};
+Asked askedOver(const AnimationBuffer& walk, const GaitMeasures& gait) {
+  const int last_frame = walk.size() - 1;
+  const int first = std::clamp(static_cast<int>(std::lround(gait.begin)), 0, last_frame);
+  const int last = std::clamp(static_cast<int>(std::lround(gait.end)), first, last_frame);
+  if (last == first) return {};
+  double turned = 0.0;
+  for (int i = first; i < last; ++i) {
+    turned += wrapAngle(walk.states[i + 1].heading - walk.states[i].heading);
+  }
+  const double time = (last - first) * walk.frame_time;
+  return {(walk.states[last].arc - walk.states[first].arc) / time, turned / time};
+}
+
+}  // namespace
+
+double doubleSupportNorm(double speed, double leg) {
+  // Middles of the classes very slow, slow, free, fast and very fast; the outer ranges are taken as
+  // wide as the others.
+  constexpr std::array<double, 5> kSpeed = {0.159, 0.295, 0.432, 0.568, 0.704};
+  constexpr std::array<double, 5> kShare = {0.36, 0.24, 0.19, 0.16, 0.14};
+  constexpr double kGravity = 9.81;  // [m/s²]
+  const double v = speed / std::sqrt(kGravity * leg);
+  if (v <= kSpeed.front()) return kShare.front();
+  for (size_t i = 1; i < kSpeed.size(); ++i) {
+    if (v > kSpeed[i]) continue;
+    const double t = (v - kSpeed[i - 1]) / (kSpeed[i] - kSpeed[i - 1]);
+    return kShare[i - 1] + t * (kShare[i] - kShare[i - 1]);
+  }
+  return kShare.back();
+}
+
+std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
+                                   const AnimationBuffer& walk, const Ground& ground,
+                                   const QualityAnchors& anchors) {
+  const GaitMeasures gait = measureGait(clip, roles, plantsOfWalk(walk), &ground);
+  const PathError path = pathErrorOf(clip, roles, walk);
+  const Asked asked = askedOver(walk, gait);
+  std::vector<QualityLine> lines = {
+      {"toe skate", gait.toe_skate, kToeSkate, "m/s"},
+      {"drift per plant", gait.largest_drift, kDrift, "m"},
+      {"penetration", gait.penetration, kPenetration, "m"},
+      {"root acceleration", gait.root_acceleration, kRootAcceleration * anchors.root_acceleration,
+       "m/s2"},
+      {"joint jerk", gait.joint_jerk, kJointJerk * anchors.joint_jerk, "m/s3"},
+      {"pops", gait.pops, std::max(kPops, kPopsOfAnchor * anchors.pops), "1"},
+      {"knee backwards", gait.knee_backwards, 0.0, "1"},
+      {"bone length change", gait.bone_length_change, 1e-9, "m"},
+      {"path error, mean", path.mean, kPathMean, "m"},
+      {"path error, largest", path.largest, kPathLargest, "m"},
+      {"path error, end", path.end, kPathEnd, "m"},
+      {"end heading", path.end_heading / kDegree, kEndHeading, "degrees"},
+  };
+  if (asked.speed <= 0.0) return lines;  // turned on the spot, or stood
+  lines.push_back(
+      {"speed, achieved against asked", std::abs(gait.speed / asked.speed - 1.0), kAchieved, "1"});
+  if (std::abs(asked.turn_rate) > kTurns) {
+    lines.push_back({"turn rate, achieved against asked",
+                     std::abs(gait.turn_rate / asked.turn_rate - 1.0), kAchieved, "1"});
+  }
+  const double leg =
+      0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
+  lines.push_back({"double support, from its norm",
+                   std::abs(gait.double_support - doubleSupportNorm(gait.speed, leg)),
+                   kDoubleSupport, "1"});
+  lines.push_back({"flight", gait.flight, 0.0, "1"});
+  return lines;
+}
+
+}  // namespace amble

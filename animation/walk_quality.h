@@ -1,0 +1,46 @@
+/// A walk of ours against QUALITY.md's bars.
+///
+/// Plants are the walk's own, not detected ones. A bar that is a share of an anchor uses what the
+/// captures measure that the walk is made from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "animation/animation_buffer.h"
+#include "animation/clip.h"
+#include "animation/ground.h"
+#include "animation/joint_roles.h"
+
+namespace amble {
+
+/// Of the captures behind a library, the largest of each: measured by measureGait. The defaults are
+/// those of the library `default` (ACCAD Female1 B03, B09 and B12); another library's walks are
+/// judged by them too.
+struct QualityAnchors {
+  double root_acceleration = 8.25;  ///< [m/s²]
+  double joint_jerk = 104.1;        ///< [m/s³]
+  double pops = 4.87;               ///< [1]
+};
+
+/// One measure beside its bar.
+struct QualityLine {
+  std::string measure;
+  double value = 0.0;
+  double bar = 0.0;  ///< holds where value <= bar
+  std::string unit;
+
+  bool holds() const { return value <= bar; }
+};
+
+/// Share of time with both feet planted at a speed: Schwartz et al. (J. Biomech. 41, 2008), double
+/// support of five classes of speed, linear between the middles of their ranges of v / sqrt(g leg).
+/// @param speed, leg  [m/s], [m, > 0]
+double doubleSupportNorm(double speed, double leg);
+
+/// @param clip  the walk as it is exported: its frames are the buffer's. @pre walk.size() > 0
+std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
+                                   const AnimationBuffer& walk, const Ground& ground,
+                                   const QualityAnchors& anchors = {});
+
+}  // namespace amble
