@@ -170,7 +170,8 @@ std::string missingData(const Scenario& scenario) {
     if (!object.isMap() || !object.has("mesh")) continue;
     const fs::path mesh = object.at("mesh").asPath();
     const fs::path missing = firstMissing(mesh);
-    if (missing.empty() || isBelow(mesh, own) || isBelow(mesh, scenario.scene.parent_path())) {
+    if (missing.empty() || isBelow(mesh, own) ||
+        isBelow(mesh, fs::current_path() / scenario.scene.parent_path())) {
       continue;
     }
     return mesh.string();

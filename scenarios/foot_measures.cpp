@@ -96,30 +96,6 @@ double SoleTracks::penetration() const {
   return deepest;
 }
 
-std::vector<std::array<int, 2>> SoleTracks::findPlants(Side side, double frame_time, double touch,
-                                                       double speed) const {
-  constexpr double kShortest =
-      0.1;  // [s]: a foot that passes the ground in mid-swing is not planted
-  const auto rests = [&](int frame) {
-    const int next = std::min(frame + 1, frames_ - 1), before = std::max(next - 1, 0);
-    for (int end = 0; end < 2; ++end) {
-      const Centre& centre = centres_[side][2 * frame + end];
-      const Eigen::Vector2d moved =
-          centres_[side][2 * next + end].at - centres_[side][2 * before + end].at;
-      if (centre.height <= touch && moved.norm() < speed * frame_time) return true;
-    }
-    return false;
-  };
-  std::vector<std::array<int, 2>> plants;
-  for (int frame = 0; frame < frames_; ++frame) {
-    if (!rests(frame)) continue;
-    const int first = frame;
-    while (frame + 1 < frames_ && rests(frame + 1)) ++frame;
-    if ((frame - first) * frame_time >= kShortest) plants.push_back({first, frame});
-  }
-  return plants;
-}
-
 std::vector<StepReport> measureSteps(const AnimationBuffer& walk, const SoleTracks& soles) {
   std::vector<StepReport> steps;
   std::array<const Footprint*, 2> before = {nullptr, nullptr};

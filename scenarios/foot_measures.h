@@ -40,11 +40,6 @@ class SoleTracks {
   double slide(Side side, int first, int last) const;
   /// Largest depth of any sole below the ground, over all frames [m, >= 0].
   double penetration() const;
-  /// Placings found in the motion itself: runs of frames, 0.1 s or longer, in which a centre is no
-  /// higher than `touch` and slower than `speed` [m, m/s]. A walk of ours knows its own; a motion
-  /// from elsewhere does not.
-  std::vector<std::array<int, 2>> findPlants(Side side, double frame_time, double touch,
-                                             double speed) const;
 
  private:
   struct Centre {

@@ -82,8 +82,8 @@ std::string whyNot(const PlanOutcome& outcome) {
 std::map<std::string, std::string> digestInputs(const Problem& problem) {
   namespace fs = std::filesystem;
   const Scenario& scenario = problem.scenario;
-  const fs::path own = scenario.file == "-" ? fs::path() : scenario.file.parent_path();
-  const fs::path folder = fs::absolute(own).lexically_normal();
+  const fs::path folder =
+      fs::absolute(fs::current_path() / scenario.file.parent_path()).lexically_normal();
   std::map<std::string, std::string> inputs;
   const auto add = [&](const fs::path& file) {
     const fs::path relative = fs::absolute(file).lexically_normal().lexically_relative(folder);

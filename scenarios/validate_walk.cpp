@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "animation/error.h"
+#include "animation/foot_plants.h"
 #include "animation/foot_shape.h"
 #include "animation/joint_roles.h"
 #include "scenarios/foot_measures.h"
@@ -11,10 +12,6 @@
 
 namespace amble {
 namespace {
-
-// Where plants are looked for: a foot of a capture stands a little over its floor and creeps.
-constexpr double kPlantHeight = 0.02;  // [m]
-constexpr double kPlantSpeed = 0.3;    // [m/s]
 
 struct Character {
   JointRoles roles;
@@ -123,12 +120,11 @@ std::vector<ContactSpan> findContacts(const CollisionWorld& world, const PoseArr
   return spans;
 }
 
-void measureFeet(const SoleTracks& soles, double frame_time, WalkValidation& result) {
+void measureFeet(const SoleTracks& soles, const FootPlants& plants, WalkValidation& result) {
   double sum = 0.0;
   for (const Side side : {kLeft, kRight}) {
-    for (const auto& [first, last] :
-         soles.findPlants(side, frame_time, kPlantHeight, kPlantSpeed)) {
-      const double slide = soles.slide(side, first, last);
+    for (const FootPlant& plant : plants.plants[side]) {
+      const double slide = soles.slide(side, plant.first, plant.last);
       result.foot_skate_max = std::max(result.foot_skate_max, slide);
       sum += slide;
       ++result.plants;
@@ -172,7 +168,8 @@ WalkValidation validateWalk(const std::filesystem::path& bvh,
     result.clearance_object = objectName(scene.objects.at(near.object));
     result.clearance_time = near.frame * frame_time;
   }
-  measureFeet(SoleTracks(clip.skeleton, body, clip.poses, ground), clip.frame_time, result);
+  measureFeet(SoleTracks(clip.skeleton, body, clip.poses, ground), detectPlants(clip, roles),
+              result);
   return result;
 }
 
