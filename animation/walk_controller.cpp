@@ -23,21 +23,20 @@ void projectChannels(const Eigen::VectorXd& channels,
 
 WalkController::WalkController(const GaitBlend& blend,
                                const std::vector<Eigen::Quaterniond>& reference,
-                               const Eigen::VectorXd& stand_channels, std::vector<double> lowering,
-                               double longest)
+                               const Eigen::VectorXd& stand_channels, Carriage carriage)
     : blend_(blend),
       reference_(reference),
       stand_(stand_channels),
-      lowering_(std::move(lowering)),
-      longest_(longest) {}
+      carriage_(std::move(carriage)) {}
 
 double WalkController::lowering(double step_length) const {
-  if (lowering_.size() < 2) return 0.0;
-  const double at =
-      std::clamp(step_length / longest_, 0.0, 1.0) * static_cast<double>(lowering_.size() - 1);
-  const size_t i = std::min(static_cast<size_t>(at), lowering_.size() - 2);
+  const std::vector<double>& table = carriage_.lowering;
+  if (table.size() < 2) return 0.0;
+  const double at = std::clamp(step_length / carriage_.longest, 0.0, 1.0) *
+                    static_cast<double>(table.size() - 1);
+  const size_t i = std::min(static_cast<size_t>(at), table.size() - 2);
   const double t = at - static_cast<double>(i);
-  return lowering_[i] + t * (lowering_[i + 1] - lowering_[i]);
+  return table[i] + t * (table[i + 1] - table[i]);
 }
 
 double WalkController::loweringShare(double phase) {
@@ -53,6 +52,7 @@ bool WalkController::apply(AnimationBuffer& buffer) const {
       channels = stand_;
     } else {
       blend_.evaluate(state.phase, state.turning * state.turn_rate, state.step_length, channels);
+      channels[0] += carriage_.lead;
       channels[2] -= lowering(state.step_length) * loweringShare(state.phase);
       if (state.standing > 0.0) channels += state.standing * (stand_ - channels);
     }

@@ -17,9 +17,15 @@ void projectChannels(const Eigen::VectorXd& channels,
 
 class WalkController : public SubController {
  public:
-  /// @param lowering  how much lower than captured the root walks, by step length: evenly from 0 to `longest` [m]
+  /// How the root walks apart from the captured cycle.
+  struct Carriage {
+    double lead = 0.0;             ///< so much farther forward over the path's point [m]
+    std::vector<double> lowering;  ///< so much lower, by step length: evenly from 0 to `longest` [m]
+    double longest = 1.0;          ///< [m]
+  };
+
   WalkController(const GaitBlend& blend, const std::vector<Eigen::Quaterniond>& reference,
-                 const Eigen::VectorXd& stand_channels, std::vector<double> lowering, double longest);
+                 const Eigen::VectorXd& stand_channels, Carriage carriage);
 
   /// Overwrites every pose. The share of the standing posture (FrameState::standing) is mixed in here, channel by channel, since the
   /// mean of two rotations is that of their rotation vectors against a reference that lies near both.
@@ -32,8 +38,7 @@ class WalkController : public SubController {
   const GaitBlend& blend_;
   const std::vector<Eigen::Quaterniond>& reference_;
   Eigen::VectorXd stand_;
-  std::vector<double> lowering_;
-  double longest_;
+  Carriage carriage_;
 };
 
 }  // namespace amble

@@ -78,44 +78,42 @@ struct WalkSynthesizer::Impl {
     const Posture& stand = library.stand();
     placement.walk_width = blend.stepWidth();
     placement.stand_width = stand.step_width * scale;
-    placement.forward = blend.footForward();
+    placement.forward = -stand.root_forward * scale;
     placement.step_length = blend.law().stepLength(settings.speed);
     placement.walk_toe_out = blend.toeOut();
     placement.stand_toe_out = 0.5 * (stand.toe_out[kLeft] - stand.toe_out[kRight]);
     placement.half_support =
         0.5 * doubleSupport(settings.speed, roles.legLength(skeleton, kLeft));
-    placement.forward -= leanForStep();
     stand_channels = Eigen::VectorXd::Zero(3 + 3 * skeleton.size());
-    stand_channels[0] = placement.forward + stand.root_forward * scale;
     stand_channels[2] = stand.root_height * scale;
     limits = {blend.law(), settings.speed, blend.maxTurnRate(), settings.frame_time};
+    // Standing, the root is over the stance's position to the bit; walking, it leads as captured, and leans.
+    lead = placement.forward - blend.footForward();
+    lead += leanForStep();
     prepareLowering();
     bendStandingKnees();
   }
 
   // How much lower the root must walk at each step length for the legs to reach: long steps lower the hips.
   void prepareLowering() {
-    const double longest = StrideLaw::kLongestStep * blend.law().capturedStep();
-    std::vector<double> lowering;
+    WalkController::Carriage carriage;
+    carriage.lead = lead;
+    carriage.longest = StrideLaw::kLongestStep * blend.law().capturedStep();
     for (int i = 0; i <= kLoweringSteps; ++i) {
-      lowering.push_back(loweringAt(longest * i / kLoweringSteps));
+      carriage.lowering.push_back(loweringAt(carriage.longest * i / kLoweringSteps, lead));
     }
-    walk = std::make_unique<WalkController>(blend, reference, stand_channels, lowering, longest);
+    walk = std::make_unique<WalkController>(blend, reference, stand_channels, carriage);
   }
 
   // How much farther ahead of its feet the root walks than captured: a striking leg is nearly straight and a long step would lower the hips
   // onto bent knees, while the leg behind still has room. The least lean that spares most of the lowering.
-  double leanForStep() {
+  double leanForStep() const {
     double best = 0.0, least = std::numeric_limits<double>::infinity();
-    const double forward = placement.forward;
-    stand_channels = Eigen::VectorXd::Zero(3 + 3 * skeleton.size());
     for (int i = 0; i <= kLeanSteps; ++i) {
       const double lean = kLongestLean * scale * i / kLeanSteps;
-      placement.forward = forward - lean;
-      const double cost = loweringAt(placement.step_length) + kLeanCost * lean;
+      const double cost = loweringAt(placement.step_length, lead + lean) + kLeanCost * lean;
       if (cost < least) least = cost, best = lean;
     }
-    placement.forward = forward;
     return best;
   }
 
@@ -131,9 +129,9 @@ struct WalkSynthesizer::Impl {
     prepareLowering();
   }
 
-  double loweringAt(double step_length) const {
+  double loweringAt(double step_length, double with_lead) const {
     if (!(step_length > 0.0)) return 0.0;
-    const WalkController plain(blend, reference, stand_channels, {}, 1.0);
+    const WalkController plain(blend, reference, stand_channels, {with_lead, {}, 1.0});
     FootPlacement p = placement;
     p.step_length = step_length;
     const Stance from{Eigen::Vector3d::Zero(), 0.0, false, kLeft};
@@ -231,6 +229,7 @@ struct WalkSynthesizer::Impl {
   FootController feet;
   FootPlacement placement;
   Eigen::VectorXd stand_channels;
+  double lead = 0.0;  // of the walking root over the path's point [m]
   SpeedLimits limits;
   std::unique_ptr<WalkController> walk;
 };
