@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iostream>
+#include <cstdio>
+#include <limits>
 #include <memory>
 
 #include "animation/bvh.h"
 #include "animation/error.h"
 #include "animation/ground.h"
 #include "animation/rotation.h"
+#include "animation/walk_quality.h"
 #include "animation/walk_synthesizer.h"
 #include "app/command.h"
 
@@ -17,8 +19,11 @@ namespace amble {
 namespace {
 
 constexpr double kArc = 30.0 * kDegree;  // of a circle, as one Bezier: off it by 1e-6 of its radius
-constexpr double kRefit = 0.05;    // lengths that are tried where no whole number of steps fits [m]
-constexpr double kMaxRefit = 1.0;  // more than a step: one of them must fit [m]
+// Lengths that are tried for a duration: as far as one walks at full speed in it, and somewhat
+// more, down to what is left when starting and stopping take this long.
+constexpr double kLonger = 0.3;        // [m]
+constexpr double kStartAndStop = 1.6;  // [s]
+constexpr double kLengthStep = 0.05;   // a fifteenth of a step [m]
 
 struct Options {
   double speed = 1.2;     // [m/s]
@@ -29,6 +34,7 @@ struct Options {
   std::string library = "default";
   std::string bvh_units = "m";
   std::string out;
+  bool quality = false;
 };
 
 // `length` metres of a circle from the origin towards +x, or of a straight line.
@@ -51,22 +57,52 @@ RootPath circlePath(double length, double curvature) {
   return RootPath(std::move(curves));
 }
 
-// From standing to standing; lengths near the wanted one are tried until a whole number of steps
-// fits.
+// Walks `length` metres, from standing to standing.
 WalkResult walkAlong(const WalkSynthesizer& synthesizer, double length, double curvature,
                      AnimationBuffer& out) {
-  WalkResult result;
-  for (double off = 0.0; off <= kMaxRefit; off = off > 0.0 ? -off : kRefit - off) {
-    if (off < 0.0 && length + off < synthesizer.shortestWalk()) continue;
-    const RootPath path = circlePath(length + off, curvature);
-    const auto end = path.at(path.length());
-    Stance from, to;
-    to.position.head<2>() = end.position;
-    to.heading = end.heading;
-    result = synthesizer.walk(from, to, path, true, out);
-    if (result.refused != WalkRule::kStepLength) break;
+  const RootPath path = circlePath(length, curvature);
+  const auto end = path.at(path.length());
+  Stance from, to;
+  to.position.head<2>() = end.position;
+  to.heading = end.heading;
+  return synthesizer.walk(from, to, path, true, out);
+}
+
+// The walk whose duration is nearest to the wanted one: steps are whole, and legs must reach, so
+// not every length is one that can be walked.
+WalkResult walkFor(const WalkSynthesizer& synthesizer, double duration, double curvature,
+                   AnimationBuffer& best) {
+  const double speed = synthesizer.settings().speed;
+  const double longest = std::max(speed * duration + kLonger, synthesizer.shortestWalk());
+  const double shortest = std::max(synthesizer.shortestWalk(), speed * (duration - kStartAndStop));
+  WalkResult result{WalkRule::kStepLength, 0, kLeft};
+  double nearest = std::numeric_limits<double>::infinity();
+  AnimationBuffer walk;
+  for (double length = longest; length >= shortest || length == longest; length -= kLengthStep) {
+    const WalkResult tried = walkAlong(synthesizer, length, curvature, walk);
+    if (tried.refused != WalkRule::kNone) {
+      if (result.refused != WalkRule::kNone) result = tried;
+      continue;
+    }
+    const double off = std::abs((walk.size() - 1) * walk.frame_time - duration);
+    if (off >= nearest) continue;
+    nearest = off;
+    result = tried;
+    std::swap(best, walk);
   }
   return result;
+}
+
+// Every measure beside its bar. @return whether all hold
+bool printQuality(const Clip& clip, const JointRoles& roles, const AnimationBuffer& walk,
+                  const Ground& ground, std::FILE* out) {
+  bool all = true;
+  for (const QualityLine& line : judgeWalk(clip, roles, walk, ground)) {
+    fmt::print(out, "  {:<5} {:<24} {:10.4g} {:10.4g} {}\n", line.holds() ? "ok" : "ABOVE",
+               line.measure, line.value, line.bar, line.unit);
+    all = all && line.holds();
+  }
+  return all;
 }
 
 int run(const Options& options) {
@@ -85,26 +121,20 @@ int run(const Options& options) {
   }
   AnimationBuffer walk;
   const double curvature = options.turn_deg * kDegree / options.speed;
-  const double at_speed = options.speed * options.duration;
-  double length = std::max(at_speed, synthesizer.shortestWalk());
-  WalkResult result = walkAlong(synthesizer, length, curvature, walk);
-  if (result.refused == WalkRule::kNone) {  // once more, less what starting and stopping took
-    length += at_speed - options.speed * (walk.size() - 1) * walk.frame_time;
-    length = std::max(length, synthesizer.shortestWalk());
-    result = walkAlong(synthesizer, length, curvature, walk);
-  }
+  const WalkResult result = walkFor(synthesizer, options.duration, curvature, walk);
   if (result.refused != WalkRule::kNone) {
     fmt::print(stderr, "amble animate: there is no such walk: {} refused\n",
                walkRuleName(result.refused));
     return kExitNone;
   }
-  Clip clip{"walk", synthesizer.skeleton(), walk.frame_time, std::move(walk.poses), {}};
+  const Clip clip{"walk", synthesizer.skeleton(), walk.frame_time, walk.poses, {}};
   writeBvh(std::filesystem::path(options.out), clip,
            {.metres_per_unit = options.bvh_units == "cm" ? 0.01 : 1.0});
-  fmt::print(options.out == "-" ? stderr : stdout, "{}: {:.2f} s, {} frames, {} steps, {:.2f} m\n",
-             options.out, clip.duration(), clip.frames(), result.steps,
-             walk.states.empty() ? 0.0 : walk.states.back().arc);
-  return kExitDone;
+  std::FILE* const out = options.out == "-" ? stderr : stdout;
+  fmt::print(out, "{}: {:.2f} s, {} frames, {} steps, {:.2f} m\n", options.out, clip.duration(),
+             clip.frames(), result.steps, walk.states.empty() ? 0.0 : walk.states.back().arc);
+  if (!options.quality) return kExitDone;
+  return printQuality(clip, synthesizer.roles(), walk, ground, out) ? kExitDone : kExitNone;
 }
 
 }  // namespace
@@ -120,7 +150,7 @@ void addAnimate(CLI::App& app, Command& chosen) {
   command->add_option("--turn", options->turn_deg, "Turn rate at that speed, left positive")
       ->check(number(-180, 180, "degrees/s"))
       ->capture_default_str();
-  command->add_option("--duration", options->duration, "About how long; steps are whole")
+  command->add_option("--duration", options->duration, "About how long: steps are whole")
       ->check(number(1, 600, "s"))
       ->capture_default_str();
   command->add_option("--height", options->height, "Stature; default: the library's own")
@@ -133,6 +163,8 @@ void addAnimate(CLI::App& app, Command& chosen) {
   command->add_option("--bvh-units", options->bvh_units, "Unit of length in the BVH")
       ->check(CLI::IsMember({"m", "cm"}))
       ->capture_default_str();
+  command->add_flag("--quality", options->quality,
+                    "Print what the walk measures beside its bars; 1 where one does not hold");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -92,12 +92,20 @@ void printResult(const Report& report, const std::filesystem::path& folder) {
                  report.clearance.part, report.clearance.object, report.clearance.time);
     }
     fmt::print("  foot skate {:.1f} mm at most\n", 1000.0 * report.foot_skate_max);
+    for (const QualityLine& line : report.quality) {
+      if (line.holds()) continue;
+      fmt::print("  quality    {} is {:.4g} {}, over its bar of {:.4g}\n", line.measure, line.value,
+                 line.unit, line.bar);
+    }
   } else {
     fmt::print("  why        {}\n", report.why);
   }
-  fmt::print("  roadmap    {} guards, {} connectors, {} edges from {} samples, {:.1f} % covered\n",
+  fmt::print("  roadmap    {} guards, {} connectors, {} edges from {} samples{}\n",
              report.roadmap.guards, report.roadmap.connectors, report.roadmap.edges,
-             report.roadmap.samples, 100.0 * report.roadmap.coverage);
+             report.roadmap.samples,
+             report.roadmap.coverage > 0.0
+                 ? fmt::format(", {:.1f} % covered", 100.0 * report.roadmap.coverage)
+                 : std::string());
   const RunTimes& times = report.times;
   fmt::print("  time       {:.2f} s: load {:.2f}, roadmap {:.2f}, search {:.2f}, refine {:.2f}\n",
              times.load + times.roadmap + times.search + times.refine, times.load, times.roadmap,
