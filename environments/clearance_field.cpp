@@ -80,6 +80,135 @@ Eigen::AlignedBox3d boundsOf(const Obstacle& obstacle) {
   return box;
 }
 
+// The voxels that a box overlaps, the last one included; a little more where rounding might matter.
+struct VoxelRange {
+  VoxelRange(const VoxelGrid& grid, const Eigen::AlignedBox3d& box) {
+    for (int k = 0; k < 3; ++k) {
+      const double first = std::floor((box.min()[k] - grid.min[k]) / grid.size - 1e-6);
+      const double last = std::floor((box.max()[k] - grid.min[k]) / grid.size + 1e-6);
+      low[k] = static_cast<int>(std::clamp(first, 0.0, static_cast<double>(grid.count[k])));
+      high[k] = static_cast<int>(std::clamp(last, -1.0, grid.count[k] - 1.0));
+    }
+  }
+  Eigen::Vector3i low, high;
+};
+
+// Marks the voxels of a box whose centres pass a test.
+template <typename Test>
+void markWhere(const VoxelGrid& grid, const Eigen::AlignedBox3d& box,
+               std::vector<uint8_t>& occupied, Test test) {
+  const VoxelRange range(grid, box);
+  for (int k = range.low.z(); k <= range.high.z(); ++k) {
+    for (int j = range.low.y(); j <= range.high.y(); ++j) {
+      for (int i = range.low.x(); i <= range.high.x(); ++i) {
+        uint8_t& cell = occupied[grid.index(i, j, k)];
+        if (cell == 0 && test(grid.centre(i, j, k))) cell = kSurface;
+      }
+    }
+  }
+}
+
+void markPrimitive(const VoxelGrid& grid, const Obstacle& obstacle,
+                   std::vector<uint8_t>& occupied) {
+  const Eigen::Isometry3d X_OW = obstacle.X_WO.inverse();
+  const double half_diagonal = 0.5 * std::sqrt(3.0) * grid.size * (1.0 + 1e-6);
+  markWhere(grid, boundsOf(obstacle), occupied, [&](const Eigen::Vector3d& c) {
+    const Eigen::Vector3d p = X_OW * c;
+    return std::visit(SignedDistance{p}, obstacle.shape) <= half_diagonal;
+  });
+}
+
+// A large triangle is cut into four until its bounds are small: those of a slanted wall hold mostly
+// air.
+void markTriangle(const VoxelGrid& grid, const Triangle& triangle, std::vector<uint8_t>& occupied) {
+  constexpr double kFewVoxels = 64.0;
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * grid.size * (1.0 + 1e-6) + 1e-9);
+  const Eigen::AlignedBox3d box = boundsOf(triangle);
+  const VoxelRange range(grid, box);
+  const Eigen::Array3i size = (range.high - range.low).array() + 1;
+  if ((size <= 0).any()) return;
+  if (size.cast<double>().prod() <= kFewVoxels || size.minCoeff() == 1) {
+    markWhere(grid, box, occupied,
+              [&](const Eigen::Vector3d& c) { return overlaps(triangle, c, half); });
+    return;
+  }
+  const auto& [a, b, c] = triangle;
+  const Eigen::Vector3d ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+  for (const Triangle& quarter : {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+    markTriangle(grid, quarter, occupied);
+}
+
+void markSurface(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<uint8_t>& occupied) {
+  const auto* mesh = std::get_if<TriangleMesh>(&obstacle.shape);
+  if (!mesh) return markPrimitive(grid, obstacle, occupied);
+  for (const std::array<int, 3>& t : mesh->triangles)
+    markTriangle(grid,
+                 {obstacle.X_WO * mesh->vertices[t[0]], obstacle.X_WO * mesh->vertices[t[1]],
+                  obstacle.X_WO * mesh->vertices[t[2]]},
+                 occupied);
+}
+
+// Voxels in a row without a surface between them are on one side of it: one test for all.
+void fillSolid(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<uint8_t>& occupied) {
+  const SolidTest solid(obstacle.solid);
+  if (solid.empty()) return;
+  const VoxelRange range(grid, solid.bounds());
+  for (int k = range.low.z(); k <= range.high.z(); ++k) {
+    if (grid.centre(0, 0, k).z() <= obstacle.solid_above) continue;
+    for (int j = range.low.y(); j <= range.high.y(); ++j) {
+      uint8_t* row = &occupied[grid.index(0, j, k)];
+      for (int begin = range.low.x(), end; begin <= range.high.x(); begin = end) {
+        end = begin + 1;
+        if (row[begin] == kSurface) continue;
+        while (end <= range.high.x() && row[end] != kSurface) ++end;
+        if (solid.inside(grid.centre(begin, j, k))) std::fill(row + begin, row + end, kInside);
+      }
+    }
+  }
+}
+
+// What lies outside the grid is not in it: where there is something, the border is taken for
+// occupied.
+void markBeyond(const VoxelGrid& grid, const Eigen::AlignedBox3d& obstacles,
+                std::vector<uint8_t>& occupied) {
+  if (obstacles.isEmpty()) return;
+  const Eigen::Vector3d max = grid.min + grid.size * grid.count.cast<double>();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool upper : {false, true}) {
+      if (upper ? obstacles.max()[axis] <= max[axis] : obstacles.min()[axis] >= grid.min[axis])
+        continue;
+      Eigen::Vector3i low(0, 0, 0), high = grid.count.array() - 1;
+      (upper ? low : high)[axis] = upper ? grid.count[axis] - 1 : 0;
+      for (int k = low.z(); k <= high.z(); ++k)
+        for (int j = low.y(); j <= high.y(); ++j)
+          std::fill(&occupied[grid.index(low.x(), j, k)], &occupied[grid.index(high.x(), j, k)] + 1,
+                    kSurface);
+    }
+  }
+}
+
+// The first axis, x: squared distance in voxels of each voxel to the last and the next occupied one
+// in its row.
+void measureRows(const std::vector<uint8_t>& occupied, std::vector<int16_t>& squared, size_t length,
+                 int window) {
+  const int far = window + 1;
+  for (size_t row = 0; row < occupied.size(); row += length) {
+    const uint8_t* in = &occupied[row];
+    int16_t* out = &squared[row];
+    int since = far;
+    for (size_t x = 0; x < length; ++x) {
+      since = in[x] ? 0 : std::min(since + 1, far);
+      out[x] = static_cast<int16_t>(since);
+    }
+    since = far;
+    for (size_t x = length; x-- > 0;) {
+      since = in[x] ? 0 : std::min(since + 1, far);
+      const int d = std::min<int>(out[x], since), apart = std::max(0, d - 1);
+      out[x] = d >= far ? kFarSquared : static_cast<int16_t>(apart * apart);
+    }
+  }
+}
+
 // Where `outer` slabs of `count` runs of `run` neighbouring voxels lie in memory, along one axis.
 struct Axis {
   int count;
@@ -125,158 +254,35 @@ void spread(const std::vector<int16_t>& in, std::vector<int16_t>& out, const Axi
 ClearanceField::ClearanceField(const std::vector<Obstacle>& obstacles,
                                const Eigen::AlignedBox3d& region) {
   if (region.isEmpty()) return;
-  voxel_ = std::max(kFinestVoxel, std::cbrt(region.volume() / kMostVoxels));
-  per_voxel_ = 1.0 / voxel_;
-  min_ = region.min();
+  grid_.size = std::max(kFinestVoxel, std::cbrt(region.volume() / kMostVoxels));
+  per_voxel_ = 1.0 / grid_.size;
+  grid_.min = region.min();
   for (int k = 0; k < 3; ++k)
-    count_[k] = std::max(1, static_cast<int>(std::floor(region.sizes()[k] * per_voxel_)));
-  std::vector<uint8_t> occupied(index(0, 0, count_.z()), 0);
+    grid_.count[k] = std::max(1, static_cast<int>(std::floor(region.sizes()[k] / grid_.size)));
+  std::vector<uint8_t> occupied(grid_.total(), 0);
   Eigen::AlignedBox3d all;
   for (const Obstacle& obstacle : obstacles) {
-    mark(obstacle, occupied);
+    markSurface(grid_, obstacle, occupied);
     all.extend(boundsOf(obstacle));
   }
-  fillSolids(obstacles, occupied);
-  markBeyond(all, occupied);
+  for (const Obstacle& obstacle : obstacles) fillSolid(grid_, obstacle, occupied);
+  markBeyond(grid_, all, occupied);
   transform(occupied);
-}
-
-void ClearanceField::mark(const Obstacle& obstacle, std::vector<uint8_t>& occupied) const {
-  const auto cells = [&](const Eigen::AlignedBox3d& box) {
-    // One voxel more than needed where rounding might matter.
-    std::pair<Eigen::Vector3i, Eigen::Vector3i> range;
-    for (int k = 0; k < 3; ++k) {
-      const double low = std::floor((box.min()[k] - min_[k]) * per_voxel_ - 1e-6);
-      const double high = std::floor((box.max()[k] - min_[k]) * per_voxel_ + 1e-6);
-      range.first[k] = static_cast<int>(std::clamp(low, 0.0, static_cast<double>(count_[k])));
-      range.second[k] = static_cast<int>(std::clamp(high, -1.0, count_[k] - 1.0));
-    }
-    return range;
-  };
-  const auto eachCell = [&](const Eigen::AlignedBox3d& box, auto test) {
-    const auto [low, high] = cells(box);
-    for (int k = low.z(); k <= high.z(); ++k)
-      for (int j = low.y(); j <= high.y(); ++j)
-        for (int i = low.x(); i <= high.x(); ++i)
-          if (uint8_t& cell = occupied[index(i, j, k)]; cell == 0 && test(centre(i, j, k)))
-            cell = kSurface;
-  };
-  const auto* mesh = std::get_if<TriangleMesh>(&obstacle.shape);
-  if (!mesh) {
-    const Eigen::Isometry3d X_OW = obstacle.X_WO.inverse();
-    const double half_diagonal = 0.5 * std::sqrt(3.0) * voxel_ * (1.0 + 1e-6);
-    return eachCell(boundsOf(obstacle), [&](const Eigen::Vector3d& c) {
-      const Eigen::Vector3d p = X_OW * c;
-      return std::visit(SignedDistance{p}, obstacle.shape) <= half_diagonal;
-    });
-  }
-  const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * voxel_ * (1.0 + 1e-6) + 1e-9);
-  // Large triangles are cut into four until their bounds are small: those of a slanted wall hold
-  // mostly air.
-  std::vector<Triangle> stack;
-  for (const std::array<int, 3>& t : mesh->triangles) {
-    stack.push_back({obstacle.X_WO * mesh->vertices[t[0]], obstacle.X_WO * mesh->vertices[t[1]],
-                     obstacle.X_WO * mesh->vertices[t[2]]});
-    while (!stack.empty()) {
-      const Triangle piece = stack.back();
-      stack.pop_back();
-      const auto [low, high] = cells(boundsOf(piece));
-      const Eigen::Array3i size = (high - low).array() + 1;
-      if ((size <= 0).any()) continue;
-      if (size.cast<double>().prod() <= 64.0 || size.minCoeff() == 1) {
-        eachCell(boundsOf(piece),
-                 [&](const Eigen::Vector3d& c) { return overlaps(piece, c, half); });
-        continue;
-      }
-      const Eigen::Vector3d ab = 0.5 * (piece[0] + piece[1]), bc = 0.5 * (piece[1] + piece[2]),
-                            ca = 0.5 * (piece[2] + piece[0]);
-      stack.push_back({piece[0], ab, ca});
-      stack.push_back({ab, piece[1], bc});
-      stack.push_back({ca, bc, piece[2]});
-      stack.push_back({ab, bc, ca});
-    }
-  }
-}
-
-// Voxels in a row without a surface between them are on one side of it: one test for all.
-void ClearanceField::fillSolids(const std::vector<Obstacle>& obstacles,
-                                std::vector<uint8_t>& occupied) const {
-  for (const Obstacle& obstacle : obstacles) {
-    const SolidTest solid(obstacle.solid);
-    if (solid.empty()) continue;
-    Eigen::Vector3i low, high;
-    for (int k = 0; k < 3; ++k) {
-      low[k] =
-          std::clamp(static_cast<int>(std::floor((solid.bounds().min()[k] - min_[k]) * per_voxel_)),
-                     0, count_[k]);
-      high[k] =
-          std::clamp(static_cast<int>(std::floor((solid.bounds().max()[k] - min_[k]) * per_voxel_)),
-                     -1, count_[k] - 1);
-    }
-    for (int k = low.z(); k <= high.z(); ++k) {
-      if (centre(0, 0, k).z() <= obstacle.solid_above) continue;
-      for (int j = low.y(); j <= high.y(); ++j) {
-        uint8_t* row = &occupied[index(0, j, k)];
-        for (int begin = low.x(), end; begin <= high.x(); begin = end) {
-          end = begin + 1;
-          if (row[begin] == kSurface) continue;
-          while (end <= high.x() && row[end] != kSurface) ++end;
-          if (solid.inside(centre(begin, j, k))) std::fill(row + begin, row + end, kInside);
-        }
-      }
-    }
-  }
-}
-
-// What lies outside the grid is not in it: where there is something, the border is taken for
-// occupied.
-void ClearanceField::markBeyond(const Eigen::AlignedBox3d& obstacles,
-                                std::vector<uint8_t>& occupied) const {
-  if (obstacles.isEmpty()) return;
-  const Eigen::Vector3d max = min_ + voxel_ * count_.cast<double>();
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const bool upper : {false, true}) {
-      if (upper ? obstacles.max()[axis] <= max[axis] : obstacles.min()[axis] >= min_[axis])
-        continue;
-      Eigen::Vector3i low(0, 0, 0), high = count_.array() - 1;
-      (upper ? low : high)[axis] = upper ? count_[axis] - 1 : 0;
-      for (int k = low.z(); k <= high.z(); ++k)
-        for (int j = low.y(); j <= high.y(); ++j)
-          std::fill(&occupied[index(low.x(), j, k)], &occupied[index(high.x(), j, k)] + 1,
-                    kSurface);
-    }
-  }
 }
 
 void ClearanceField::transform(const std::vector<uint8_t>& occupied) {
   const size_t total = occupied.size();
-  const size_t nx = count_.x(), ny = count_.y(), nz = count_.z();
+  const size_t nx = grid_.count.x(), ny = grid_.count.y(), nz = grid_.count.z();
   // Farther than this many voxels is kFarthest anyway.
-  const int window = 1 + static_cast<int>(std::ceil(kFarthest * per_voxel_));
+  const int window = 1 + static_cast<int>(std::ceil(kFarthest / grid_.size));
   std::vector<int16_t> a(total), b(total);
-  for (size_t row = 0; row < ny * nz;
-       ++row) {  // along x: distance to the last and to the next occupied voxel
-    const uint8_t* in = &occupied[row * nx];
-    int16_t* out = &a[row * nx];
-    const int far = window + 1;
-    int since = far;
-    for (size_t x = 0; x < nx; ++x) {
-      since = in[x] ? 0 : std::min(since + 1, far);
-      out[x] = static_cast<int16_t>(since);
-    }
-    since = far;
-    for (size_t x = nx; x-- > 0;) {
-      since = in[x] ? 0 : std::min(since + 1, far);
-      const int d = std::min<int>(out[x], since), apart = std::max(0, d - 1);
-      out[x] = d >= far ? kFarSquared : static_cast<int16_t>(apart * apart);
-    }
-  }
-  spread(a, b, {count_.y(), nx, nz, nx * ny, nx}, window);
-  spread(b, a, {count_.z(), nx * ny, 1, 0, nx * ny}, window);
+  measureRows(occupied, a, nx, window);
+  spread(a, b, {grid_.count.y(), nx, nz, nx * ny, nx}, window);
+  spread(b, a, {grid_.count.z(), nx * ny, 1, 0, nx * ny}, window);
   // Rounded down, with a thousandth of a voxel against the rounding of places.
   const auto toByte = [&](int squared) {
     const double distance =
-        std::max(0.0, (std::sqrt(static_cast<double>(squared)) - 1e-3) * voxel_);
+        std::max(0.0, (std::sqrt(static_cast<double>(squared)) - 1e-3) * grid_.size);
     return static_cast<uint8_t>(std::min(255.0, std::floor(distance / kQuantum)));
   };
   std::vector<uint8_t> table(static_cast<size_t>(std::numeric_limits<int16_t>::max()) + 1);
@@ -286,13 +292,13 @@ void ClearanceField::transform(const std::vector<uint8_t>& occupied) {
 }
 
 double ClearanceField::lowerBound(const Eigen::Vector3d& p) const {
-  const Eigen::Vector3d q = (p - min_) * per_voxel_;
+  const Eigen::Vector3d q = (p - grid_.min) * per_voxel_;
   // Compared as numbers first: a far point's index does not fit an int.
-  if (!(q.x() >= 0.0 && q.y() >= 0.0 && q.z() >= 0.0 && q.x() < count_.x() && q.y() < count_.y() &&
-        q.z() < count_.z()))
+  if (!(q.x() >= 0.0 && q.y() >= 0.0 && q.z() >= 0.0 && q.x() < grid_.count.x() &&
+        q.y() < grid_.count.y() && q.z() < grid_.count.z()))
     return 0.0;
-  return kQuantum *
-         bound_[index(static_cast<int>(q.x()), static_cast<int>(q.y()), static_cast<int>(q.z()))];
+  return kQuantum * bound_[grid_.index(static_cast<int>(q.x()), static_cast<int>(q.y()),
+                                       static_cast<int>(q.z()))];
 }
 
 bool ClearanceField::isFree(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
@@ -303,7 +309,7 @@ bool ClearanceField::isFree(const Eigen::Vector3d& from, const Eigen::Vector3d& 
   const double half = 0.5 * (to - from).norm();
   if (bound > half + radius) return true;
   // Half a capsule is as hard as the whole once it is shorter than what the grid can tell.
-  if (half < 0.5 * voxel_) return false;
+  if (half < 0.5 * grid_.size) return false;
   return isFree(from, middle, radius) && isFree(middle, to, radius);
 }
 

@@ -18,6 +18,22 @@
 
 namespace amble {
 
+/// Cubes that fill a region of World.
+struct VoxelGrid {
+  Eigen::Vector3d min{0, 0, 0};    ///< corner of voxel (0, 0, 0) [m]
+  Eigen::Vector3i count{0, 0, 0};  ///< voxels along each axis
+  double size = 1.0;               ///< length of an edge [m]
+
+  size_t total() const { return index(0, 0, count.z()); }
+  /// In memory x runs fastest.
+  size_t index(int i, int j, int k) const {
+    return (static_cast<size_t>(k) * count.y() + j) * count.x() + i;
+  }
+  Eigen::Vector3d centre(int i, int j, int k) const {
+    return min + size * Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5);
+  }
+};
+
 class ClearanceField {
  public:
   static constexpr double kFarthest = 0.637;     ///< larger distances are not told apart [m]
@@ -29,7 +45,7 @@ class ClearanceField {
   /// answers nowhere.
   ClearanceField(const std::vector<Obstacle>& obstacles, const Eigen::AlignedBox3d& region);
 
-  double voxel() const { return voxel_; }  ///< length of a voxel's edge [m]
+  double voxel() const { return grid_.size; }  ///< length of a voxel's edge [m]
   /// Nothing is nearer to p than this; 0 outside the region [m].
   double lowerBound(const Eigen::Vector3d& p) const;
   /// True only if the capsule touches nothing; false says nothing.
@@ -41,21 +57,11 @@ class ClearanceField {
  private:
   static constexpr double kQuantum = kFarthest / 255.0;  // [m] of a byte
 
-  void mark(const Obstacle& obstacle, std::vector<uint8_t>& occupied) const;
-  void fillSolids(const std::vector<Obstacle>& obstacles, std::vector<uint8_t>& occupied) const;
-  void markBeyond(const Eigen::AlignedBox3d& obstacles, std::vector<uint8_t>& occupied) const;
   void transform(const std::vector<uint8_t>& occupied);
-  size_t index(int i, int j, int k) const {
-    return (static_cast<size_t>(k) * count_.y() + j) * count_.x() + i;
-  }
-  Eigen::Vector3d centre(int i, int j, int k) const {
-    return min_ + voxel_ * Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5);
-  }
 
-  Eigen::Vector3d min_{0, 0, 0};
-  Eigen::Vector3i count_{0, 0, 0};
-  double voxel_ = kFinestVoxel, per_voxel_ = 1.0 / kFinestVoxel;
-  std::vector<uint8_t> bound_;  // x fastest, in quanta
+  VoxelGrid grid_;
+  double per_voxel_ = 1.0;
+  std::vector<uint8_t> bound_;  // of each voxel, in quanta
 };
 
 }  // namespace amble

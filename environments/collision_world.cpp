@@ -84,7 +84,6 @@ class CollisionScratch {
         sums(2 * joint_count),
         from(part_count),
         to(part_count),
-        motions(part_count),
         exact(ObstacleSet::makeScratch()) {
     middle.rotations.resize(joint_count);
   }
@@ -96,6 +95,7 @@ class CollisionScratch {
     if (free_around.size() < cells) free_around.resize(cells);
     placed.assign(frames, false);
     if (all_motions.size() < cells) all_motions.resize(cells);
+    if (nears.size() < cells) nears.resize(cells);
   }
   Capsule& capsule(int frame, int part) {
     return capsules[static_cast<size_t>(frame) * parts + part];
@@ -103,6 +103,7 @@ class CollisionScratch {
   PartMotion& motion(int frame, int part) {
     return all_motions[static_cast<size_t>(frame) * parts + part];
   }
+  double& near(int frame, int part) { return nears[static_cast<size_t>(frame) * parts + part]; }
   char& freeAround(int frame, int part) {
     return free_around[static_cast<size_t>(frame) * parts + part];
   }
@@ -111,13 +112,14 @@ class CollisionScratch {
   std::vector<JointFrame> joints;
   std::vector<double> angles, sums;
   std::vector<Eigen::Vector3d> from, to;
-  std::vector<PartMotion> motions;
   ObstacleSet::ScratchPtr exact;
   Pose middle;
-  std::vector<Capsule> capsules;        // [frame][part], where `placed`
-  std::vector<PartMotion> all_motions;  // [frame][part], to the next frame
-  std::vector<char>
-      free_around;  // [frame][part]: proved free as far as it moves in the intervals beside
+  // [frame][part]: places, where `placed`; motion to the next frame and PartMotion::near of it [m];
+  // whether the part was proved free as far as it moves in the intervals beside the frame.
+  std::vector<Capsule> capsules;
+  std::vector<PartMotion> all_motions;
+  std::vector<double> nears;
+  std::vector<char> free_around;
   std::vector<bool> placed;
 };
 
@@ -206,6 +208,7 @@ class MotionCheck {
   };
 
   void place(int frame);
+  void measureInterval(int frame);
   std::optional<Contact> checkFrame(int frame);
   std::optional<Contact> checkInterval(int frame);
   bool groundIsFree(const Task& task, const Capsule& a, const Capsule& b, const PartMotion& motion,
@@ -246,12 +249,7 @@ std::optional<Contact> MotionCheck::all(bool any) {
   const int frames = poses_.size();
   for (int frame = 0; frame < frames; ++frame) {
     place(frame);
-    if (frame + 1 < frames) {
-      place(frame + 1);
-      world_.bound.compute(poses_[frame], poses_[frame + 1],
-                           {&scratch_.motion(frame, 0), static_cast<size_t>(world_.parts())},
-                           scratch_.angles, scratch_.sums);
-    }
+    if (frame + 1 < frames) measureInterval(frame);
     const std::optional<Contact> here = checkFrame(frame);
     if (any && here) return here;
     // What happens before this frame comes first, unless it is the same contact, whose beginning it
@@ -265,6 +263,17 @@ std::optional<Contact> MotionCheck::all(bool any) {
   return std::nullopt;
 }
 
+void MotionCheck::measureInterval(int frame) {
+  place(frame + 1);
+  const size_t parts = static_cast<size_t>(world_.parts());
+  world_.bound.compute(poses_[frame], poses_[frame + 1], {&scratch_.motion(frame, 0), parts},
+                       scratch_.angles, scratch_.sums);
+  for (int part = 0; part < world_.parts(); ++part) {
+    const double chord = chordOf(scratch_.capsule(frame, part), scratch_.capsule(frame + 1, part));
+    scratch_.near(frame, part) = scratch_.motion(frame, part).near(chord);
+  }
+}
+
 // Leaves in freeAround whether a part is free of obstacles as far as it moves in the intervals
 // beside the frame.
 std::optional<Contact> MotionCheck::checkFrame(int frame) {
@@ -274,8 +283,7 @@ std::optional<Contact> MotionCheck::checkFrame(int frame) {
     double near = 0.0;
     for (int side : {frame - 1, frame}) {
       if (side < 0 || side + 1 >= poses_.size()) continue;
-      const double chord = chordOf(scratch_.capsule(side, part), scratch_.capsule(side + 1, part));
-      near = std::max(near, scratch_.motion(side, part).near(chord));
+      near = std::max(near, scratch_.near(side, part));
     }
     const bool around = world_.touchedObstacle(capsule.inflated(near), scratch_) < 0;
     scratch_.freeAround(frame, part) = around;
@@ -296,8 +304,7 @@ std::optional<Contact> MotionCheck::checkInterval(int frame) {
     Task task{frame, part,
               !(scratch_.freeAround(frame, part) && scratch_.freeAround(frame + 1, part)), true,
               world_.allowedDepth(part, states_[frame], states_[frame + 1])};
-    const double near = motion.near(chordOf(a, b));
-    task.ground = !groundIsFree(task, a, b, motion, near);
+    task.ground = !groundIsFree(task, a, b, motion, scratch_.near(frame, part));
     if (!task.obstacles && !task.ground) continue;
     const auto contact = prove(task, {0.0, a}, {1.0, b}, motion);
     if (contact && (!first || contact->between < first->between)) first = contact;
@@ -309,12 +316,12 @@ std::optional<Contact> MotionCheck::checkInterval(int frame) {
 // between its two places by `bend` at most. Where the ground is not level there, as for obstacles.
 bool MotionCheck::groundIsFree(const Task& task, const Capsule& a, const Capsule& b,
                                const PartMotion& motion, double near) const {
+  const double lowest = std::min(a.lowest(), b.lowest()) + task.depth - motion.bend;
+  if (lowest >= world_.ground.highest()) return true;
   Eigen::AlignedBox3d box = a.bounds();
   box.extend(b.bounds());
   const Eigen::Vector3d more = Eigen::Vector3d::Constant(motion.bend);
-  box = {box.min() - more, box.max() + more};
-  const double lowest = std::min(a.lowest(), b.lowest()) + task.depth - motion.bend;
-  if (lowest >= world_.ground.ceiling(box)) return true;
+  if (lowest >= world_.ground.ceiling({box.min() - more, box.max() + more})) return true;
   return world_.ground.touched(a.inflated(near), task.depth, *scratch_.exact) < 0 &&
          world_.ground.touched(b.inflated(near), task.depth, *scratch_.exact) < 0;
 }

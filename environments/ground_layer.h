@@ -22,6 +22,7 @@ class GroundLayer {
   /// @pre `ground` outlives the layer.
   GroundLayer(std::vector<Obstacle> surfaces, const SceneGround& ground);
 
+  double highest() const { return highest_; }  ///< of all; -infinity for none [m]
   /// No surface over or under the box's footprint is higher than this; -infinity where there is
   /// none [m].
   double ceiling(const Eigen::AlignedBox3d& box) const;

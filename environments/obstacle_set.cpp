@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "environments/solid_test.h"
@@ -83,7 +84,6 @@ class ObstacleSet::Scratch {
 struct ObstacleSet::Impl {
   struct Piece {
     int object;
-    bool is_mesh;
     Eigen::AlignedBox3d bounds;  // World
     Geometries geometries;
     fcl::Transform3d X;
@@ -95,6 +95,33 @@ struct ObstacleSet::Impl {
       return capsule.from.z() > solid_above && solid.inside(capsule.from);
     }
   };
+
+  // Meshes are placed here, once, instead of in every query.
+  static Piece meshPiece(const Obstacle& obstacle) {
+    Piece piece = emptyPiece(obstacle);
+    TriangleMesh placed = std::get<TriangleMesh>(obstacle.shape);
+    for (Eigen::Vector3d& v : placed.vertices) {
+      v = obstacle.X_WO * v;
+      piece.bounds.extend(v);
+    }
+    if (!placed.triangles.empty()) piece.geometries = makeGeometries(placed);
+    if (!piece.solid.empty()) piece.bounds.extend(piece.solid.bounds());
+    return piece;
+  }
+
+  static Piece primitivePiece(const Obstacle& obstacle) {
+    Piece piece = emptyPiece(obstacle);
+    piece.geometries = makeGeometries(obstacle.shape);
+    piece.X.matrix() = obstacle.X_WO.matrix();
+    const fcl::AABBd& local = piece.geometries.boolean->aabb_local;
+    piece.bounds = Eigen::AlignedBox3d(local.min_, local.max_).transformed(piece.X);
+    return piece;
+  }
+
+  static Piece emptyPiece(const Obstacle& obstacle) {
+    return {obstacle.object,     {}, {}, fcl::Transform3d::Identity(), SolidTest(obstacle.solid),
+            obstacle.solid_above};
+  }
 
   bool touches(const Piece& piece, Scratch& scratch) const {
     scratch.result.clear();
@@ -118,33 +145,10 @@ ObstacleSet::ScratchPtr ObstacleSet::makeScratch() { return ScratchPtr(new Scrat
 
 ObstacleSet::ObstacleSet(std::vector<Obstacle> obstacles) : impl_(std::make_unique<Impl>()) {
   for (const Obstacle& obstacle : obstacles) {
-    const bool is_mesh = std::holds_alternative<TriangleMesh>(obstacle.shape);
-    Impl::Piece piece{obstacle.object,
-                      is_mesh,
-                      {},
-                      {},
-                      fcl::Transform3d::Identity(),
-                      SolidTest(obstacle.solid),
-                      obstacle.solid_above};
-    if (is_mesh) {
-      // Meshes are placed here, once, instead of in every query.
-      TriangleMesh placed = std::get<TriangleMesh>(obstacle.shape);
-      if (placed.triangles.empty() && piece.solid.empty()) continue;
-      for (Eigen::Vector3d& v : placed.vertices) {
-        v = obstacle.X_WO * v;
-        piece.bounds.extend(v);
-      }
-      if (!placed.triangles.empty()) piece.geometries = makeGeometries(placed);
-      if (!piece.solid.empty()) piece.bounds.extend(piece.solid.bounds());
-    } else {
-      piece.geometries = makeGeometries(obstacle.shape);
-      piece.X.matrix() = obstacle.X_WO.matrix();
-      const auto& local = piece.geometries.boolean->aabb_local;
-      for (int corner = 0; corner < 8; ++corner)
-        piece.bounds.extend(Eigen::Vector3d(
-            piece.X * Eigen::AlignedBox3d(local.min_, local.max_)
-                          .corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
-    }
+    Impl::Piece piece = std::holds_alternative<TriangleMesh>(obstacle.shape)
+                            ? Impl::meshPiece(obstacle)
+                            : Impl::primitivePiece(obstacle);
+    if (piece.bounds.isEmpty()) continue;
     impl_->bounds.extend(piece.bounds);
     impl_->pieces.push_back(std::move(piece));
   }
@@ -152,7 +156,8 @@ ObstacleSet::ObstacleSet(std::vector<Obstacle> obstacles) : impl_(std::make_uniq
   const ScratchPtr scratch = makeScratch();
   if (!impl_->pieces.empty()) {
     const Eigen::Vector3d c = impl_->bounds.center();
-    touched({c, c + Eigen::Vector3d::UnitZ(), 0.1}, *scratch);
+    nearest({c, c + Eigen::Vector3d::UnitZ(), 0.1}, std::numeric_limits<double>::infinity(),
+            *scratch);
   }
 }
 
