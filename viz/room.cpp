@@ -13,7 +13,8 @@ using Eigen::Vector3d;
 
 constexpr double kFloorLevel = 0.03;  // tops up to here belong to the floor: rugs, thresholds [m]
 constexpr double kBroad = 2.0;        // a floor or a ceiling is this wide and long at least [m]
-constexpr double kRoomHigh = 1.9;     // walls reach this height at least [m]
+constexpr double kRoomHigh = 2.15;    // walls reach this height at least; bookcases do not [m]
+constexpr double kHeadHigh = 1.9;     // ceilings begin above this [m]
 constexpr double kThin = 0.40;        // walls are no thicker, unless they are long [m]
 constexpr double kLong = 3.0;         // what is as high as a room and this long is a wall [m]
 constexpr double kSkirting = 0.10;    // what is left of a wall on the eye's side [m]
@@ -28,7 +29,7 @@ RoomPart partOf(const AlignedBox3d& box, double floor) {
   const double top = box.max().z() - floor;
   const double bottom = box.min().z() - floor;
   if (top < kFloorLevel && wide > 0.5) return RoomPart::kFloor;
-  if (bottom > kRoomHigh && thin > kBroad) return RoomPart::kCeiling;
+  if (bottom > kHeadHigh && thin > kBroad) return RoomPart::kCeiling;
   if (top > kRoomHigh && wide > 0.6 && (thin < kThin || wide > kLong))
     return bottom < 0.5                 ? RoomPart::kWall
            : bottom > 1.0 && wide > 1.5 ? RoomPart::kOverhead
