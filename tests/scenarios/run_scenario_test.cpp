@@ -1,0 +1,187 @@
+#include "scenarios/run_scenario.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "animation/bvh.h"
+#include "animation/rotation.h"
+#include "animation/sha256.h"
+#include "tests/scenarios/small_room.h"
+
+namespace amble {
+namespace {
+
+class RunScenario : public SmallRoom {
+ protected:
+  RunResult run(const std::string& text, const RunOptions& options = {}) const {
+    return runScenario(readScenario(write("case.yaml", text)), options);
+  }
+  std::string errorOf(const std::string& text) const {
+    return inputError([&] { run(text); });
+  }
+  static std::string withoutTimes(const Report& report) {
+    std::ostringstream out;
+    writeJson(out, report);
+    const std::string text = out.str();
+    return text.substr(0, text.find("\"times\""));
+  }
+};
+
+TEST_F(RunScenario, WhatIsNotThereIsNamedWithItsLine) {
+  const std::string ends = "start: {at: [1, 1]}\ngoal: {at: [2, 1]}\n";
+  EXPECT_TRUE(holds(errorOf("scene: none.yaml\n" + ends), "case.yaml:1: the scene"));
+  EXPECT_TRUE(holds(errorOf(std::string(kScenario) + "character:\n  library: none.yaml\n"),
+                    "case.yaml:5: the library"));
+  const std::string error = errorOf(std::string(kScenario) + "planner:\n  name: visibilty\n");
+  EXPECT_TRUE(holds(error, "case.yaml:5:") && holds(error, "'visibility'")) << error;
+}
+
+TEST_F(RunScenario, APlaceOutsideOfTheSceneIsNamedWithItsLine) {
+  const std::string error =
+      errorOf("scene: scene.yaml\nstart: {at: [1, 1]}\ngoal:\n  at: [12, 1]\n");
+  EXPECT_TRUE(holds(error, "case.yaml:4: 'goal.at' has no floor under it")) << error;
+  EXPECT_TRUE(holds(errorOf(std::string(kScenario) + "via:\n  - {at: [1, 9]}\n"),
+                    "case.yaml:5: 'via[0].at' has no floor"));
+  EXPECT_TRUE(holds(errorOf(std::string(kScenario) + "bounds: {min: [0, 0], max: [5, 3]}\n"),
+                    "case.yaml:3: 'goal.at' is outside of 'bounds'"));
+}
+
+TEST_F(RunScenario, FloorsOverOneAnotherAreListedUnlessZSaysWhich) {
+  write("scene.yaml", std::string(kScene) +
+                          "  - {name: upstairs, box: {size: [2, 3, 0.1]}, at: [1, 1.5, 2.75]}\n");
+  const std::string error = errorOf(kScenario);
+  EXPECT_TRUE(holds(error, "case.yaml:2: 'start.at' has several floors")) << error;
+  EXPECT_TRUE(holds(error, "0.00, 2.80")) << error;
+  EXPECT_TRUE(holds(errorOf("scene: scene.yaml\nstart: {at: [0.8, 1.5, 1.4]}\n"
+                            "goal: {at: [5.2, 1.5]}\n"),
+                    "no floor within 0.30 m"));
+  const RunResult result =
+      run("scene: scene.yaml\nstart: {at: [0.8, 1.5, 0.1]}\ngoal: {at: [5.2, 1.5]}\n");
+  EXPECT_EQ(result.problem->ground.floor(), 0.0);
+}
+
+TEST_F(RunScenario, AWalkMeetsItsGoalAndTouchesNothing) {
+  const RunResult result = run(kScenario);
+  const Report& report = result.report;
+  ASSERT_EQ(report.status, PlanStatus::kSolved) << report.why;
+  EXPECT_LE(report.goal_position_error, 1e-3);
+  EXPECT_LE(report.goal_heading_error, 0.5 * kDegree);
+  EXPECT_GT(report.clearance.min, 0.0);
+  EXPECT_LE(report.foot_skate_max, 0.002);
+  EXPECT_LE(report.ground_penetration, 0.005);
+  EXPECT_GE(report.length, 4.4);  // no shorter than the straight line
+  // The file says so too, by its root: x and z of the file are x and -y of World.
+  std::istringstream in(result.bvh);
+  const Clip clip = readBvh(in, "walk.bvh");
+  ASSERT_EQ(clip.frames(), report.frames);
+  EXPECT_NEAR((clip.poses.p_WR(clip.frames() - 1).head<2>() - Eigen::Vector2d(5.2, 1.5)).norm(),
+              0.0, 1e-3);
+  EXPECT_NEAR((clip.poses.p_WR(0).head<2>() - Eigen::Vector2d(0.8, 1.5)).norm(), 0.0, 1e-3);
+}
+
+TEST_F(RunScenario, TheSameScenarioGivesTheSameBytesAtAnyNumberOfThreads) {
+  RunOptions two;
+  two.threads = 2;
+  const RunResult a = run(kScenario), b = run(kScenario), c = run(kScenario, two);
+  ASSERT_EQ(a.report.status, PlanStatus::kSolved);
+  EXPECT_FALSE(a.bvh.empty());
+  EXPECT_EQ(a.bvh, b.bvh);
+  EXPECT_EQ(a.bvh, c.bvh);
+  EXPECT_EQ(withoutTimes(a.report), withoutTimes(b.report));
+  EXPECT_EQ(withoutTimes(a.report), withoutTimes(c.report));
+}
+
+TEST_F(RunScenario, CentimetresAreTheSameWalk) {
+  RunOptions options;
+  options.bvh_unit = 0.01;
+  const RunResult metres = run(kScenario), centimetres = run(kScenario, options);
+  std::istringstream in_m(metres.bvh), in_cm(centimetres.bvh);
+  BvhReadOptions cm;
+  cm.metres_per_unit = 0.01;
+  const Clip a = readBvh(in_m, "m"), b = readBvh(in_cm, "cm", cm);
+  ASSERT_EQ(a.frames(), b.frames());
+  for (int i = 0; i < a.frames(); ++i) {
+    EXPECT_LT((a.poses.p_WR(i) - b.poses.p_WR(i)).norm(), 2e-6);
+  }
+  EXPECT_EQ(centimetres.report.bvh_unit, 0.01);
+}
+
+TEST_F(RunScenario, StepsAlternateAndCoverTheWalk) {
+  const Report report = run(kScenario).report;
+  ASSERT_GE(report.steps.size(), 6u);
+  for (const StepReport& step : report.steps) {
+    EXPECT_LE(step.start, step.end);
+    EXPECT_LE(step.slide, 0.002);
+    EXPECT_NEAR(step.at.z(), 0.0, 1e-9);
+    EXPECT_LT(step.stride, 1.0);
+    EXPECT_LT(step.lift, 0.3);
+  }
+  EXPECT_EQ(report.steps.front().start, 0.0);
+  EXPECT_NEAR(std::max(report.steps.back().end, report.steps[report.steps.size() - 2].end),
+              report.duration, 1e-9);
+}
+
+TEST_F(RunScenario, InputsAreTheFilesThatWereRead) {
+  const RunResult result = run(kScenario);
+  const auto& inputs = result.report.inputs;
+  EXPECT_EQ(inputs.at("case.yaml"), sha256OfFile(folder_ / "case.yaml"));
+  EXPECT_EQ(inputs.at("scene.yaml"), sha256OfFile(folder_ / "scene.yaml"));
+  EXPECT_EQ(inputs.size(), 4u);  // and the library's two
+}
+
+TEST_F(RunScenario, ViaPointsArePassedInOrder) {
+  const RunResult result = run(std::string(kScenario) + "via: [{at: [3, 0.8]}, {at: [4, 2.2]}]\n");
+  ASSERT_EQ(result.report.status, PlanStatus::kSolved) << result.report.why;
+  const std::vector<FrameState>& states = result.outcome.walk.buffer.states;
+  const auto nearest = [&](const Eigen::Vector2d& via) {
+    return std::min_element(states.begin(), states.end(), [&](const auto& a, const auto& b) {
+      return (a.position.template head<2>() - via).norm() <
+             (b.position.template head<2>() - via).norm();
+    });
+  };
+  const auto first = nearest({3, 0.8}), second = nearest({4, 2.2});
+  // A frame lies within half a frame's way of every place that is passed.
+  EXPECT_LT((first->position.head<2>() - Eigen::Vector2d(3, 0.8)).norm(), 0.02);
+  EXPECT_LT((second->position.head<2>() - Eigen::Vector2d(4, 2.2)).norm(), 0.02);
+  EXPECT_LT(first, second);
+}
+
+TEST_F(RunScenario, AStartInAThingIsBlockedAndWhyNamesIt) {
+  const RunResult result =
+      run("scene: scene.yaml\nstart: {at: [2.85, 1.5, 0], heading: 0}\ngoal: {at: [5, 1.5]}\n");
+  EXPECT_EQ(result.report.status, PlanStatus::kStartBlocked);
+  EXPECT_TRUE(holds(result.report.why, "pillar")) << result.report.why;
+  EXPECT_TRUE(result.bvh.empty());
+  EXPECT_EQ(result.bvhDigest(), "");
+}
+
+TEST_F(RunScenario, AGoalInAThingIsBlockedAndWhyNamesIt) {
+  const RunResult result =
+      run("scene: scene.yaml\nstart: {at: [1, 1.5]}\ngoal: {at: [2.85, 1.5, 0], heading: 0}\n");
+  EXPECT_EQ(result.report.status, PlanStatus::kGoalBlocked);
+  EXPECT_TRUE(holds(result.report.why, "pillar")) << result.report.why;
+}
+
+TEST_F(RunScenario, BehindAWallThereIsNoWalkAndWhyNamesTheWall) {
+  write("scene.yaml", std::string(kScene) +
+                          "  - {name: divider, box: {size: [0.1, 3, 2.5]}, at: [3, 1.5, 1.25]}\n");
+  const RunResult result =
+      run(std::string(kScenario) + "planner: {max_failures: 3, time_limit: 20}\n");
+  EXPECT_EQ(result.report.status, PlanStatus::kNoWalk);
+  EXPECT_TRUE(holds(result.report.why, "divider") || holds(result.report.why, "pillar"))
+      << result.report.why;
+  EXPECT_FALSE(result.report.refusals.empty());
+}
+
+TEST_F(RunScenario, ATimeLimitStopsTheSearchAndTheReportSaysSo) {
+  write("scene.yaml", std::string(kScene) +
+                          "  - {name: divider, box: {size: [0.1, 3, 2.5]}, at: [3, 1.5, 1.25]}\n");
+  const RunResult result =
+      run(std::string(kScenario) + "planner: {max_failures: 1000000, time_limit: 0.2}\n");
+  EXPECT_EQ(result.report.status, PlanStatus::kNoWalk);
+  EXPECT_EQ(result.report.stopped_by, "time_limit");
+}
+
+}  // namespace
+}  // namespace amble

@@ -1,0 +1,112 @@
+#include "scenarios/validate_walk.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "scenarios/run_scenario.h"
+#include "tests/scenarios/small_room.h"
+
+namespace amble {
+namespace {
+
+class ValidateWalk : public SmallRoom {
+ protected:
+  void SetUp() override {
+    SmallRoom::SetUp();
+    result_ = runScenario(readScenario(write("case.yaml", kScenario)));
+    ASSERT_EQ(result_.report.status, PlanStatus::kSolved);
+    walk_ = write("walk.bvh", result_.bvh);
+  }
+  WalkValidation validate(const ValidateOptions& options = {}) const {
+    return validateWalk(walk_, folder_ / "scene.yaml", options);
+  }
+  // The same walk elsewhere.
+  std::filesystem::path moved(const Eigen::Vector3d& by, double unit = 1.0) const {
+    Clip clip = walkClip(result_);
+    for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i) += by;
+    BvhWriteOptions options;
+    options.metres_per_unit = unit;
+    writeBvh(folder_ / "moved.bvh", clip, options);
+    return folder_ / "moved.bvh";
+  }
+  WalkValidation validateMoved(const Eigen::Vector3d& by) const {
+    return validateWalk(moved(by), folder_ / "scene.yaml");
+  }
+
+  RunResult result_;
+  std::filesystem::path walk_;
+};
+
+TEST_F(ValidateWalk, BadFilesAreInputErrors) {
+  EXPECT_THROW(validateWalk(folder_ / "none.bvh", folder_ / "scene.yaml"), InputError);
+  EXPECT_THROW(validateWalk(walk_, folder_ / "none.yaml"), InputError);
+  EXPECT_THROW(validateWalk(folder_ / "scene.yaml", folder_ / "scene.yaml"), InputError);
+}
+
+TEST_F(ValidateWalk, AWalkOutsideOfTheSceneIsAnInputError) {
+  const std::string error = inputError([&] { validateMoved({50, 0, 0}); });
+  EXPECT_TRUE(holds(error, "has no floor")) << error;
+}
+
+TEST_F(ValidateWalk, OurOwnWalkTouchesNothingAndHasTheReportsClearance) {
+  const WalkValidation found = validate();
+  for (const ContactSpan& contact : found.contacts) {
+    ADD_FAILURE() << contact.part << " and " << contact.object << " at " << contact.start;
+  }
+  EXPECT_EQ(found.frames, result_.report.frames);
+  EXPECT_EQ(found.metres_per_unit, 1.0);
+  EXPECT_NEAR(found.stature, result_.report.stature, 1e-4);
+  EXPECT_NEAR(found.clearance, result_.report.clearance.min, 1e-4);
+  EXPECT_EQ(found.clearance_object, result_.report.clearance.object);
+  EXPECT_NEAR(found.floor, 0.0, 1e-9);
+  EXPECT_LE(found.foot_skate_max, 0.005);
+  EXPECT_GE(found.plants, 6);
+}
+
+TEST_F(ValidateWalk, NothingIsTouchedBetweenTheFramesEither) {
+  ValidateOptions options;
+  options.fps = 240.0;
+  const WalkValidation found = validate(options);
+  EXPECT_TRUE(found.contacts.empty());
+  EXPECT_EQ(found.poses_checked, 4 * (found.frames - 1) + 1);
+}
+
+TEST_F(ValidateWalk, AWalkMovedIntoAWallTouchesIt) {
+  const WalkValidation found = validateMoved({0, 0.3 + result_.report.clearance.min + 0.7, 0});
+  ASSERT_FALSE(found.contacts.empty());
+  bool north = false;
+  for (const ContactSpan& contact : found.contacts) {
+    north |= contact.object == "wall-north";
+    EXPECT_LE(contact.start, contact.end);
+    EXPECT_LE(contact.end, (found.frames - 1) * found.frame_time + 1e-9);
+  }
+  EXPECT_TRUE(north);
+  EXPECT_EQ(found.clearance, 0.0);
+}
+
+TEST_F(ValidateWalk, ASunkenWalkTouchesTheFloor) {
+  constexpr double kDepth = 0.02;
+  const WalkValidation found = validateMoved({0, 0, -kDepth});
+  ASSERT_FALSE(found.contacts.empty());
+  EXPECT_EQ(found.contacts.front().object, "floor");
+  EXPECT_NEAR(found.ground_penetration, kDepth, 0.002);
+}
+
+TEST_F(ValidateWalk, TheUnitIsGuessedFromTheLegs) {
+  const WalkValidation found =
+      validateWalk(moved(Eigen::Vector3d::Zero(), 0.01), folder_ / "scene.yaml");
+  EXPECT_EQ(found.metres_per_unit, 0.01);
+  EXPECT_TRUE(found.contacts.empty());
+  EXPECT_NEAR(found.stature, result_.report.stature, 1e-4);
+}
+
+TEST_F(ValidateWalk, ADragThatTheGaitDoesNotKnowIsSkate) {
+  Clip clip = walkClip(result_);
+  for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i).y() += 0.0005 * i;  // 3 cm/s sideways
+  writeBvh(folder_ / "dragged.bvh", clip);
+  const WalkValidation found = validateWalk(folder_ / "dragged.bvh", folder_ / "scene.yaml");
+  EXPECT_GT(found.foot_skate_max, validate().foot_skate_max + 0.003);
+}
+
+}  // namespace
+}  // namespace amble
