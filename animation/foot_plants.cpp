@@ -22,12 +22,27 @@ constexpr double kSwingQuantile = 0.95;
 // alone has other troughs. By trial.
 constexpr double kAnkleShare = 0.7;
 
+// A foot whose ankle comes in (whose toe goes off) faster than this share of its swing is in the
+// air, whatever its vertical velocity says: drawn motion often lands and leaves softer than people
+// do. People strike at 0.2 and lift off at 0.3 of it.
+constexpr double kLandingShare = 0.35;
+constexpr double kLeavingShare = 0.5;
+
 /// A foot's joints in the floor's frame, low-passed: in leg lengths and leg lengths a second. A row
 /// a frame.
 struct FootSignals {
-  Eigen::MatrixXd height;    // ankle, toe over the floor
-  Eigen::MatrixXd speed;     // of ankle, toe
-  Eigen::MatrixXd vertical;  // velocity of ankle, toe along the floor's normal
+  Eigen::MatrixXd height;                // ankle, toe over the floor
+  Eigen::MatrixXd speed;                 // of ankle, toe
+  Eigen::MatrixXd vertical;              // velocity of ankle, toe along the floor's normal
+  std::array<double, 2> swing = {0, 0};  // how fast ankle and toe swing
+
+  Eigen::Index frames() const { return speed.rows(); }
+};
+
+/// The frames of a foot, told apart by how low and slow its ankle and toe are.
+struct FootStates {
+  std::vector<bool> planted;  // stage 1: one of them is low and slow
+  std::vector<bool> still;    // one of them is low and stands as good as still: certainly planted
 };
 
 double quantile(std::vector<double> values, double share) {
@@ -59,30 +74,32 @@ FootSignals footSignals(Eigen::MatrixXd path, const FloorFit& floor, double leg,
     signals.height.col(j) = (path.middleCols(3 * j, 3) * floor.normal).array() - floor.height / leg;
     signals.speed.col(j) = velocity.middleCols(3 * j, 3).rowwise().norm();
     signals.vertical.col(j) = velocity.middleCols(3 * j, 3) * floor.normal;
+    const Eigen::VectorXd speed = signals.speed.col(j);
+    signals.swing[j] = quantile({speed.begin(), speed.end()}, kSwingQuantile);
   }
   return signals;
 }
 
 /// Stage 1: ankle or toe low and slow.
-std::vector<bool> lowAndSlow(const FootSignals& signals, const PlantOptions& options) {
-  const Eigen::Index frames = signals.speed.rows();
-  std::vector<bool> planted(frames, false);
+FootStates lowAndSlow(const FootSignals& signals, const PlantOptions& options) {
+  const Eigen::Index frames = signals.frames();
+  FootStates states{std::vector<bool>(frames, false), std::vector<bool>(frames, false)};
   for (int j = 0; j < 2; ++j) {
-    const Eigen::VectorXd& speed = signals.speed.col(j);
-    const double swing = quantile({speed.begin(), speed.end()}, kSwingQuantile);
     const double limit =
-        std::clamp(options.speed_of_swing * swing, options.min_speed, options.max_speed);
+        std::clamp(options.speed_of_swing * signals.swing[j], options.min_speed, options.max_speed);
     std::vector<double> slow_heights;
     for (Eigen::Index i = 0; i < frames; ++i) {
-      if (speed[i] < limit) slow_heights.push_back(signals.height(i, j));
+      if (signals.speed(i, j) < limit) slow_heights.push_back(signals.height(i, j));
     }
     if (slow_heights.empty()) continue;
     const double highest = quantile(slow_heights, kStandingQuantile) + options.height;
     for (Eigen::Index i = 0; i < frames; ++i) {
-      if (speed[i] < limit && signals.height(i, j) < highest) planted[i] = true;
+      if (signals.height(i, j) >= highest) continue;
+      if (signals.speed(i, j) < limit) states.planted[i] = true;
+      if (signals.speed(i, j) < options.min_speed) states.still[i] = true;
     }
   }
-  return planted;
+  return states;
 }
 
 /// Runs of `value` shorter than `shortest` frames are turned over; at the clip's ends they stay,
@@ -100,39 +117,57 @@ void dropShortRuns(std::vector<bool>& flags, bool value, double shortest) {
   }
 }
 
-/// The highest point of `values` that is reached uphill from `start` within `reach` frames, between
-/// frames by a parabola; `crossing` where that is no clear peak.
-double climb(const Eigen::VectorXd& values, int start, int reach, double clear, double crossing) {
+/// The highest point of `values` that is reached uphill from `start` within `reach` frames and
+/// while `speed` is below `limit`, between frames by a parabola; `crossing` where that is no clear
+/// peak.
+struct Climb {
+  int start, reach;
+  double limit;  // of speed
+  double clear;  // least height of a peak
+  double crossing;
+};
+
+double climb(const Eigen::VectorXd& values, const Eigen::VectorXd& speed, const Climb& how) {
   const int last = static_cast<int>(values.size()) - 1;
-  const int step = start > 0 && values[start - 1] > values[start] ? -1 : 1;
-  int top = start;
-  for (int moved = 0; moved < reach; ++moved) {
+  const int step = how.start > 0 && values[how.start - 1] > values[how.start] ? -1 : 1;
+  int top = how.start;
+  for (int moved = 0; moved < how.reach; ++moved) {
     const int next = top + step;
     if (next < 0 || next > last || values[next] <= values[top]) break;
+    if (speed[next] > how.limit)
+      return top;  // the foot swings: it has left the ground here at the latest
     top = next;
   }
-  if (values[top] < clear || top == 0 || top == last) return crossing;
-  const double before = values[top - 1], after = values[top + 1],
-               bend = before - 2.0 * values[top] + after;
-  if (!(bend < 0.0) || before > values[top] || after > values[top]) return crossing;
+  if (values[top] < how.clear || top == 0 || top == last) return how.crossing;
+  const double before = values[top - 1], after = values[top + 1];
+  const double bend = before - 2.0 * values[top] + after;
+  if (!(bend < 0.0) || before > values[top] || after > values[top]) return how.crossing;
   return top + 0.5 * (before - after) / bend;
 }
 
 /// The ends of a run of frames moved to strike and lift-off.
-FootPlant refined(const FootPlant& run, const FootSignals& signals, const PlantOptions& options,
-                  double rate) {
+FootPlant refined(const FootPlant& run, const FootSignals& signals, const std::vector<bool>& still,
+                  const PlantOptions& options, double rate) {
   const int reach = static_cast<int>(std::lround(options.reach * rate));
-  const int frames = static_cast<int>(signals.vertical.rows());
+  const int frames = static_cast<int>(signals.frames());
+  int first_still = run.first, last_still = run.last;
+  while (first_still < run.last && !still[first_still]) ++first_still;
+  while (last_still > run.first && !still[last_still]) --last_still;
   FootPlant plant = run;
   if (run.first > 0) {
     const Eigen::VectorXd down =
         -(kAnkleShare * signals.vertical.col(0) + (1.0 - kAnkleShare) * signals.vertical.col(1));
-    plant.strike = climb(down, run.first, reach, options.clear_velocity, run.strike);
+    plant.strike = climb(
+        down, signals.speed.col(0),
+        {run.first, reach, kLandingShare * signals.swing[0], options.clear_velocity, run.strike});
+    plant.strike = std::min(plant.strike, static_cast<double>(first_still));
     plant.first = std::clamp(static_cast<int>(std::ceil(plant.strike)), 0, run.last);
   }
   if (run.last < frames - 1) {
-    const Eigen::VectorXd up = signals.vertical.col(0);
-    plant.lift_off = climb(up, run.last, reach, options.clear_velocity, run.lift_off);
+    plant.lift_off = climb(
+        signals.vertical.col(0), signals.speed.col(1),
+        {run.last, reach, kLeavingShare * signals.swing[1], options.clear_velocity, run.lift_off});
+    plant.lift_off = std::max(plant.lift_off, last_still + 0.5);
     plant.last =
         std::clamp(static_cast<int>(std::ceil(plant.lift_off)) - 1, plant.first, frames - 1);
   }
@@ -206,18 +241,20 @@ FootPlants detectPlants(const Clip& clip, const JointRoles& roles, const PlantOp
   const FloorFit floor = fitFloor(clip, roles);
   const std::array<Eigen::MatrixXd, 2> paths = footPaths(clip, roles);
   std::array<FootSignals, 2> signals;
-  std::array<std::vector<bool>, 2> planted;
+  std::array<std::vector<bool>, 2> planted, still;
   for (const Side side : {kLeft, kRight}) {
     const double leg = roles.legLength(clip.skeleton, side);
     signals[side] = footSignals(paths[side], floor, leg, rate, options.cutoff);
-    planted[side] = lowAndSlow(signals[side], options);
+    FootStates states = lowAndSlow(signals[side], options);
+    planted[side] = std::move(states.planted);
+    still[side] = std::move(states.still);
     dropShortRuns(planted[side], false, options.shortest_gap * rate);
     dropShortRuns(planted[side], true, options.shortest_plant * rate);
   }
   result.plants = plantsOf(planted).plants;
   for (const Side side : {kLeft, kRight}) {
     for (FootPlant& plant : result.plants[side])
-      plant = refined(plant, signals[side], options, rate);
+      plant = refined(plant, signals[side], still[side], options, rate);
     mergeTouching(result.plants[side]);
   }
   return result;

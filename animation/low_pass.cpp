@@ -10,22 +10,19 @@ namespace amble {
 namespace {
 
 // Two runs of a filter have their -3 dB where each has -1.5 dB: the cut-off of one is higher by
-// this (Winter, eq. 3.9).
+// this, in the frequencies of the bilinear transform (Winter, eq. 3.9).
 const double kTwoRuns = std::pow(std::sqrt(2.0) - 1.0, 0.25);
 
 // Reflected samples before and behind, in periods of the cut-off: the filter has forgotten its
 // start by then.
 constexpr double kPadding = 3.0;
 
-// Above this share of the rate the bilinear transform has no room left.
-constexpr double kLargestShare = 0.45;
-
 struct Biquad {
   double b0, b1, b2, a1, a2;
 };
 
 Biquad butterworth(double rate, double cutoff) {
-  const double w = std::tan(std::min(kPi * cutoff / (kTwoRuns * rate), kLargestShare * kPi));
+  const double w = std::tan(kPi * cutoff / rate) / kTwoRuns;
   const double k = std::sqrt(2.0) * w, w2 = w * w;
   const double b0 = w2 / (1.0 + k + w2);
   const double a1 = 2.0 * (w2 - 1.0) / (1.0 + k + w2);
@@ -50,21 +47,24 @@ void run(const Biquad& f, std::vector<double>& x) {
 void lowPass(Eigen::MatrixXd& rows, double rate, double cutoff) {
   assert(rate > 0.0 && cutoff > 0.0);
   const int n = static_cast<int>(rows.rows());
-  if (n < 2 || cutoff >= kLargestShare * rate) return;
+  if (n < 2 || cutoff >= kLargestCutoff * rate) return;
   const Biquad filter = butterworth(rate, cutoff);
   const int pad = std::min(n - 1, static_cast<int>(std::ceil(kPadding * rate / cutoff)));
   std::vector<double> x(n + 2 * pad);
   for (Eigen::Index c = 0; c < rows.cols(); ++c) {
-    for (int i = 0; i < n; ++i) x[pad + i] = rows(i, c);
+    // Without the line through both ends a reflected signal is zero there, which is what the filter
+    // begins with.
+    const double first = rows(0, c), slope = (rows(n - 1, c) - first) / (n - 1);
+    for (int i = 0; i < n; ++i) x[pad + i] = rows(i, c) - first - slope * i;
     for (int i = 1; i <= pad; ++i) {
-      x[pad - i] = 2.0 * rows(0, c) - rows(i, c);
-      x[pad + n - 1 + i] = 2.0 * rows(n - 1, c) - rows(n - 1 - i, c);
+      x[pad - i] = -x[pad + i];
+      x[pad + n - 1 + i] = -x[pad + n - 1 - i];
     }
     run(filter, x);
     std::reverse(x.begin(), x.end());
     run(filter, x);
     std::reverse(x.begin(), x.end());
-    for (int i = 0; i < n; ++i) rows(i, c) = x[pad + i];
+    for (int i = 0; i < n; ++i) rows(i, c) = x[pad + i] + first + slope * i;
   }
 }
 

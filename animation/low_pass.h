@@ -11,9 +11,12 @@
 
 namespace amble {
 
+/// Above this share of the rate there is nothing left to pass.
+inline constexpr double kLargestCutoff = 0.45;
+
 /// @param rows  samples x channels: a row a sample
 /// @param rate  samples a second [Hz, > 0]
-/// @param cutoff  [Hz, > 0]; where it is 0.45 of the rate or more nothing is filtered
+/// @param cutoff  [Hz, > 0]; from kLargestCutoff of the rate on nothing is filtered
 void lowPass(Eigen::MatrixXd& rows, double rate, double cutoff);
 
 /// First derivative by central differences, one-sided at the ends: rows as above, a second [1/s].

@@ -83,7 +83,7 @@ double jointJerk(const Clip& clip) {
   places = measured(std::move(places), clip.frame_time, kJointMeasureCutoff);
   double sum = 0.0;
   Eigen::Index count = 0;
-  for (Eigen::Index i = 0; i + 3 < places.rows(); ++i) {
+  for (Eigen::Index i = kEndSamples; i + 3 + kEndSamples < places.rows(); ++i) {
     const Eigen::RowVectorXd third =
         places.row(i + 3) - 3.0 * places.row(i + 2) + 3.0 * places.row(i + 1) - places.row(i);
     for (int j = 0; j < joints; ++j) sum += third.segment<3>(3 * j).norm();
