@@ -57,6 +57,8 @@ struct CollisionScratchDeleter {
 };
 using CollisionScratchPtr = std::unique_ptr<CollisionScratch, CollisionScratchDeleter>;
 
+struct CollisionModel;
+
 /// Const after construction: threads may share it, each with its own scratch.
 class CollisionWorld {
  public:
@@ -68,14 +70,19 @@ class CollisionWorld {
   CollisionScratchPtr makeScratch() const;
 
   /// The first contact of the motion at or between its frames, or none. Soles are free to touch
-  /// ground where states[i].planted; between two frames, where either end is planted. Cost: see
-  /// benchmarks/. `some` (any == true) may return another contact than the first, sooner: coarse
-  /// frames are tried first.
+  /// ground where states[i].planted; between two frames, where either end is planted. First is to
+  /// an interval: of several contacts between the same two frames, one of them. With `any` some
+  /// contact is returned, sooner: coarse frames are tried first. Whether there is one does not
+  /// depend on `any`. Cost: see benchmarks/.
   std::optional<Contact> check(const PoseArray& poses, std::span<const FrameState> states, bool any,
                                CollisionScratch& scratch) const;
 
   /// A standing body at one pose (both feet planted).
   std::optional<Contact> checkPose(PoseView pose, CollisionScratch& scratch) const;
+
+  /// The object, ground apart, that a capsule in World touches or lies in, or -1.
+  int touched(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
+              CollisionScratch& scratch) const;
 
   /// Smallest distance to anything but the ground that soles stand on, at frames, exact; `limit`
   /// bounds the search [m].
@@ -86,9 +93,7 @@ class CollisionWorld {
   const Body& body() const;
 
  private:
-  friend class MotionCheck;
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<CollisionModel> model_;
 };
 
 }  // namespace amble
