@@ -18,7 +18,7 @@ constexpr double kTolerance = 0.05;
 
 void expectSamePlants(const FootPlants& found, const FootPlants& truth, double rate,
                       const std::string& what) {
-  const double tolerance = kTolerance * rate;
+  const double tolerance = 1.0 + kTolerance * rate;
   for (const Side side : {kLeft, kRight}) {
     ASSERT_EQ(found.plants[side].size(), truth.plants[side].size()) << what << " side " << side;
     for (size_t i = 0; i < truth.plants[side].size(); ++i) {
