@@ -120,8 +120,9 @@ class Buckets {
   static constexpr double kMostCells = 1000.0;   // along a side
 
   int column(double value, int axis) const {
+    // Held in range as a number: a far point's column does not fit an int.
     const double offset = (value - extent_.min()[axis]) / cell_;
-    return std::clamp(static_cast<int>(std::floor(offset)), 0, count_[axis] - 1);
+    return static_cast<int>(std::clamp(offset, 0.0, count_[axis] - 1.0));
   }
 
   // Counting sort: once to count, once to place.
