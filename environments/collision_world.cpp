@@ -43,6 +43,11 @@ std::optional<Contact> CollisionWorld::checkPose(PoseView pose, CollisionScratch
   return std::nullopt;
 }
 
+int CollisionWorld::touched(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
+                            CollisionScratch& scratch) const {
+  return model_->layers.touchedObstacle({from, to, radius}, *scratch.exact);
+}
+
 Clearance CollisionWorld::clearance(const PoseArray& poses, std::span<const FrameState>,
                                     double limit, CollisionScratch& scratch) const {
   Clearance best{limit, 0, -1, -1};
