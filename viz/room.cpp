@@ -1,6 +1,7 @@
 #include "viz/room.h"
 
 #include <algorithm>
+#include <map>
 
 #include "viz/draw_mesh.h"
 
@@ -135,7 +136,7 @@ bool hangsOn(const RoomSurface& thing, const std::vector<const RoomSurface*>& cu
     AlignedBox3d around = wall->box;
     around.min().array() -= kOnWall;
     around.max().array() += kOnWall;
-    return around.contains(thing.box);
+    return around.contains(thing.thing);
   });
 }
 
@@ -143,6 +144,9 @@ bool hangsOn(const RoomSurface& thing, const std::vector<const RoomSurface*>& cu
 
 std::vector<RoomSurface> sortRoom(const Scene& scene, double floor) {
   std::vector<RoomSurface> room;
+  std::map<std::string, AlignedBox3d> things;
+  for (const SceneObject& object : scene.objects)
+    for (const Vector3d& p : worldMesh(object).vertices) things[object.name].extend(p);
   for (const SceneObject& object : scene.objects) {
     const size_t first = room.size();
     for (MeshComponent& piece : splitComponents(worldMesh(object))) {
@@ -151,6 +155,7 @@ std::vector<RoomSurface> sortRoom(const Scene& scene, double floor) {
       surface.part = partOf(surface.box, floor);
       surface.color =
           colorOf(surface.part, surface.box, object, static_cast<int>(room.size() - first));
+      surface.thing = things[object.name];
       surface.closed = piece.closed;
       surface.mesh = std::move(piece.mesh);
       room.push_back(std::move(surface));

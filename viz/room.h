@@ -20,8 +20,9 @@ enum class RoomPart {
 };
 
 struct RoomSurface {
-  TriangleMesh mesh;        ///< World [m]
-  Eigen::AlignedBox3d box;  ///< around it [m]
+  TriangleMesh mesh;          ///< World [m]
+  Eigen::AlignedBox3d box;    ///< around it [m]
+  Eigen::AlignedBox3d thing;  ///< around all surfaces of objects of the same name [m]
   RoomPart part = RoomPart::kFurniture;
   Color color = Color::Zero();
   bool closed = false;
