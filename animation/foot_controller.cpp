@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kExtraRise = 35.0 * kDegree;  // of a heel, by trial: more, and the walker goes on tiptoe [rad]
 constexpr double kBehind = 0.12;  // a ball of the foot so far behind the hip lets its heel rise freely [m]
-constexpr double kSoftReach = 0.01;  // over which the heel begins to rise before the leg is at its longest [m]
+constexpr double kSoftReach = 0.006;  // over which the heel begins to rise before the leg is at its longest [m]
 
 double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
 
@@ -101,11 +101,19 @@ bool FootController::apply(AnimationBuffer& buffer) const {
   return true;
 }
 
+// Share of its length to which a leg behind stretches: less around lift-off.
+double FootController::heelReach(double at) {
+  constexpr double kFrom = 0.75, kTo = 1.5;  // FootState::at
+  const double rise = smoothstep(std::clamp((at - kFrom) / (1.0 - kFrom), 0.0, 1.0));
+  const double fall = smoothstep(std::clamp((kTo - at) / (kTo - 1.0), 0.0, 1.0));
+  return kHeelReach - kPreSwing * rise * fall;
+}
+
 FootTarget FootController::targetFor(Side side, const FrameState& state,
                                      std::span<const JointFrame> joints) const {
   return footTarget(state.feet[side], blend_.foot(side), shapes_[side],
                     joints[roles_.legs[side].up_leg].p_WJ,
-                    kHeelReach * roles_.legLength(skeleton_, side));
+                    heelReach(state.feet[side].at) * roles_.legLength(skeleton_, side));
 }
 
 // Lowers the root around frames in which a leg would be too short, never at the first and last frame: those are stances.

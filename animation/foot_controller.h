@@ -30,8 +30,10 @@ class FootController : public SubController {
  public:
   /// A leg stretched farther than this share of thigh and shank is refused: the knee would snap.
   static constexpr double kLongestReach = 0.9995;
-  /// A leg behind does not stretch farther than this, its heel rises instead.
-  static constexpr double kHeelReach = 0.995;
+  /// A leg behind does not stretch farther than this, its heel rises instead; and by `kPreSwing` less before and after it lifts off: the knee
+  /// flexes before the toe leaves.
+  static constexpr double kHeelReach = 0.998;
+  static constexpr double kPreSwing = 0.03;
   /// Where a leg would stretch farther than this, the hips dip, over kDipTime before and after; deeper than kDeepestDip is refused.
   static constexpr double kDipReach = 0.999;
   static constexpr double kDipTime = 0.3;      // [s]
@@ -48,6 +50,7 @@ class FootController : public SubController {
 
  private:
   FootTarget targetFor(Side side, const FrameState& state, std::span<const JointFrame> joints) const;
+  static double heelReach(double at);
   bool dipHips(AnimationBuffer& buffer) const;
   bool placeLeg(Side side, const FootTarget& target, std::span<const JointFrame> joints,
                 std::span<Eigen::Quaterniond> rotations) const;

@@ -42,6 +42,7 @@ Swing swingWithin(const GaitTrack& track, Side side, double begin, double end,
 // What a captured swing is at one time, relative to its two footprints.
 struct SwingSample {
   double progress, height, sideways;
+  double length;  // from print to print [m]
   Eigen::Vector3d yaw_pitch_roll;
 };
 
@@ -66,6 +67,7 @@ class SwingView {
     SwingSample sample;
     sample.progress = gone.dot(line) / line.squaredNorm();
     sample.sideways = (line.x() * gone.y() - line.y() * gone.x()) / line.norm();
+    sample.length = line.norm();
     sample.height = sole.z() - from_.print.z() - tau * (to_.print.z() - from_.print.z());
     const double heading = from_.heading + smoothstep(tau) * wrapAngle(to_.heading - from_.heading);
     sample.yaw_pitch_roll = {wrapAngle(turned[0] - heading), turned[1], turned[2]};
@@ -164,13 +166,16 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
                        double end, const std::string& clip) {
   const Swing swing = swingWithin(track, side, begin, end, clip);
   const SwingView view(track, side, shape, swing);
+  // A swing begins and ends where the captured foot is by then: its slip belongs to the stance, which ours does not have.
+  const SwingSample first = view.at(0.0), last = view.at(1.0);
   std::vector<double> progress, height, sideways, roll, yaw;
   for (int i = 0; i < kSwingPoints; ++i) {
     const double tau = static_cast<double>(i) / (kSwingPoints - 1);
     const SwingSample sample = view.at(tau);
-    progress.push_back(sample.progress - smoothstep(tau));
-    height.push_back(sample.height);
-    sideways.push_back(sample.sideways);
+    progress.push_back((sample.progress - first.progress) / (last.progress - first.progress) -
+                       smoothstep(tau));
+    height.push_back(sample.height - first.height - tau * (last.height - first.height));
+    sideways.push_back(sample.sideways - first.sideways - tau * (last.sideways - first.sideways));
     yaw.push_back(sample.yaw_pitch_roll[0]);
     roll.push_back(sample.yaw_pitch_roll[2]);
   }
@@ -182,6 +187,7 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
   };
   foot.strike = phase(swing.to.strike);
   foot.lift_off = phase(swing.from.lift_off);
+  foot.slip = std::max(0.0, (first.progress + 1.0 - last.progress) * first.length);
   foot.progress = fitSwing(progress, 3);
   foot.height = fitSwing(height, 4);
   foot.sideways = fitSwing(sideways, 2);

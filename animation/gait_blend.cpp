@@ -64,7 +64,7 @@ void GaitBlend::averageFeet(const std::vector<const WalkCycle*>& straight, doubl
   double speed = 0.0, step = 0.0;
   for (const WalkCycle* cycle : straight) {
     speed += share * cycle->speed * std::sqrt(scale);
-    step += share * cycle->stepLength() * scale;
+    step += share * cycle->plantedStepLength() * scale;
     step_width_ += share * cycle->step_width * scale;
     foot_forward_ += share * cycle->foot_forward * scale;
     toe_out_ += share * 0.5 * (cycle->toe_out[kLeft] - cycle->toe_out[kRight]);

@@ -24,10 +24,11 @@ std::array<double, 4> coefficients(const YamlNode& node) {
 }
 
 FootCycle readFoot(const YamlNode& node) {
-  node.requireKeys({"strike", "lift_off", "progress", "height", "sideways", "roll", "yaw", "pitch"});
+  node.requireKeys({"strike", "lift_off", "slip", "progress", "height", "sideways", "roll", "yaw", "pitch"});
   FootCycle foot;
   foot.strike = node.at("strike").asDouble(0.0, 1.0, "phase [cycles]");
   foot.lift_off = node.at("lift_off").asDouble(0.0, 1.0, "phase [cycles]");
+  foot.slip = node.at("slip").asDouble(0.0, 1.0, "slip [m]");
   foot.progress = coefficients(node.at("progress"));
   foot.height = coefficients(node.at("height"));
   foot.sideways = coefficients(node.at("sideways"));

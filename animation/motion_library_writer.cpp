@@ -41,6 +41,7 @@ void writeFoot(std::ostream& out, const std::string& side, const FootCycle& foot
   out << "      " << side << ":\n"
       << "        strike: " << number(foot.strike) << "\n"
       << "        lift_off: " << number(foot.lift_off) << "\n"
+      << "        slip: " << number(foot.slip) << "\n"
       << "        progress: " << list(foot.progress) << "\n"
       << "        height: " << list(foot.height) << "\n"
       << "        sideways: " << list(foot.sideways) << "\n"

@@ -10,9 +10,13 @@
 namespace amble {
 namespace {
 
-// Samples at 30 Hz left out at both ends of the low-passed root: there the filter knows one side
-// only, and its noise would be the largest acceleration of most captures.
-constexpr Eigen::Index kEndSamples = 2;
+// Samples at 30 Hz left out at both ends: the first and last frames of captures often jump, and a
+// filter knows one side only there. Either would be the largest acceleration of most clips.
+constexpr Eigen::Index kEndSamples = 1;
+
+// Clips of no more than about 30 Hz are not sampled down, so that nothing can be folded over: they
+// are taken as they are [Hz].
+constexpr double kUnfilteredRate = 1.1 * kMeasureRate;
 
 constexpr double kQuietJoint = 1.0;  // pops: a joint's percentile is not taken below this [rad/s²]
 constexpr double kBackwards = 8.0 * kDegree;  // knee: QUALITY.md
@@ -39,9 +43,13 @@ Eigen::MatrixXd resampled(const Eigen::MatrixXd& rows, double own_rate, double r
   return result;
 }
 
+// Rows at 30 Hz, without the ends.
 Eigen::MatrixXd measured(Eigen::MatrixXd rows, double frame_time, double cutoff) {
-  lowPass(rows, 1.0 / frame_time, cutoff);
-  return resampled(rows, 1.0 / frame_time, kMeasureRate);
+  const double rate = 1.0 / frame_time;
+  if (rate > kUnfilteredRate) lowPass(rows, rate, cutoff);
+  const Eigen::MatrixXd samples = resampled(rows, rate, kMeasureRate);
+  if (samples.rows() <= 2 * kEndSamples) return Eigen::MatrixXd(0, rows.cols());
+  return samples.middleRows(kEndSamples, samples.rows() - 2 * kEndSamples);
 }
 
 // Distance of `p` from the part of the path between points [first, last].
@@ -65,7 +73,7 @@ double rootAcceleration(const Clip& clip) {
   for (int i = 0; i < clip.frames(); ++i) root.row(i) = clip.poses.p_WR(i).transpose();
   root = measured(std::move(root), clip.frame_time, kRootMeasureCutoff);
   double largest = 0.0;
-  for (Eigen::Index i = 1 + kEndSamples; i + 1 + kEndSamples < root.rows(); ++i) {
+  for (Eigen::Index i = 1; i + 1 < root.rows(); ++i) {
     largest = std::max(largest, (root.row(i - 1) - 2.0 * root.row(i) + root.row(i + 1)).norm());
   }
   return largest * kMeasureRate * kMeasureRate;
@@ -83,7 +91,7 @@ double jointJerk(const Clip& clip) {
   places = measured(std::move(places), clip.frame_time, kJointMeasureCutoff);
   double sum = 0.0;
   Eigen::Index count = 0;
-  for (Eigen::Index i = kEndSamples; i + 3 + kEndSamples < places.rows(); ++i) {
+  for (Eigen::Index i = 0; i + 3 < places.rows(); ++i) {
     const Eigen::RowVectorXd third =
         places.row(i + 3) - 3.0 * places.row(i + 2) + 3.0 * places.row(i + 1) - places.row(i);
     for (int j = 0; j < joints; ++j) sum += third.segment<3>(3 * j).norm();

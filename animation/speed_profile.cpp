@@ -12,6 +12,14 @@ constexpr double kShortestPath = 0.05;  // [m]
 // Over this many straight steps a stretched stride fades to the plan's at a walking stance.
 constexpr double kFadeSteps = 1.2;
 
+// Speed against the wanted one when steps are `stretch` times the wanted ones. A walk whose steps give way by a few percent keeps its speed and
+// changes its cadence; steps much longer or shorter change both, as short steps are slow ones.
+double pace(double stretch) {
+  constexpr double kSteady = 0.12;  // by trial: log of the stretch at which speed begins to follow
+  const double u = std::log(stretch);
+  return std::exp((u < 0.0 ? 1.5 : 1.0) * u * u * u / (u * u + kSteady * kSteady));
+}
+
 double smoothstep(double t) {
   t = std::clamp(t, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
@@ -60,7 +68,10 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
   }
   if (!ends_.from_standing) speed.front() = limits_.speed;
   if (!ends_.to_standing) speed.back() = limits_.speed;
-  for (int i = 0; i <= count; ++i) knots_[i].wanted = limits_.law.stepLength(speed[i]);
+  for (int i = 0; i <= count; ++i) {
+    knots_[i].speed = speed[i];
+    knots_[i].wanted = limits_.law.stepLength(speed[i]);
+  }
 }
 
 // Steps stretched by `delta` where they may be, and what follows from that.
@@ -122,7 +133,7 @@ void SpeedProfile::chooseSteps() {
 // Slowness at every knot such that the whole takes a whole number of frames: cadence gives way by less than a frame.
 void SpeedProfile::time() {
   const auto total = [&](double eta) {
-    for (Knot& k : knots_) k.slowness = (1.0 + eta * k.window) / limits_.law.speed(k.step);
+    for (Knot& k : knots_) k.slowness = (1.0 + eta * k.window) / (k.speed * pace(k.step / k.wanted));
     knots_[0].time = 0.0;
     for (size_t i = 1; i < knots_.size(); ++i) {
       knots_[i].time = knots_[i - 1].time + 0.5 * (knots_[i].arc - knots_[i - 1].arc) *

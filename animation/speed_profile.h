@@ -58,6 +58,7 @@ class SpeedProfile {
 
   struct Knot {
     double arc, window, wanted;   // [m], 0 where a walking stance fixes the step, wanted step length [m]
+    double speed;                 // wanted [m/s]
     double step, slowness;        // step length [m], [s/m]
     double steps, time;           // integrals from the path's begin, of 1/step and of slowness
   };

@@ -23,6 +23,8 @@ namespace amble {
 struct FootCycle {
   double strike = 0.0;    ///< captured phase at which the heel lands [cycles]
   double lift_off = 0.0;  ///< captured phase at which the toe leaves [cycles]
+  /// How far the captured sole moves on from its footprint between strike and lift-off, as it rolls and slides [m].
+  double slip = 0.0;
   /// Progress from print to print beyond 3 tau^2 - 2 tau^3 [1]; height over the line between them [m]; straying to the left of that line
   /// [m]; roll and yaw of the sole against the heading that turns from print to print [rad]. Coefficients of tau^0, tau^1, ...
   std::array<double, 4> progress = {}, height = {}, sideways = {}, roll = {}, yaw = {};
@@ -51,6 +53,10 @@ struct WalkCycle {
   std::array<double, 2> toe_out = {0, 0};  ///< heading of the footprint against the path, left positive [rad], by Side
 
   double stepLength() const { return 0.5 * speed * period; }  ///< of the capture (the papers' "stride") [m]
+  /// The step that the same swing of the legs makes on feet that are held where they are: a slip shorter. Cadence makes up for it.
+  double plantedStepLength() const {
+    return stepLength() - 0.25 * (feet[kLeft].slip + feet[kRight].slip);
+  }
 };
 
 /// A pose to hold.

@@ -18,7 +18,7 @@ namespace {
 // Legs are not stretched farther than this share of their length by the straight walk, a knee bent by 6 degrees: captured walkers reach 0.999.
 constexpr double kStraightReach = 0.9985;
 constexpr double kStandingReach = 0.995;
-constexpr double kLongestLean = 0.06;  // of the root before its feet, beyond the captured [m]
+constexpr double kLongestLean = 0.03;  // of the root before its feet, beyond the captured [m]
 constexpr double kLeanCost = 0.2;      // metres of lowering that a metre of lean is worth; by trial
 constexpr int kLeanSteps = 12;
 constexpr int kLoweringSteps = 16;     // step lengths for which the root's lowering is prepared
