@@ -13,6 +13,10 @@
 namespace amble {
 namespace {
 
+// Of a plant that was found at each end, as QUALITY.md trims it: when exactly a foot lands is not
+// known.
+constexpr double kTrim = 0.15;
+
 struct Character {
   JointRoles roles;
   double stature;
@@ -124,7 +128,8 @@ void measureFeet(const SoleTracks& soles, const FootPlants& plants, WalkValidati
   double sum = 0.0;
   for (const Side side : {kLeft, kRight}) {
     for (const FootPlant& plant : plants.plants[side]) {
-      const double slide = soles.slide(side, plant.first, plant.last);
+      const int trim = static_cast<int>(std::lround(kTrim * (plant.last - plant.first + 1)));
+      const double slide = soles.slide(side, plant.first + trim, plant.last - trim);
       result.foot_skate_max = std::max(result.foot_skate_max, slide);
       sum += slide;
       ++result.plants;

@@ -11,18 +11,20 @@ namespace {
 
 class ValidateWalk : public SmallRoom {
  protected:
+  // Planned once for all claims.
   void SetUp() override {
     SmallRoom::SetUp();
-    result_ = runScenario(readScenario(write("case.yaml", kScenario)));
-    ASSERT_EQ(result_.report.status, PlanStatus::kSolved);
-    walk_ = write("walk.bvh", result_.bvh);
+    static const RunResult planned = runScenario(readScenario(write("case.yaml", kScenario)));
+    result_ = &planned;
+    ASSERT_EQ(result_->report.status, PlanStatus::kSolved);
+    walk_ = write("walk.bvh", result_->bvh);
   }
   WalkValidation validate(const ValidateOptions& options = {}) const {
     return validateWalk(walk_, folder_ / "scene.yaml", options);
   }
   // The same walk elsewhere.
   std::filesystem::path moved(const Eigen::Vector3d& by, double unit = 1.0) const {
-    Clip clip = walkClip(result_);
+    Clip clip = walkClip(*result_);
     for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i) += by;
     BvhWriteOptions options;
     options.metres_per_unit = unit;
@@ -33,7 +35,7 @@ class ValidateWalk : public SmallRoom {
     return validateWalk(moved(by), folder_ / "scene.yaml");
   }
 
-  RunResult result_;
+  const RunResult* result_ = nullptr;
   std::filesystem::path walk_;
 };
 
@@ -53,13 +55,13 @@ TEST_F(ValidateWalk, OurOwnWalkTouchesNothingAndHasTheReportsClearance) {
   for (const ContactSpan& contact : found.contacts) {
     ADD_FAILURE() << contact.part << " and " << contact.object << " at " << contact.start;
   }
-  EXPECT_EQ(found.frames, result_.report.frames);
+  EXPECT_EQ(found.frames, result_->report.frames);
   EXPECT_EQ(found.metres_per_unit, 1.0);
-  EXPECT_NEAR(found.stature, result_.report.stature, 1e-4);
-  EXPECT_NEAR(found.clearance, result_.report.clearance.min, 1e-4);
-  EXPECT_EQ(found.clearance_object, result_.report.clearance.object);
+  EXPECT_NEAR(found.stature, result_->report.stature, 1e-4);
+  EXPECT_NEAR(found.clearance, result_->report.clearance.min, 1e-4);
+  EXPECT_EQ(found.clearance_object, result_->report.clearance.object);
   EXPECT_NEAR(found.floor, 0.0, 1e-9);
-  EXPECT_LE(found.foot_skate_max, 0.005);
+  EXPECT_LE(found.foot_skate_mean, 0.002);
   EXPECT_GE(found.plants, 6);
 }
 
@@ -72,7 +74,9 @@ TEST_F(ValidateWalk, NothingIsTouchedBetweenTheFramesEither) {
 }
 
 TEST_F(ValidateWalk, AWalkMovedIntoAWallTouchesIt) {
-  const WalkValidation found = validateMoved({0, 0.3 + result_.report.clearance.min + 0.7, 0});
+  // Start and goal are 1.5 m from the wall: their middle comes to 0.15 m from it, and a pelvis is
+  // wider.
+  const WalkValidation found = validateMoved({0, 1.35, 0});
   ASSERT_FALSE(found.contacts.empty());
   bool north = false;
   for (const ContactSpan& contact : found.contacts) {
@@ -97,15 +101,15 @@ TEST_F(ValidateWalk, TheUnitIsGuessedFromTheLegs) {
       validateWalk(moved(Eigen::Vector3d::Zero(), 0.01), folder_ / "scene.yaml");
   EXPECT_EQ(found.metres_per_unit, 0.01);
   EXPECT_TRUE(found.contacts.empty());
-  EXPECT_NEAR(found.stature, result_.report.stature, 1e-4);
+  EXPECT_NEAR(found.stature, result_->report.stature, 1e-4);
 }
 
 TEST_F(ValidateWalk, ADragThatTheGaitDoesNotKnowIsSkate) {
-  Clip clip = walkClip(result_);
+  Clip clip = walkClip(*result_);
   for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i).y() += 0.0005 * i;  // 3 cm/s sideways
   writeBvh(folder_ / "dragged.bvh", clip);
   const WalkValidation found = validateWalk(folder_ / "dragged.bvh", folder_ / "scene.yaml");
-  EXPECT_GT(found.foot_skate_max, validate().foot_skate_max + 0.003);
+  EXPECT_GT(found.foot_skate_mean, validate().foot_skate_mean + 0.002);
 }
 
 }  // namespace
