@@ -18,8 +18,8 @@ namespace amble {
 /// those of the library `default` (ACCAD Female1 B03, B09 and B12); another library's walks are
 /// judged by them too.
 struct QualityAnchors {
-  double root_acceleration = 8.25;  ///< [m/s²]
-  double joint_jerk = 104.1;        ///< [m/s³]
+  double root_acceleration = 11.8;  ///< [m/s²]
+  double joint_jerk = 116.1;        ///< [m/s³]
   double pops = 4.87;               ///< [1]
 };
 
