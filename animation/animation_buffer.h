@@ -29,38 +29,42 @@ struct FootState {
 
 /// What is known of a frame beside its pose.
 struct FrameState {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the root path, on the ground [m, World]
+  Eigen::Vector3d position =
+      Eigen::Vector3d::Zero();  ///< of the root path, on the ground [m, World]
   double arc = 0.0;        ///< distance walked along the root path since the buffer's begin [m]
   double heading = 0.0;    ///< of the root path [rad]
   double speed = 0.0;      ///< along the root path [m/s, >= 0]
   double turn_rate = 0.0;  ///< [rad/s], left positive
-  double turning = 1.0;    ///< share of the turn rate that the cycles are blended by; 0 at stances [0, 1]
-  double phase = 0.0;      ///< of the walk cycle [cycles, 0 <= . < 1]
-  double step_length = 0.0;  ///< to which the cycles are warped here [m]
-  double standing = 0.0;     ///< share of the standing posture, 1 at standing stances [0, 1]
-  double sway = 0.0;         ///< weight shift to the left beside that of the walk cycle [m]
-  std::array<FootState, 2> feet;            ///< by Side
+  double turning =
+      1.0;  ///< share of the turn rate that the cycles are blended by; 0 at stances [0, 1]
+  double phase = 0.0;             ///< of the walk cycle [cycles, 0 <= . < 1]
+  double step_length = 0.0;       ///< to which the cycles are warped here [m]
+  double standing = 0.0;          ///< share of the standing posture, 1 at standing stances [0, 1]
+  double sway = 0.0;              ///< weight shift to the left beside that of the walk cycle [m]
+  std::array<FootState, 2> feet;  ///< by Side
   std::array<bool, 2> planted = {true, true};  ///< by Side: the foot's sole is on the ground
 };
 
 /// One placing of one foot.
 struct Footprint {
   Side side = kLeft;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< middle of the sole's length, on the ground [m, World]
-  double heading = 0.0;                                ///< of the foot [rad]
-  int first_frame = 0;  ///< first and last frame of the buffer in which it is planted
+  Eigen::Vector3d position =
+      Eigen::Vector3d::Zero();  ///< middle of the sole's length, on the ground [m, World]
+  double heading = 0.0;         ///< of the foot [rad]
+  int first_frame = 0;          ///< first and last frame of the buffer in which it is planted
   int last_frame = 0;
 };
 
 /// Frames at a fixed rate. `poses[i]` is what is validated and exported for frame i.
 struct AnimationBuffer {
-  double frame_time = 1.0 / 60.0;     ///< [s]
+  double frame_time = 1.0 / 60.0;  ///< [s]
   PoseArray poses;
   std::vector<FrameState> states;     ///< as many as poses
   std::vector<Footprint> footprints;  ///< in order of first_frame
 
   int size() const { return poses.size(); }
-  /// Appends `next`, whose first frame repeats our last one (it is dropped); a footprint that goes on is merged.
+  /// Appends `next`, whose first frame repeats our last one (it is dropped); a footprint that goes
+  /// on is merged.
   void append(const AnimationBuffer& next);
   /// Sets planted flags and footprints from the feet's states.
   void markFootprints();

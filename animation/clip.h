@@ -10,12 +10,13 @@
 namespace amble {
 
 struct Clip {
-  std::string name;          ///< for messages: the file's name or what made it
+  std::string name;  ///< for messages: the file's name or what made it
   Skeleton skeleton;
   double frame_time = 1.0 / 30.0;  ///< [s, > 0]
-  PoseArray poses;           ///< World, z up, metres
-  /// Where a file moves joints other than the root (position channels replace the OFFSET): the origin of every
-  /// joint in its parent's frame, frame-major, frames * joints of them [m]. Empty in most clips.
+  PoseArray poses;                 ///< World, z up, metres
+  /// Where a file moves joints other than the root (position channels replace the OFFSET): the
+  /// origin of every joint in its parent's frame, frame-major, frames * joints of them [m]. Empty
+  /// in most clips.
   std::vector<Eigen::Vector3d> joint_positions;
 
   int frames() const { return poses.size(); }

@@ -1,4 +1,5 @@
-/// What is wrong with the input, where, and what was expected: the one error type that readers throw.
+/// What is wrong with the input, where, and what was expected: the one error type that readers
+/// throw.
 #pragma once
 
 #include <stdexcept>
@@ -6,9 +7,9 @@
 
 namespace amble {
 
-/// Thrown for bad input only (DESIGN.md, section 4): a refusal of the planner is a value, not an error.
-/// what() is one line: `FILE:LINE: what is wrong; what was expected`, without `:LINE` where there is
-/// none and without `; ...` where nothing was expected.
+/// Thrown for bad input only (DESIGN.md, section 4): a refusal of the planner is a value, not an
+/// error. what() is one line: `FILE:LINE: what is wrong; what was expected`, without `:LINE` where
+/// there is none and without `; ...` where nothing was expected.
 class InputError : public std::runtime_error {
  public:
   /// @param line  1 for the first line; 0 where a line makes no sense (a missing file) [>= 0].

@@ -10,9 +10,11 @@
 namespace amble {
 namespace {
 
-// Slower than this, in leg lengths a second, a foot stands. Walking feet swing at four; found by trial.
+// Slower than this, in leg lengths a second, a foot stands. Walking feet swing at four; found by
+// trial.
 constexpr double kStandingSpeed = 0.3;
-// Weight that holds the tilt towards level, as so many metres of spread squared: less than 0.2 m across says nothing.
+// Weight that holds the tilt towards level, as so many metres of spread squared: less than 0.2 m
+// across says nothing.
 constexpr double kLevelSpread = 0.2;
 
 struct FootPath {
@@ -34,7 +36,8 @@ std::vector<Eigen::Vector3d> standingAnkles(const Clip& clip, const JointRoles& 
   std::vector<Eigen::Vector3d> standing;
   for (const Side side : {kLeft, kRight}) {
     const FootPath path = footPath(clip, roles.legs[side]);
-    const double slow = kStandingSpeed * roles.legLength(clip.skeleton, side) * 2.0 * clip.frame_time;
+    const double slow =
+        kStandingSpeed * roles.legLength(clip.skeleton, side) * 2.0 * clip.frame_time;
     for (int i = 1; i + 1 < clip.frames(); ++i) {
       if ((path.ankle[i + 1] - path.ankle[i - 1]).norm() < slow &&
           (path.toe[i + 1] - path.toe[i - 1]).norm() < slow) {
@@ -109,7 +112,8 @@ Clip levelClip(const Clip& clip, const FloorFit& floor, double ankle_height) {
 }
 
 Clip mirrorClip(const Clip& clip, const JointRoles& roles) {
-  // A joint's rotation mirrored in its rest frame's left-right plane; the root's rotation is A^-1 .. A of its rest frame's.
+  // A joint's rotation mirrored in its rest frame's left-right plane; the root's rotation is A^-1
+  // .. A of its rest frame's.
   const Eigen::Quaterniond A = restToHeading(clip.skeleton, roles);  // rest frame in heading frame
   const Eigen::Vector3d left = A.conjugate() * Eigen::Vector3d::UnitY();
   const auto reflect = [](const Eigen::Quaterniond& q, const Eigen::Vector3d& n) {

@@ -1,4 +1,5 @@
-/// The floor of a capture, fitted to its standing feet: captures are tilted by a degree or so (QUALITY.md).
+/// The floor of a capture, fitted to its standing feet: captures are tilted by a degree or so
+/// (QUALITY.md).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,14 +17,17 @@ struct FloorFit {
   int samples = 0;        ///< standing feet that were found: frames, both feet counted
 };
 
-/// Least squares over frames in which a foot stands (ankle and toe slower than 0.3 leg lengths a second). The tilt is held towards level where
-/// the feet do not spread: a straight walk says nothing of the tilt across it. No samples: the level plane of the lowest ankle.
+/// Least squares over frames in which a foot stands (ankle and toe slower than 0.3 leg lengths a
+/// second). The tilt is held towards level where the feet do not spread: a straight walk says
+/// nothing of the tilt across it. No samples: the level plane of the lowest ankle.
 FloorFit fitFloor(const Clip& clip, const JointRoles& roles);
 
-/// The clip turned so that the floor is level, and lifted so that standing ankles are `ankle_height` above z = 0 [m].
+/// The clip turned so that the floor is level, and lifted so that standing ankles are
+/// `ankle_height` above z = 0 [m].
 Clip levelClip(const Clip& clip, const FloorFit& floor, double ankle_height);
 
-/// The clip seen in a mirror: left is right. World is mirrored in the plane y = 0, then joints are renamed by role.
+/// The clip seen in a mirror: left is right. World is mirrored in the plane y = 0, then joints are
+/// renamed by role.
 Clip mirrorClip(const Clip& clip, const JointRoles& roles);
 
 }  // namespace amble

@@ -9,9 +9,12 @@
 namespace amble {
 namespace {
 
-constexpr double kExtraRise = 35.0 * kDegree;  // of a heel, by trial: more, and the walker goes on tiptoe [rad]
-constexpr double kBehind = 0.12;  // a ball of the foot so far behind the hip lets its heel rise freely [m]
-constexpr double kSoftReach = 0.006;  // over which the heel begins to rise before the leg is at its longest [m]
+constexpr double kExtraRise =
+    35.0 * kDegree;  // of a heel, by trial: more, and the walker goes on tiptoe [rad]
+constexpr double kBehind =
+    0.12;  // a ball of the foot so far behind the hip lets its heel rise freely [m]
+constexpr double kSoftReach =
+    0.006;  // over which the heel begins to rise before the leg is at its longest [m]
 
 double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
 
@@ -67,7 +70,8 @@ FootTarget footTarget(const FootState& state, const FootCycle& cycle, const Foot
   const double distance = (target.ankle - hip).norm();
   const double over = (distance - longest) / kSoftReach;
   if (over < -6.0) return target;
-  const Eigen::Vector3d ball = sole.position + shape.ball_x * (aboutZ(sole.heading) * Eigen::Vector3d::UnitX());
+  const Eigen::Vector3d ball =
+      sole.position + shape.ball_x * (aboutZ(sole.heading) * Eigen::Vector3d::UnitX());
   const double behind = (hip - ball).dot(aboutZ(sole.heading) * Eigen::Vector3d::UnitX());
   const double freedom = smoothstep(std::clamp(behind / kBehind, 0.0, 1.0));
   // A smooth minimum of what it is and what it may be.
@@ -116,7 +120,8 @@ FootTarget FootController::targetFor(Side side, const FrameState& state,
                     heelReach(state.feet[side].at) * roles_.legLength(skeleton_, side));
 }
 
-// Lowers the root around frames in which a leg would be too short, never at the first and last frame: those are stances.
+// Lowers the root around frames in which a leg would be too short, never at the first and last
+// frame: those are stances.
 bool FootController::dipHips(AnimationBuffer& buffer) const {
   const int n = buffer.size();
   std::vector<JointFrame> joints(skeleton_.size());

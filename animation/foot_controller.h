@@ -1,8 +1,9 @@
-/// The foot controller: planted feet stay where they are, swinging feet go from print to print; legs follow by two-link
-/// inverse kinematics in their own plane.
+/// The foot controller: planted feet stay where they are, swinging feet go from print to print;
+/// legs follow by two-link inverse kinematics in their own plane.
 ///
-/// A planted foot rolls about its heel and then about its ball (FootShape), by the captured pitch. So the point that touches the ground does not
-/// move at all, where a captured one slides by a centimetre.
+/// A planted foot rolls about its heel and then about its ball (FootShape), by the captured pitch.
+/// So the point that touches the ground does not move at all, where a captured one slides by a
+/// centimetre.
 #pragma once
 
 #include <array>
@@ -16,13 +17,14 @@ namespace amble {
 
 /// Where a foot is to be: the ankle, the foot's rotation and how far the toes bend up.
 struct FootTarget {
-  Eigen::Vector3d ankle;     ///< [m, World]
-  Eigen::Quaterniond q_WF;   ///< foot joint in World
-  double toe_bend = 0.0;     ///< [rad, >= 0]
+  Eigen::Vector3d ankle;    ///< [m, World]
+  Eigen::Quaterniond q_WF;  ///< foot joint in World
+  double toe_bend = 0.0;    ///< [rad, >= 0]
 };
 
-/// Where the foot is to be in a frame. Behind the walker, where the leg from `hip` [World] would be longer than `longest` [m], the heel rises
-/// farther than captured, as it does when people take longer steps.
+/// Where the foot is to be in a frame. Behind the walker, where the leg from `hip` [World] would be
+/// longer than `longest` [m], the heel rises farther than captured, as it does when people take
+/// longer steps.
 FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
                       const Eigen::Vector3d& hip, double longest);
 
@@ -30,11 +32,12 @@ class FootController : public SubController {
  public:
   /// A leg stretched farther than this share of thigh and shank is refused: the knee would snap.
   static constexpr double kLongestReach = 0.9995;
-  /// A leg behind does not stretch farther than this, its heel rises instead; and by `kPreSwing` less before and after it lifts off: the knee
-  /// flexes before the toe leaves.
+  /// A leg behind does not stretch farther than this, its heel rises instead; and by `kPreSwing`
+  /// less before and after it lifts off: the knee flexes before the toe leaves.
   static constexpr double kHeelReach = 0.998;
   static constexpr double kPreSwing = 0.03;
-  /// Where a leg would stretch farther than this, the hips dip, over kDipTime before and after; deeper than kDeepestDip is refused.
+  /// Where a leg would stretch farther than this, the hips dip, over kDipTime before and after;
+  /// deeper than kDeepestDip is refused.
   static constexpr double kDipReach = 0.999;
   static constexpr double kDipTime = 0.3;      // [s]
   static constexpr double kDeepestDip = 0.04;  // [m]; by trial, deeper looks like a stumble
@@ -44,12 +47,14 @@ class FootController : public SubController {
 
   bool apply(AnimationBuffer& buffer) const override;
 
-  /// How much lower the root has to be for no leg to reach farther than `share`, in a frame [m, >= 0]. `joints` is scratch.
+  /// How much lower the root has to be for no leg to reach farther than `share`, in a frame [m, >=
+  /// 0]. `joints` is scratch.
   double missingHeight(const AnimationBuffer& buffer, int frame, double share,
                        std::vector<JointFrame>& joints) const;
 
  private:
-  FootTarget targetFor(Side side, const FrameState& state, std::span<const JointFrame> joints) const;
+  FootTarget targetFor(Side side, const FrameState& state,
+                       std::span<const JointFrame> joints) const;
   static double heelReach(double at);
   bool dipHips(AnimationBuffer& buffer) const;
   bool placeLeg(Side side, const FootTarget& target, std::span<const JointFrame> joints,
@@ -59,7 +64,8 @@ class FootController : public SubController {
   JointRoles roles_;
   std::array<FootShape, 2> shapes_;
   const GaitBlend& blend_;
-  Eigen::Vector3d left_R_;  // a walker's left in the rest pose's frame, to which all joints' frames are parallel
+  Eigen::Vector3d left_R_;  // a walker's left in the rest pose's frame, to which all joints' frames
+                            // are parallel
 };
 
 }  // namespace amble

@@ -10,9 +10,11 @@
 namespace amble {
 namespace {
 
-// A pitch below this is how a flat foot wobbles in a capture, not a rise of the heel; by trial [rad].
+// A pitch below this is how a flat foot wobbles in a capture, not a rise of the heel; by trial
+// [rad].
 constexpr double kFlatPitch = 5.0 * kDegree;
-// How far any point of the sole stays above the ground in the middle half of a swing: walkers clear it by 10 to 20 mm [m].
+// How far any point of the sole stays above the ground in the middle half of a swing: walkers clear
+// it by 10 to 20 mm [m].
 constexpr double kSwingClearance = 0.015;
 constexpr int kSwingPoints = 33;  // at which a swing is fitted
 
@@ -35,8 +37,9 @@ Swing swingWithin(const GaitTrack& track, Side side, double begin, double end,
       return {plants[i], plants[i + 1]};
     }
   }
-  throw InputError(clip, 0, "no whole swing of the " + std::string(side == kLeft ? "left" : "right") + " foot",
-                   "each foot planted before and after the cycle");
+  throw InputError(
+      clip, 0, "no whole swing of the " + std::string(side == kLeft ? "left" : "right") + " foot",
+      "each foot planted before and after the cycle");
 }
 
 // What a captured swing is at one time, relative to its two footprints.
@@ -58,7 +61,8 @@ class SwingView {
 
   SwingSample at(double tau) const {
     const double frame = swing_.from.lift_off + tau * (swing_.to.strike - swing_.from.lift_off);
-    const Eigen::Quaterniond q = track_.sole(side_, frame, from_.correction.slerp(tau, to_.correction));
+    const Eigen::Quaterniond q =
+        track_.sole(side_, frame, from_.correction.slerp(tau, to_.correction));
     const Eigen::Vector3d turned = toEuler(q, {'Z', 'Y', 'X'});
     const Eigen::Vector3d sole =
         track_.ankle(side_, frame) - aboutZ(turned[0]) * rolledAnkle(shape_, turned[1]);
@@ -91,7 +95,8 @@ class SwingView {
   GaitTrack::FlatFoot from_, to_;
 };
 
-// Least squares of tau^2 (1 - tau)^2 (c0 + c1 tau + ...) to values at even tau, with `terms` coefficients.
+// Least squares of tau^2 (1 - tau)^2 (c0 + c1 tau + ...) to values at even tau, with `terms`
+// coefficients.
 std::array<double, 4> fitSwing(const std::vector<double>& values, int terms) {
   const int n = static_cast<int>(values.size());
   Eigen::MatrixXd basis(n, terms);
@@ -113,14 +118,17 @@ double flatten(double pitch) {
   return pitch * pitch * pitch / (pitch * pitch + kFlatPitch * kFlatPitch);
 }
 
-// Pitch over stance and swing, sampled, a little smoothed (captures shake) and flat where the foot stands.
+// Pitch over stance and swing, sampled, a little smoothed (captures shake) and flat where the foot
+// stands.
 std::vector<double> pitchSamples(const SwingView& view) {
   std::vector<double> raw;
   constexpr int kStance = FootCycle::kStanceSamples, kSwing = FootCycle::kSwingSamples;
   for (int i = 0; i < kStance; ++i) {
     const double x = static_cast<double>(i) / kStance;
-    const double own = flatten(view.stancePitch(true, x)), next = flatten(view.stancePitch(false, x));
-    raw.push_back(x < 0.4 ? next : own);  // strike as it comes out of the swing, lift-off as it goes in
+    const double own = flatten(view.stancePitch(true, x)),
+                 next = flatten(view.stancePitch(false, x));
+    raw.push_back(x < 0.4 ? next
+                          : own);  // strike as it comes out of the swing, lift-off as it goes in
   }
   for (int i = 0; i < kSwing; ++i) {
     raw.push_back(view.at(static_cast<double>(i) / kSwing).yaw_pitch_roll[1]);
@@ -166,7 +174,8 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
                        double end, const std::string& clip) {
   const Swing swing = swingWithin(track, side, begin, end, clip);
   const SwingView view(track, side, shape, swing);
-  // A swing begins and ends where the captured foot is by then: its slip belongs to the stance, which ours does not have.
+  // A swing begins and ends where the captured foot is by then: its slip belongs to the stance,
+  // which ours does not have.
   const SwingSample first = view.at(0.0), last = view.at(1.0);
   std::vector<double> progress, height, sideways, roll, yaw;
   for (int i = 0; i < kSwingPoints; ++i) {
@@ -204,7 +213,8 @@ FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Ve
   std::array<Eigen::Vector2d, 2> print;  // in the path's frame
   for (const Side side : {kLeft, kRight}) {
     for (const Plant& plant : track.plants(side)) {
-      if (plant.strike > begin + (side == leading ? 1.0 : 0.0) || plant.lift_off < begin - 1.0) continue;
+      if (plant.strike > begin + (side == leading ? 1.0 : 0.0) || plant.lift_off < begin - 1.0)
+        continue;
       const GaitTrack::FlatFoot flat = track.flatFoot(side, plant);
       const Eigen::Vector2d d = flat.print.head<2>() - path_point;
       print[side] = {std::cos(path_heading) * d.x() + std::sin(path_heading) * d.y(),
@@ -238,7 +248,9 @@ double footPitch(const FootCycle& foot, double x) {
   const double at = x < 1.0 ? x * kStance : kStance + (x - 1.0) * kSwing;
   const double floor = std::floor(at);
   const double t = at - floor;
-  const auto p = [&](int k) { return foot.pitch[static_cast<size_t>(((static_cast<int>(floor) + k) % n + n) % n)]; };
+  const auto p = [&](int k) {
+    return foot.pitch[static_cast<size_t>(((static_cast<int>(floor) + k) % n + n) % n)];
+  };
   // Catmull-Rom: through the samples, with a continuous slope.
   const double m0 = 0.5 * (p(1) - p(-1)), m1 = 0.5 * (p(2) - p(0));
   const double a = 2.0 * (p(0) - p(1)) + m0 + m1, b = 3.0 * (p(1) - p(0)) - 2.0 * m0 - m1;

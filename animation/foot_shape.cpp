@@ -18,7 +18,8 @@ Eigen::Vector3d restUp(const Skeleton& skeleton, const JointRoles& roles) {
   return Eigen::Vector3d::Unit(axis) * (down[axis] > 0.0 ? -1.0 : 1.0);
 }
 
-// Axes of the heading frame, as columns, in the rest pose's frame, when `forward` is seen along the ground.
+// Axes of the heading frame, as columns, in the rest pose's frame, when `forward` is seen along the
+// ground.
 Eigen::Matrix3d headingAxes(const Eigen::Vector3d& up, const Eigen::Vector3d& forward) {
   Eigen::Matrix3d axes;
   axes.col(2) = up;
@@ -56,7 +57,7 @@ FootShape makeFootShape(const Skeleton& skeleton, const JointRoles& roles, Side 
   shape.radius = kBallHeightOfStature * stature;
   shape.ankle_height = shape.radius - toe.offset.dot(up);
   double tip = toe.end_sites.empty() ? 0.0 : toe.end_sites[0].dot(axes.col(0));
-  if (tip < 0.02 * stature) tip = 0.035 * stature;  // rigs without a toe's tip
+  if (tip < 0.02 * stature) tip = 0.035 * stature;                    // rigs without a toe's tip
   const double back = std::max(length - ball - tip, 0.02 * stature);  // heel behind the ankle
   const double middle = 0.5 * (ball + tip - back);  // of the sole, before the ankle
   shape.ankle_x = -middle;

@@ -1,8 +1,9 @@
 /// The foot as a walker rolls over it: a flat sole between two round ends, heel and ball.
 ///
-/// Sole frame: origin in the middle of the sole's length on the ground, x towards the toes, z up, while the foot is flat. The foot rolls about
-/// the centre of its heel when the toes are up and about the toe joint (ball) when the heel is up; both lie `radius` above a flat sole, so
-/// that a round end stays tangent to the ground while it rolls and its point of contact stays where it is.
+/// Sole frame: origin in the middle of the sole's length on the ground, x towards the toes, z up,
+/// while the foot is flat. The foot rolls about the centre of its heel when the toes are up and
+/// about the toe joint (ball) when the heel is up; both lie `radius` above a flat sole, so that a
+/// round end stays tangent to the ground while it rolls and its point of contact stays where it is.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,32 +16,40 @@ namespace amble {
 struct FootShape {
   double radius = 0.0;        ///< of heel and ball, height of the toe joint over a flat sole [m]
   double ankle_height = 0.0;  ///< over a flat sole [m]
-  double ankle_x = 0.0;       ///< of the ankle, of heel centre, toe joint and toe tip's centre, in the sole frame [m]
+  double ankle_x =
+      0.0;  ///< of the ankle, of heel centre, toe joint and toe tip's centre, in the sole frame [m]
   double heel_x = 0.0;
   double ball_x = 0.0;
   double tip_x = 0.0;
-  Eigen::Quaterniond q_SF = Eigen::Quaterniond::Identity();  ///< foot joint in the sole frame while flat
-  Eigen::Quaterniond q_FT = Eigen::Quaterniond::Identity();  ///< toe joint in the foot joint while flat
-  Eigen::Vector3d lateral_T = Eigen::Vector3d::UnitY();      ///< sole frame's y in the toe joint's frame while flat
+  Eigen::Quaterniond q_SF =
+      Eigen::Quaterniond::Identity();  ///< foot joint in the sole frame while flat
+  Eigen::Quaterniond q_FT =
+      Eigen::Quaterniond::Identity();  ///< toe joint in the foot joint while flat
+  Eigen::Vector3d lateral_T =
+      Eigen::Vector3d::UnitY();  ///< sole frame's y in the toe joint's frame while flat
 };
 
 /// Drillis & Contini (1966): foot length 0.152 of stature; thigh and shank together 0.491.
 inline constexpr double kFootLengthOfStature = 0.152;
 inline constexpr double kLegOfStature = 0.491;
-/// Height of the toe joint over the sole; chosen so that the ankle of our captures comes to Drillis & Contini's 0.039 of stature.
+/// Height of the toe joint over the sole; chosen so that the ankle of our captures comes to Drillis
+/// & Contini's 0.039 of stature.
 inline constexpr double kBallHeightOfStature = 0.0095;
 
 /// Stature from leg length (thigh + shank) [m].
 double statureOf(const Skeleton& skeleton, const JointRoles& roles);
 
-/// Feet are flat in the rest pose (all rotations zero), as in every common rig. @pre the roles have a toe joint.
-FootShape makeFootShape(const Skeleton& skeleton, const JointRoles& roles, Side side, double stature);
+/// Feet are flat in the rest pose (all rotations zero), as in every common rig. @pre the roles have
+/// a toe joint.
+FootShape makeFootShape(const Skeleton& skeleton, const JointRoles& roles, Side side,
+                        double stature);
 
-/// Rest pose's frame in the heading frame (x forward, y left, z up): forward is where the feet point.
+/// Rest pose's frame in the heading frame (x forward, y left, z up): forward is where the feet
+/// point.
 Eigen::Quaterniond restToHeading(const Skeleton& skeleton, const JointRoles& roles);
 
-/// Where the ankle is over a sole whose frame lies at the origin and that is rolled by `pitch` [rad, toes down positive]: about
-/// heel or ball, in the sole frame [m].
+/// Where the ankle is over a sole whose frame lies at the origin and that is rolled by `pitch`
+/// [rad, toes down positive]: about heel or ball, in the sole frame [m].
 Eigen::Vector3d rolledAnkle(const FootShape& shape, double pitch);
 
 }  // namespace amble

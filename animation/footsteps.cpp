@@ -6,10 +6,13 @@
 namespace amble {
 namespace {
 
-// The first foot leaves the ground after this share of the first step, the last one lands so much before the end of the last: weight is
-// shifted before and after [steps].
+// The first foot leaves the ground after this share of the first step, the last one lands so much
+// before the end of the last: weight is shifted before and after [steps].
 constexpr double kFirstLift = 0.30;
 constexpr double kLastStrike = 0.12;
+// The foot of a first step lingers while the body gains speed: its swing runs as this power of
+// time.
+constexpr double kFirstDelay = 1.3;
 // A first step pushes off with half of the heel's rise.
 constexpr double kFirstRoll = 0.5;
 
@@ -88,7 +91,8 @@ FootState Footsteps::stateOf(int placing, double progress) const {
   }
   foot.to = place(placing + 2);
   foot.strike_roll = strike_roll(placing + 2);
-  const double tau = (progress - end) / (strike(placing + 2) - end);
+  double tau = (progress - end) / (strike(placing + 2) - end);
+  if (first) tau = std::pow(std::max(tau, 0.0), kFirstDelay);
   foot.at = 1.0 + std::clamp(tau, 1e-12, 1.0);
   return foot;
 }
@@ -105,8 +109,7 @@ std::array<FootState, 2> Footsteps::at(double progress) const {
   return feet;
 }
 
-std::array<FootState, 2> Footsteps::atStance(const FootPlacement& placement,
-                                             const Stance& stance) {
+std::array<FootState, 2> Footsteps::atStance(const FootPlacement& placement, const Stance& stance) {
   std::array<FootState, 2> feet;
   for (const Side side : {kLeft, kRight}) {
     FootState& foot = feet[side];

@@ -1,7 +1,8 @@
 /// Where the feet of a walk stand, and when: whole steps along a root path, from stance to stance.
 ///
-/// Time is counted in steps, as by SpeedProfile. Placing i (i = 1..n) is that of the foot which swings in the i-th step; placings -1 and 0 are
-/// where the feet are at the begin, -1 the one that swings first. Placing i is planted from i - d to i + 1 + d, d being half of a double support.
+/// Time is counted in steps, as by SpeedProfile. Placing i (i = 1..n) is that of the foot which
+/// swings in the i-th step; placings -1 and 0 are where the feet are at the begin, -1 the one that
+/// swings first. Placing i is planted from i - d to i + 1 + d, d being half of a double support.
 #pragma once
 
 #include <array>
@@ -19,9 +20,10 @@ struct FootPlacement {
   double stand_width = 0.15;  ///< the same while standing [m]
   double forward = 0.0;       ///< middle of front and rear footprint before the path's point [m]
   double step_length = 0.65;  ///< of the straight walk at the plan's speed [m]
-  double walk_toe_out = 0.0;  ///< of the left foot, left positive; the right's is its mirror image [rad]
-  double stand_toe_out = 0.0; ///< [rad]
-  double half_support = 0.1;  ///< half of a double support [steps]
+  double walk_toe_out =
+      0.0;  ///< of the left foot, left positive; the right's is its mirror image [rad]
+  double stand_toe_out = 0.0;  ///< [rad]
+  double half_support = 0.1;   ///< half of a double support [steps]
 };
 
 /// A place and heading on the ground that feet are put beside.
@@ -35,7 +37,8 @@ class Footsteps {
   Footsteps(const FootPlacement& placement, const Stance& from, const Stance& to, int steps,
             Side first);
 
-  /// Placings between the first and the last stance; `path_at(i)` is the root path's point midway between nodes i and i + 1, moved on by `forward`.
+  /// Placings between the first and the last stance; `path_at(i)` is the root path's point midway
+  /// between nodes i and i + 1, moved on by `forward`.
   void place(const std::function<GroundPoint(int)>& path_at);
   /// All placings, to set heights: -1 first.
   std::vector<FootPlace>& places() { return places_; }

@@ -6,7 +6,8 @@
 
 namespace amble {
 
-/// p(phase) = alpha_0 + sum_k alpha_k cos(2 pi k phase) + beta_k sin(2 pi k phase), k = 1..harmonics.
+/// p(phase) = alpha_0 + sum_k alpha_k cos(2 pi k phase) + beta_k sin(2 pi k phase), k
+/// = 1..harmonics.
 struct FourierSeries {
   Eigen::MatrixXd alpha;  ///< rows: channels; columns: k = 0..harmonics
   Eigen::MatrixXd beta;   ///< rows: channels; columns: k = 0..harmonics; column 0 is 0
@@ -20,7 +21,8 @@ struct FourierSeries {
 FourierSeries fitFourier(const Eigen::MatrixXd& samples, const std::vector<double>& phases,
                          int harmonics);
 
-/// cos(2 pi k phase) and sin(2 pi k phase), k = 0..harmonics, interleaved into `basis` (2 harmonics + 2 numbers).
+/// cos(2 pi k phase) and sin(2 pi k phase), k = 0..harmonics, interleaved into `basis` (2 harmonics
+/// + 2 numbers).
 void fourierBasis(double phase, int harmonics, double* basis);
 
 }  // namespace amble

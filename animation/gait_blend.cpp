@@ -42,9 +42,8 @@ GaitBlend::GaitBlend(const MotionLibrary& library, double scale) {
     mean->turn_rate /= mean->count * std::sqrt(scale);
   }
   straight_.turn_rate = 0.0;
-  max_turn_rate_ = left_.count > 0 && right_.count > 0
-                       ? std::min(left_.turn_rate, -right_.turn_rate)
-                       : kNoTurns;
+  max_turn_rate_ =
+      left_.count > 0 && right_.count > 0 ? std::min(left_.turn_rate, -right_.turn_rate) : kNoTurns;
   averageFeet(straight, scale);
 }
 
@@ -90,8 +89,7 @@ void GaitBlend::averageFeet(const std::vector<const WalkCycle*>& straight, doubl
 void GaitBlend::evaluate(double phase, double turn_rate, double step_length,
                          Eigen::VectorXd& channels) const {
   const Mean& turn = turn_rate > 0.0 ? left_ : right_;
-  const double weight =
-      turn.count > 0 ? std::clamp(turn_rate / turn.turn_rate, 0.0, 1.0) : 0.0;
+  const double weight = turn.count > 0 ? std::clamp(turn_rate / turn.turn_rate, 0.0, 1.0) : 0.0;
   const double warp = step_length / law_.capturedStep();
   std::array<double, 2 * kMaxHarmonics + 2> basis;
   const auto columns = straight_.coefficients.cols();

@@ -8,8 +8,9 @@
 namespace amble {
 namespace {
 
-// A heel has landed when its ankle is slower than this share of the walk's speed, a toe has left when it is faster. By trial on
-// lab walks; only the shape of the swing is cut there, the timing of steps is set by speed.
+// A heel has landed when its ankle is slower than this share of the walk's speed, a toe has left
+// when it is faster. By trial on lab walks; only the shape of the swing is cut there, the timing of
+// steps is set by speed.
 constexpr double kStrikeShare = 0.8;
 constexpr double kLiftShare = 0.6;
 constexpr double kShortestPlant = 0.2;  // [s]

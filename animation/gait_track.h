@@ -1,4 +1,5 @@
-/// A captured walk as seen by its feet and root, at any time between frames: what the preparation of cycles reads.
+/// A captured walk as seen by its feet and root, at any time between frames: what the preparation
+/// of cycles reads.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -32,8 +33,9 @@ class GaitTrack {
   /// Heading of the pelvis [rad].
   double headingAt(double frame) const;
 
-  /// The foot's sole at mid-stance, where it is flat: its footprint and what the capture's foot rotation must be turned by to be flat then
-  /// (marker sets let feet point up by 20 degrees in one stance and not in the next).
+  /// The foot's sole at mid-stance, where it is flat: its footprint and what the capture's foot
+  /// rotation must be turned by to be flat then (marker sets let feet point up by 20 degrees in one
+  /// stance and not in the next).
   struct FlatFoot {
     Eigen::Vector3d print;          ///< middle of the sole on the ground [m]
     double heading;                 ///< [rad]

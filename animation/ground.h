@@ -10,7 +10,8 @@ namespace amble {
 class Ground {
  public:
   virtual ~Ground() = default;
-  /// Height of the highest ground at (x, y) that is not above z + reach, nor below z - reach; none where there is none [m].
+  /// Height of the highest ground at (x, y) that is not above z + reach, nor below z - reach; none
+  /// where there is none [m].
   virtual std::optional<double> height(double x, double y, double z, double reach) const = 0;
 };
 

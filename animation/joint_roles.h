@@ -13,10 +13,10 @@ namespace amble {
 enum Side : int { kLeft = 0, kRight = 1 };
 
 struct LegJoints {
-  int up_leg = -1;   ///< hip joint
-  int leg = -1;      ///< knee
-  int foot = -1;     ///< ankle
-  int toe = -1;      ///< ball of the foot; -1 where the rig has none
+  int up_leg = -1;  ///< hip joint
+  int leg = -1;     ///< knee
+  int foot = -1;    ///< ankle
+  int toe = -1;     ///< ball of the foot; -1 where the rig has none
 };
 
 struct ArmJoints {
@@ -38,20 +38,22 @@ struct JointRoles {
   double legLength(const Skeleton& skeleton, Side side) const;  ///< thigh + shank [m]
 };
 
-/// Guessed from names of the common rigs (MotionBuilder, 3ds Max Biped, Daz, Acclaim, Mixamo, Rokoko).
-/// @throws InputError naming `file` and the first role for which no joint was found (hips, both legs, both arms, head).
+/// Guessed from names of the common rigs (MotionBuilder, 3ds Max Biped, Daz, Acclaim, Mixamo,
+/// Rokoko).
+/// @throws InputError naming `file` and the first role for which no joint was found (hips, both
+/// legs, both arms, head).
 JointRoles guessJointRoles(const Skeleton& skeleton, const std::string& file);
 
-/// Role names as a motion library's `joints:` writes them (`hips`, `left_up_leg`, ... , `right_hand`), and the joint index of each.
-/// `setRole` returns false where the name is no role.
+/// Role names as a motion library's `joints:` writes them (`hips`, `left_up_leg`, ... ,
+/// `right_hand`), and the joint index of each. `setRole` returns false where the name is no role.
 bool setRole(JointRoles& roles, std::string_view role, int joint);
 /// -1 where the role is empty or unknown.
 int roleJoint(const JointRoles& roles, std::string_view role);
 /// Every role's name, hips first.
 const std::vector<std::string>& roleNames();
 
-/// The unit a capture was written in, from its leg length: the candidate (m, cm, inch, CMU's 0.056444 m, mm) that makes
-/// thigh + shank nearest to 0.83 m. @return metres per unit
+/// The unit a capture was written in, from its leg length: the candidate (m, cm, inch, CMU's
+/// 0.056444 m, mm) that makes thigh + shank nearest to 0.83 m. @return metres per unit
 double guessUnit(const Skeleton& skeleton_in_file_units, const JointRoles& roles);
 
 }  // namespace amble

@@ -24,7 +24,8 @@ std::array<double, 4> coefficients(const YamlNode& node) {
 }
 
 FootCycle readFoot(const YamlNode& node) {
-  node.requireKeys({"strike", "lift_off", "slip", "progress", "height", "sideways", "roll", "yaw", "pitch"});
+  node.requireKeys(
+      {"strike", "lift_off", "slip", "progress", "height", "sideways", "roll", "yaw", "pitch"});
   FootCycle foot;
   foot.strike = node.at("strike").asDouble(0.0, 1.0, "phase [cycles]");
   foot.lift_off = node.at("lift_off").asDouble(0.0, 1.0, "phase [cycles]");
@@ -34,8 +35,9 @@ FootCycle readFoot(const YamlNode& node) {
   foot.sideways = coefficients(node.at("sideways"));
   foot.roll = coefficients(node.at("roll"));
   foot.yaw = coefficients(node.at("yaw"));
-  const Eigen::VectorXd pitch = node.at("pitch").asVec(
-      FootCycle::kStanceSamples + FootCycle::kSwingSamples, "pitch of the sole [degrees]", -180, 180);
+  const Eigen::VectorXd pitch =
+      node.at("pitch").asVec(FootCycle::kStanceSamples + FootCycle::kSwingSamples,
+                             "pitch of the sole [degrees]", -180, 180);
   for (const double p : pitch) foot.pitch.push_back(p * kDegree);
   return foot;
 }
@@ -46,7 +48,8 @@ Eigen::MatrixXd readMatrix(const YamlNode& node, int rows, int columns, const st
     node.fail(std::to_string(items.size()) + " channels", std::to_string(rows) + ", " + what);
   }
   Eigen::MatrixXd matrix(rows, columns);
-  for (int i = 0; i < rows; ++i) matrix.row(i) = items[i].asVec(columns, "coefficients").transpose();
+  for (int i = 0; i < rows; ++i)
+    matrix.row(i) = items[i].asVec(columns, "coefficients").transpose();
   return matrix;
 }
 
@@ -82,8 +85,9 @@ Posture readPosture(const YamlNode& node, int joints) {
   posture.toe_out = degreePair(node.at("toe_out"));
   const std::vector<YamlNode> rotations = node.at("rotations").items();
   if (static_cast<int>(rotations.size()) != joints) {
-    node.at("rotations").fail(std::to_string(rotations.size()) + " rotations",
-                              std::to_string(joints) + ", one a joint");
+    node.at("rotations")
+        .fail(std::to_string(rotations.size()) + " rotations",
+              std::to_string(joints) + ", one a joint");
   }
   for (const YamlNode& item : rotations) {
     const Eigen::Vector4d q = item.asVec(4, "a quaternion [w, x, y, z]");
@@ -123,8 +127,8 @@ Motion readMotion(const YamlNode& node, int joints) {
   motion.cycle = readCycle(node.at("cycle"), joints);
   const double rate = std::abs(motion.cycle.turn_rate);
   if (motion.turning != (rate > kStraightTurnRate)) {
-    node.at("turning").fail("a walk of " + std::to_string(rate / kDegree) + " degrees/s is called " +
-                                (motion.turning ? "a turn" : "straight"),
+    node.at("turning").fail("a walk of " + std::to_string(rate / kDegree) +
+                                " degrees/s is called " + (motion.turning ? "a turn" : "straight"),
                             motion.turning ? "more than 8.6 degrees/s" : "less than 8.6 degrees/s");
   }
   return motion;
@@ -190,9 +194,9 @@ MotionLibrary readMotionLibrary(const std::filesystem::path& file) {
   return library;
 }
 
-MotionLibrary openMotionLibrary(const std::string& name,
-                                const std::filesystem::path& relative_to) {
-  if (name == "default") return readMotionLibrary(dataDirectory() / "animation/motions/default.yaml");
+MotionLibrary openMotionLibrary(const std::string& name, const std::filesystem::path& relative_to) {
+  if (name == "default")
+    return readMotionLibrary(dataDirectory() / "animation/motions/default.yaml");
   const std::filesystem::path path = name;
   return readMotionLibrary(path.is_absolute() ? path : relative_to / path);
 }

@@ -23,7 +23,7 @@ enum class MotionKind { kWalk, kPosture };
 inline constexpr double kStraightTurnRate = 0.15;
 
 struct MotionSource {
-  std::string clip;            ///< path below the captures' folder
+  std::string clip;                    ///< path below the captures' folder
   std::array<int, 2> frames = {0, 0};  ///< of the clip: first and last
   bool mirrored = false;
   std::string licence;
@@ -45,7 +45,7 @@ struct MotionLibrary {
   std::string skeleton_file;  ///< BVH beside the library; its hierarchy only is read
   Skeleton skeleton;          ///< [m]
   JointRoles roles;
-  double stature = 0.0;       ///< of the captured subject, from leg length [m]
+  double stature = 0.0;  ///< of the captured subject, from leg length [m]
   std::vector<Motion> motions;
 
   const Motion* find(const std::string& motion) const;  ///< by name; null where there is none
@@ -54,17 +54,18 @@ struct MotionLibrary {
   std::array<FootShape, 2> feet() const;  ///< by Side
 };
 
-/// @throws InputError with file and line: unknown keys, sizes that do not fit the skeleton, a walk that is called straight and turns, no
-/// posture `stand`, no straight walk.
+/// @throws InputError with file and line: unknown keys, sizes that do not fit the skeleton, a walk
+/// that is called straight and turns, no posture `stand`, no straight walk.
 MotionLibrary readMotionLibrary(const std::filesystem::path& file);
-/// The library called `default`, or the one at a path (relative to `relative_to`). @throws InputError
+/// The library called `default`, or the one at a path (relative to `relative_to`). @throws
+/// InputError
 MotionLibrary openMotionLibrary(const std::string& name,
                                 const std::filesystem::path& relative_to = {});
 /// Writes the library and, beside it, the BVH of its skeleton. @throws InputError
 void writeMotionLibrary(const MotionLibrary& library, const std::filesystem::path& file);
 
-/// Reads a recipe and its captures, and prepares every motion. `captures` is the folder that clip paths are relative to; where it
-/// is empty, the recipe's own `captures:`. @throws InputError
+/// Reads a recipe and its captures, and prepares every motion. `captures` is the folder that clip
+/// paths are relative to; where it is empty, the recipe's own `captures:`. @throws InputError
 MotionLibrary buildMotionLibrary(const std::filesystem::path& recipe,
                                  const std::filesystem::path& captures = {});
 

@@ -20,15 +20,14 @@ struct RecipeMotion {
 };
 
 RecipeMotion readRecipeMotion(const YamlNode& node, const YamlNode& root) {
-  node.requireKeys({"name", "kind", "turning", "clip", "frames", "mirror", "harmonics", "licence",
-                    "credit"});
+  node.requireKeys(
+      {"name", "kind", "turning", "clip", "frames", "mirror", "harmonics", "licence", "credit"});
   RecipeMotion recipe;
   recipe.motion.name = node.at("name").asString();
   recipe.motion.kind = node.at("kind").asEnum<MotionKind>(
       {{"walk", MotionKind::kWalk}, {"posture", MotionKind::kPosture}});
   if (recipe.motion.kind == MotionKind::kWalk) {
-    recipe.motion.turning =
-        node.at("turning").asEnum<bool>({{"straight", false}, {"turn", true}});
+    recipe.motion.turning = node.at("turning").asEnum<bool>({{"straight", false}, {"turn", true}});
   }
   recipe.motion.source.clip = node.at("clip").asString();
   if (const YamlNode mirror = node["mirror"]) recipe.motion.source.mirrored = mirror.asBool();
@@ -74,7 +73,8 @@ void requireSameSkeleton(const MotionLibrary& library, const Clip& clip, const s
   bool same = clip.skeleton.size() == library.skeleton.size();
   for (int i = 0; same && i < clip.skeleton.size(); ++i) {
     same = clip.skeleton.joint(i).name == library.skeleton.joint(i).name &&
-           (i == 0 || (clip.skeleton.joint(i).offset - library.skeleton.joint(i).offset).norm() < 1e-3);
+           (i == 0 ||
+            (clip.skeleton.joint(i).offset - library.skeleton.joint(i).offset).norm() < 1e-3);
   }
   if (!same) throw InputError(file, 0, "another skeleton than the library's", "one subject");
 }
@@ -149,7 +149,8 @@ class LibraryBuilder {
     recipe.motion.source.frames = {used.first, used.second};
     const double rate = std::abs(recipe.motion.cycle.turn_rate);
     if (recipe.motion.turning != (rate > kStraightTurnRate)) {
-      throw InputError(file, 0, "its cycle turns by " + std::to_string(rate / kDegree) + " degrees/s",
+      throw InputError(file, 0,
+                       "its cycle turns by " + std::to_string(rate / kDegree) + " degrees/s",
                        recipe.motion.turning ? "a turn" : "a straight walk");
     }
   }

@@ -9,12 +9,14 @@
 namespace amble {
 namespace {
 
-// Digits after the point: a tenth of a micrometre or of a microradian, far below what a capture knows.
+// Digits after the point: a tenth of a micrometre or of a microradian, far below what a capture
+// knows.
 constexpr int kDigits = 7;
 
 std::string number(double value) {
   char text[64];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, kDigits);
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, kDigits);
   std::string s(text, end.ptr);
   while (s.back() == '0') s.pop_back();
   if (s.back() == '.') s.pop_back();
@@ -108,7 +110,8 @@ void writeMotion(std::ostream& out, const Motion& motion) {
 }
 
 void writeLibrary(std::ostream& out, const MotionLibrary& library) {
-  out << "# Made by `amble library build` from the captures that are named below; not edited by hand.\n"
+  out << "# Made by `amble library build` from the captures that are named below; not edited by "
+         "hand.\n"
       << "# Metres, seconds, degrees; rotation vectors (from channel 3 on) in radians.\n"
       << "skeleton: " << library.skeleton_file << "\n"
       << "stature: " << number(library.stature) << "\n"

@@ -1,7 +1,7 @@
 /// Poses, many of them in contiguous memory, and forward kinematics.
 ///
-/// World is right-handed, z up, metres. A pose is the root's position in World and one unit quaternion a joint:
-/// q_WR for the root (joint 0), q_PJ (joint in its parent) for the others.
+/// World is right-handed, z up, metres. A pose is the root's position in World and one unit
+/// quaternion a joint: q_WR for the root (joint 0), q_PJ (joint in its parent) for the others.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,8 +14,8 @@ namespace amble {
 
 /// A pose that somebody else owns.
 struct PoseView {
-  const Eigen::Vector3d& p_WR;                         ///< root in World [m]
-  std::span<const Eigen::Quaterniond> rotations;       ///< one a joint: q_WR, then q_PJ
+  const Eigen::Vector3d& p_WR;                    ///< root in World [m]
+  std::span<const Eigen::Quaterniond> rotations;  ///< one a joint: q_WR, then q_PJ
 };
 
 struct Pose {
@@ -67,11 +67,13 @@ struct JointFrame {
   Eigen::Vector3d operator*(const Eigen::Vector3d& p_J) const { return q_WJ * p_J + p_WJ; }
 };
 
-/// X_WJ of every joint. Allocates nothing. @pre frames.size() == skeleton.size() == pose.rotations.size().
+/// X_WJ of every joint. Allocates nothing. @pre frames.size() == skeleton.size() ==
+/// pose.rotations.size().
 void forwardKinematics(const Skeleton& skeleton, PoseView pose, std::span<JointFrame> frames);
 
-/// The pose that a player shows at `t` [0, 1] between two frames (DESIGN.md, section 3): the root moves linearly,
-/// each joint turns by slerp on the shorter way. Written into `out` (p_WR and rotations), which may be neither input.
+/// The pose that a player shows at `t` [0, 1] between two frames (DESIGN.md, section 3): the root
+/// moves linearly, each joint turns by slerp on the shorter way. Written into `out` (p_WR and
+/// rotations), which may be neither input.
 void interpolatePose(PoseView a, PoseView b, double t, Pose& out);
 
 }  // namespace amble

@@ -8,7 +8,8 @@
 namespace amble {
 namespace {
 
-// A cubic's speed is smooth; over a 24th of it, five Gauss-Legendre points are exact to 1e-12 unless a handle nearly vanishes.
+// A cubic's speed is smooth; over a 24th of it, five Gauss-Legendre points are exact to 1e-12
+// unless a handle nearly vanishes.
 constexpr int kPiecesPerCurve = 24;
 
 Eigen::Vector2d position(const Bezier& c, double u) {

@@ -1,7 +1,8 @@
 /// The root path: cubic Bezier curves in the plane, by arc length (Pettré §3, eq. 1).
 ///
-/// With control points P0..P3 the curve is sum_i C(3,i) u^i (1-u)^(3-i) P_i, 0 <= u <= 1. Heading is atan2(y', x') (the
-/// paper's arctan(y'/x') would forbid half of the headings). Everything is asked by arc length s [m], 0 <= s <= length().
+/// With control points P0..P3 the curve is sum_i C(3,i) u^i (1-u)^(3-i) P_i, 0 <= u <= 1. Heading
+/// is atan2(y', x') (the paper's arctan(y'/x') would forbid half of the headings). Everything is
+/// asked by arc length s [m], 0 <= s <= length().
 #pragma once
 
 #include <Eigen/Core>
@@ -13,9 +14,10 @@ namespace amble {
 /// One cubic Bezier curve: columns are P0, P1, P2, P3 [m].
 using Bezier = Eigen::Matrix<double, 2, 4>;
 
-/// The curve from one place and heading to another whose handles are `handle` times the distance long [0.1, 2].
-Bezier makeBezier(const Eigen::Vector2d& from, double from_heading, const Eigen::Vector2d& to, double to_heading,
-                  double handle = 0.4);
+/// The curve from one place and heading to another whose handles are `handle` times the distance
+/// long [0.1, 2].
+Bezier makeBezier(const Eigen::Vector2d& from, double from_heading, const Eigen::Vector2d& to,
+                  double to_heading, double handle = 0.4);
 
 class RootPath {
  public:
@@ -30,7 +32,9 @@ class RootPath {
 
   bool empty() const { return curves_.empty(); }
   const std::vector<Bezier>& curves() const { return curves_; }
-  double length() const { return length_; }   ///< exact to 1e-9 relative, by Gauss-Legendre quadrature
+  double length() const {
+    return length_;
+  }  ///< exact to 1e-9 relative, by Gauss-Legendre quadrature
   /// s is held within [0, length()].
   Sample at(double s) const;
   double maxCurvature() const;  ///< largest |curvature|, sampled every 2 cm or finer [1/m]

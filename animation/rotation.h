@@ -17,9 +17,11 @@ Eigen::Vector3d logRotation(const Eigen::Quaterniond& q);
 
 /// R = R_order[0](angles[0]) * R_order[1](angles[1]) * R_order[2](angles[2]) [rad].
 Eigen::Quaterniond fromEuler(const Eigen::Vector3d& angles, RotationOrder order);
-/// Closed form for each of the six orders, middle angle in [-pi/2, pi/2]. In gimbal lock the last angle is 0.
+/// Closed form for each of the six orders, middle angle in [-pi/2, pi/2]. In gimbal lock the last
+/// angle is 0.
 Eigen::Vector3d toEuler(const Eigen::Quaterniond& q, RotationOrder order);
-/// Of the triples that mean the same rotation (2 pi turns of each, and the other solution), the one nearest to `previous`.
+/// Of the triples that mean the same rotation (2 pi turns of each, and the other solution), the one
+/// nearest to `previous`.
 Eigen::Vector3d unwrapEuler(const Eigen::Vector3d& angles, const Eigen::Vector3d& previous);
 
 /// Angle in (-pi, pi].

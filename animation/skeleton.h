@@ -1,7 +1,8 @@
 /// A skeleton: a tree of joints with fixed offsets, as a capture file describes it.
 ///
-/// Frames: a joint's frame is as the capture made it (usually y up in the rest pose); its offset is its origin in
-/// the parent's frame. Only the root is placed in World (z up), see DESIGN.md, section 2. Metres.
+/// Frames: a joint's frame is as the capture made it (usually y up in the rest pose); its offset is
+/// its origin in the parent's frame. Only the root is placed in World (z up), see DESIGN.md,
+/// section 2. Metres.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,9 +18,10 @@ using RotationOrder = std::array<char, 3>;
 
 struct Joint {
   std::string name;
-  int parent = -1;                                    ///< index of the parent; -1 for the root
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();   ///< origin in the parent's frame [m]; 0 for the root
-  RotationOrder order = {'Z', 'X', 'Y'};              ///< channels of the source file
+  int parent = -1;  ///< index of the parent; -1 for the root
+  Eigen::Vector3d offset =
+      Eigen::Vector3d::Zero();            ///< origin in the parent's frame [m]; 0 for the root
+  RotationOrder order = {'Z', 'X', 'Y'};  ///< channels of the source file
   /// Tips of the bones that end here ("End Site"), in this joint's frame [m]. Usually none or one.
   std::vector<Eigen::Vector3d> end_sites;
 };
@@ -28,7 +30,8 @@ struct Joint {
 class Skeleton {
  public:
   Skeleton() = default;
-  /// @throws std::invalid_argument if joints is empty, a parent does not precede its child, or a number is not finite.
+  /// @throws std::invalid_argument if joints is empty, a parent does not precede its child, or a
+  /// number is not finite.
   explicit Skeleton(std::vector<Joint> joints);
 
   int size() const { return static_cast<int>(joints_.size()); }
@@ -36,7 +39,8 @@ class Skeleton {
   const std::vector<Joint>& joints() const { return joints_; }
   /// Index of the joint of this very name, or -1.
   int find(std::string_view name) const;
-  /// Whether joint `ancestor` lies on the way from `joint` to the root; a joint is its own ancestor.
+  /// Whether joint `ancestor` lies on the way from `joint` to the root; a joint is its own
+  /// ancestor.
   bool isAncestor(int ancestor, int joint) const;
   /// The same skeleton with every offset and end site times `factor` [> 0].
   Skeleton scaled(double factor) const;

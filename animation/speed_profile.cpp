@@ -7,13 +7,14 @@
 namespace amble {
 namespace {
 
-constexpr double kSpacing = 0.02;      // of knots [m]
+constexpr double kSpacing = 0.02;       // of knots [m]
 constexpr double kShortestPath = 0.05;  // [m]
 // Over this many straight steps a stretched stride fades to the plan's at a walking stance.
 constexpr double kFadeSteps = 1.2;
 
-// Speed against the wanted one when steps are `stretch` times the wanted ones. A walk whose steps give way by a few percent keeps its speed and
-// changes its cadence; steps much longer or shorter change both, as short steps are slow ones.
+// Speed against the wanted one when steps are `stretch` times the wanted ones. A walk whose steps
+// give way by a few percent keeps its speed and changes its cadence; steps much longer or shorter
+// change both, as short steps are slow ones.
 double pace(double stretch) {
   constexpr double kSteady = 0.12;  // by trial: log of the stretch at which speed begins to follow
   const double u = std::log(stretch);
@@ -50,6 +51,11 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
     knots_[i].arc = spacing * i;
     const double curvature = std::abs(path.at(knots_[i].arc).curvature);
     speed[i] = std::min(limits_.speed, limits_.max_turn_rate / std::max(curvature, 1e-9));
+    const double from_standing = std::min(ends_.from_standing ? knots_[i].arc : length_,
+                                          ends_.to_standing ? length_ - knots_[i].arc : length_);
+    if (from_standing < 0.5 * limits_.law.stepLength(kFirstSpeed)) {
+      speed[i] = std::min(speed[i], kFirstSpeed);
+    }
     knots_[i].window = (ends_.from_standing ? 1.0 : smoothstep(knots_[i].arc / fade)) *
                        (ends_.to_standing ? 1.0 : smoothstep((length_ - knots_[i].arc) / fade));
   }
@@ -103,9 +109,8 @@ void SpeedProfile::chooseSteps() {
   std::array<int, 4> candidates;
   const int first = static_cast<int>(std::floor(natural)) - 1;
   for (int i = 0; i < 4; ++i) candidates[i] = first + i;
-  std::stable_sort(candidates.begin(), candidates.end(), [&](int a, int b) {
-    return std::abs(a - natural) < std::abs(b - natural);
-  });
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](int a, int b) { return std::abs(a - natural) < std::abs(b - natural); });
   for (const int n : candidates) {
     if (n < 2 || (ends_.parity && n % 2 != *ends_.parity)) continue;
     double low = kShortest, high = kLongest;
@@ -130,10 +135,12 @@ void SpeedProfile::chooseSteps() {
   refusal_ = Refusal::kStepLength;
 }
 
-// Slowness at every knot such that the whole takes a whole number of frames: cadence gives way by less than a frame.
+// Slowness at every knot such that the whole takes a whole number of frames: cadence gives way by
+// less than a frame.
 void SpeedProfile::time() {
   const auto total = [&](double eta) {
-    for (Knot& k : knots_) k.slowness = (1.0 + eta * k.window) / (k.speed * pace(k.step / k.wanted));
+    for (Knot& k : knots_)
+      k.slowness = (1.0 + eta * k.window) / (k.speed * pace(k.step / k.wanted));
     knots_[0].time = 0.0;
     for (size_t i = 1; i < knots_.size(); ++i) {
       knots_[i].time = knots_[i - 1].time + 0.5 * (knots_[i].arc - knots_[i - 1].arc) *
@@ -169,10 +176,10 @@ double SpeedProfile::integralAt(double arc, double Knot::*value, double Knot::*r
 // Arc at which the integral reaches a value.
 double SpeedProfile::arcWhere(double value, double Knot::*integral, double Knot::*rate,
                               bool inverse_rate) const {
-  const auto after = std::upper_bound(
-      knots_.begin(), knots_.end(), value,
-      [&](double v, const Knot& k) { return v < k.*integral; });
-  const size_t i = std::clamp<size_t>(static_cast<size_t>(after - knots_.begin()), 1, knots_.size() - 1);
+  const auto after = std::upper_bound(knots_.begin(), knots_.end(), value,
+                                      [&](double v, const Knot& k) { return v < k.*integral; });
+  const size_t i =
+      std::clamp<size_t>(static_cast<size_t>(after - knots_.begin()), 1, knots_.size() - 1);
   const Knot &a = knots_[i - 1], &b = knots_[i];
   const double h = b.arc - a.arc;
   const double ra = inverse_rate ? 1.0 / (a.*rate) : a.*rate;
@@ -195,12 +202,16 @@ SpeedProfile::Sample SpeedProfile::at(int frame) const {
   const double total = frames_ * limits_.frame_time;
   const auto slownessAt = [&](double arc) {
     const double spacing = knots_[1].arc;
-    const int i = std::clamp(static_cast<int>(arc / spacing), 0, static_cast<int>(knots_.size()) - 2);
+    const int i =
+        std::clamp(static_cast<int>(arc / spacing), 0, static_cast<int>(knots_.size()) - 2);
     const double u = (arc - knots_[i].arc) / spacing;
-    return std::array<double, 2>{knots_[i].slowness + u * (knots_[i + 1].slowness - knots_[i].slowness),
-                                 knots_[i].step + u * (knots_[i + 1].step - knots_[i].step)};
+    return std::array<double, 2>{
+        knots_[i].slowness + u * (knots_[i + 1].slowness - knots_[i].slowness),
+        knots_[i].step + u * (knots_[i + 1].step - knots_[i].step)};
   };
-  if (frame <= 0) return {0.0, ends_.from_standing ? 0.0 : 1.0 / knots_.front().slowness, 0.0, knots_.front().step};
+  if (frame <= 0)
+    return {0.0, ends_.from_standing ? 0.0 : 1.0 / knots_.front().slowness, 0.0,
+            knots_.front().step};
   if (frame >= frames_) {
     return {length_, ends_.to_standing ? 0.0 : 1.0 / knots_.back().slowness,
             static_cast<double>(steps_), knots_.back().step};
@@ -209,15 +220,15 @@ SpeedProfile::Sample SpeedProfile::at(int frame) const {
   if (t < start_time_) {
     const double tau = t / start_time_;
     const auto [slowness, step] = slownessAt(start_arc_);
-    return {2.0 * start_arc_ * (tau * tau * tau * (1.0 - 0.5 * tau)), smoothstep(tau) * 2.0 * start_arc_ / start_time_,
-            tau, step};
+    return {2.0 * start_arc_ * (tau * tau * tau * (1.0 - 0.5 * tau)),
+            smoothstep(tau) * 2.0 * start_arc_ / start_time_, tau, step};
   }
   if (t > total - stop_time_) {
     const double tau = (total - t) / stop_time_;
     const auto [slowness, step] = slownessAt(stop_arc_);
     const double left = length_ - stop_arc_;
-    return {length_ - 2.0 * left * (tau * tau * tau * (1.0 - 0.5 * tau)), smoothstep(tau) * 2.0 * left / stop_time_,
-            steps_ - tau, step};
+    return {length_ - 2.0 * left * (tau * tau * tau * (1.0 - 0.5 * tau)),
+            smoothstep(tau) * 2.0 * left / stop_time_, steps_ - tau, step};
   }
   const double base = integralAt(start_arc_, &Knot::time, &Knot::slowness, false);
   const double arc = arcWhere(base + t - start_time_, &Knot::time, &Knot::slowness, false);

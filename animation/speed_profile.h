@@ -1,8 +1,9 @@
 /// The speed profile: when a walk is where on its root path, and in which step.
 ///
-/// It starts from standing, slows where the path turns faster than the library's walks, stops standing; it is a whole number of
-/// steps and of frames (DESIGN.md, section 3). Progress is counted in steps: at progress i the walker is in the middle of a double support, and
-/// the i-th step of the walk has just landed.
+/// It starts from standing, slows where the path turns faster than the library's walks, stops
+/// standing; it is a whole number of steps and of frames (DESIGN.md, section 3). Progress is
+/// counted in steps: at progress i the walker is in the middle of a double support, and the i-th
+/// step of the walk has just landed.
 #pragma once
 
 #include <optional>
@@ -15,8 +16,8 @@ namespace amble {
 
 struct SpeedLimits {
   StrideLaw law;
-  double speed = 1.2;          ///< on the straight, and at walking stances [m/s]
-  double max_turn_rate = 1.0;  ///< [rad/s]
+  double speed = 1.2;              ///< on the straight, and at walking stances [m/s]
+  double max_turn_rate = 1.0;      ///< [rad/s]
   double frame_time = 1.0 / 60.0;  ///< [s]
 };
 
@@ -29,8 +30,11 @@ struct SpeedProfileEnds {
 class SpeedProfile {
  public:
   enum class Refusal { kNone, kTurnRate, kStepLength };
-  /// People speed up and slow down by about this much within a walk; starting and stopping are one step long [m/s^2].
+  /// People speed up and slow down by about this much within a walk; starting and stopping are one
+  /// step long [m/s^2].
   static constexpr double kAcceleration = 1.0;
+  /// Fastest that a first step brings a walker to, and a last one stops from; by trial [m/s].
+  static constexpr double kFirstSpeed = 1.0;
 
   /// Plans the whole profile. Where it is refused, nothing else may be asked.
   SpeedProfile(const RootPath& path, const SpeedLimits& limits, const SpeedProfileEnds& ends);
@@ -57,20 +61,23 @@ class SpeedProfile {
   Sample within(double arc_from_knot, int knot) const;
 
   struct Knot {
-    double arc, window, wanted;   // [m], 0 where a walking stance fixes the step, wanted step length [m]
-    double speed;                 // wanted [m/s]
-    double step, slowness;        // step length [m], [s/m]
-    double steps, time;           // integrals from the path's begin, of 1/step and of slowness
+    double arc, window,
+        wanted;             // [m], 0 where a walking stance fixes the step, wanted step length [m]
+    double speed;           // wanted [m/s]
+    double step, slowness;  // step length [m], [s/m]
+    double steps, time;     // integrals from the path's begin, of 1/step and of slowness
   };
   double integralAt(double arc, double Knot::*value, double Knot::*rate, bool inverse_rate) const;
-  double arcWhere(double value, double Knot::*integral, double Knot::*rate, bool inverse_rate) const;
+  double arcWhere(double value, double Knot::*integral, double Knot::*rate,
+                  bool inverse_rate) const;
 
   SpeedLimits limits_;
   SpeedProfileEnds ends_;
   Refusal refusal_ = Refusal::kNone;
-  std::vector<Knot> knots_;   // even in arc
+  std::vector<Knot> knots_;  // even in arc
   double length_ = 0.0;
-  double start_arc_ = 0.0, stop_arc_ = 0.0;    // [m]: arc of the first and last node that is walked through
+  double start_arc_ = 0.0,
+         stop_arc_ = 0.0;  // [m]: arc of the first and last node that is walked through
   double start_time_ = 0.0, stop_time_ = 0.0;  // [s]: how long starting and stopping take
   int steps_ = 0, frames_ = 0;
 };

@@ -3,14 +3,16 @@
 
 namespace amble {
 
-/// Step length grows with speed to the power 0.42 and cadence with the rest (Grieve & Gear 1966), through the captured walk's own speed and step
-/// length: the constants differ from subject to subject (Inman's law, Glardon eq. 4, is 5 % high on ours). Below `kSlowestCadence` of the
+/// Step length grows with speed to the power 0.42 and cadence with the rest (Grieve & Gear 1966),
+/// through the captured walk's own speed and step length: the constants differ from subject to
+/// subject (Inman's law, Glardon eq. 4, is 5 % high on ours). Below `kSlowestCadence` of the
 /// captured cadence people take shorter steps rather than slower ones.
 class StrideLaw {
  public:
   static constexpr double kStepPower = 0.42;
   static constexpr double kSlowestCadence = 0.7;  // by trial: slower steps look like wading
-  /// Steps shorter or longer than this, times the captured one, are not walked: the warped cycle no longer looks like a walk.
+  /// Steps shorter or longer than this, times the captured one, are not walked: the warped cycle no
+  /// longer looks like a walk.
   static constexpr double kShortestStep = 0.3;
   static constexpr double kLongestStep = 1.4;
 
@@ -18,17 +20,17 @@ class StrideLaw {
   /// Of the captured walk: speed [m/s, > 0] and step length [m, > 0].
   StrideLaw(double speed, double step_length) : speed_(speed), step_(step_length) {}
 
-  double capturedStep() const { return step_; }   ///< [m]
-  double stepLength(double speed) const;          ///< [m]; inverse of speed()
-  double speed(double step_length) const;         ///< [m/s]
+  double capturedStep() const { return step_; }  ///< [m]
+  double stepLength(double speed) const;         ///< [m]; inverse of speed()
+  double speed(double step_length) const;        ///< [m/s]
 
  private:
   double speed_ = 1.0;
   double step_ = 0.65;
 };
 
-/// Share of time with both feet planted, at a speed, for a leg length [m]: norms of Schwartz, Rozumalski & Trost (2008), by dimensionless
-/// speed v / sqrt(g leg); linear between their classes.
+/// Share of time with both feet planted, at a speed, for a leg length [m]: norms of Schwartz,
+/// Rozumalski & Trost (2008), by dimensionless speed v / sqrt(g leg); linear between their classes.
 double doubleSupport(double speed, double leg_length);
 
 }  // namespace amble

@@ -6,7 +6,8 @@
 namespace amble {
 namespace {
 
-// Sine of the flexion below which the plane of hip, knee and ankle is more and more noise, and the flexion axis takes over: 10 degrees.
+// Sine of the flexion below which the plane of hip, knee and ankle is more and more noise, and the
+// flexion axis takes over: 10 degrees.
 constexpr double kNearlyStraight = 0.17;
 
 // Unit normal of the leg's plane, at right angles to the thigh, on the flexion axis' side.
@@ -31,7 +32,8 @@ std::optional<TwoLinkSolution> solveTwoLink(const TwoLink& leg, const Eigen::Vec
   }
   const Eigen::Vector3d thigh = (leg.knee - leg.hip) / a, shank = (leg.ankle - leg.knee) / b;
   const Eigen::Vector3d normal = planeNormal(leg, thigh, shank);
-  // The flexion that puts the ankle at the right distance, then the leg as a whole towards the target.
+  // The flexion that puts the ankle at the right distance, then the leg as a whole towards the
+  // target.
   const double cosine = (distance * distance - a * a - b * b) / (2.0 * a * b);
   const double flexion = std::acos(std::clamp(cosine, -1.0, 1.0));
   const Eigen::Vector3d bent = std::cos(flexion) * thigh + std::sin(flexion) * normal.cross(thigh);

@@ -11,20 +11,23 @@ struct TwoLink {
   Eigen::Vector3d hip;
   Eigen::Vector3d knee;
   Eigen::Vector3d ankle;
-  /// Axis about which the knee flexes, right-handed: the thigh's left. It says to which side of the plane the knee may
-  /// point, and takes the plane's place where the leg is straight within 10 degrees. Need not be a unit vector.
+  /// Axis about which the knee flexes, right-handed: the thigh's left. It says to which side of the
+  /// plane the knee may point, and takes the plane's place where the leg is straight within 10
+  /// degrees. Need not be a unit vector.
   Eigen::Vector3d flexion_axis;
 };
 
-/// World rotations that bring the ankle to the target: new q_WThigh = thigh * q_WThigh, new q_WShank = shank * q_WShank.
+/// World rotations that bring the ankle to the target: new q_WThigh = thigh * q_WThigh, new
+/// q_WShank = shank * q_WShank.
 struct TwoLinkSolution {
   Eigen::Quaterniond thigh;
   Eigen::Quaterniond shank;
   double knee_flexion;  ///< angle between the links, 0 straight [rad, >= 0]
 };
 
-/// The knee stays in the plane of hip, knee and ankle, which is turned on the shortest way from the old ankle to the target; it flexes
-/// forward only. None where the target is farther than both links together, or nearer than their difference.
+/// The knee stays in the plane of hip, knee and ankle, which is turned on the shortest way from the
+/// old ankle to the target; it flexes forward only. None where the target is farther than both
+/// links together, or nearer than their difference.
 std::optional<TwoLinkSolution> solveTwoLink(const TwoLink& leg, const Eigen::Vector3d& target);
 
 }  // namespace amble

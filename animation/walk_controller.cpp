@@ -32,15 +32,16 @@ WalkController::WalkController(const GaitBlend& blend,
 double WalkController::lowering(double step_length) const {
   const std::vector<double>& table = carriage_.lowering;
   if (table.size() < 2) return 0.0;
-  const double at = std::clamp(step_length / carriage_.longest, 0.0, 1.0) *
-                    static_cast<double>(table.size() - 1);
+  const double at =
+      std::clamp(step_length / carriage_.longest, 0.0, 1.0) * static_cast<double>(table.size() - 1);
   const size_t i = std::min(static_cast<size_t>(at), table.size() - 2);
   const double t = at - static_cast<double>(i);
   return table[i] + t * (table[i + 1] - table[i]);
 }
 
 double WalkController::loweringShare(double phase) {
-  constexpr double kLeast = 0.5;  // by trial: less and the hips bob, more and the standing knee bends
+  constexpr double kLeast =
+      0.5;  // by trial: less and the hips bob, more and the standing knee bends
   return kLeast + (1.0 - kLeast) * 0.5 * (1.0 + std::cos(4.0 * kPi * phase));
 }
 

@@ -12,9 +12,9 @@
 namespace amble {
 namespace {
 
-constexpr int kSamples = 64;               // of a cycle, to fit the series to
-constexpr double kShortestPeriod = 0.7;    // of two steps of a walk [s]
-constexpr double kLongestPeriod = 1.8;     // [s]
+constexpr int kSamples = 64;             // of a cycle, to fit the series to
+constexpr double kShortestPeriod = 0.7;  // of two steps of a walk [s]
+constexpr double kLongestPeriod = 1.8;   // [s]
 
 // A stretch from one double support to the next but one, in fractions of the clip's frames.
 struct Stretch {
@@ -23,7 +23,8 @@ struct Stretch {
   double closure, turn;       // [m], [rad]
 };
 
-// Middles of the double supports in which `leading` has just struck and the other foot is about to leave.
+// Middles of the double supports in which `leading` has just struck and the other foot is about to
+// leave.
 std::vector<double> doubleSupports(const GaitTrack& track, Side leading) {
   std::vector<double> middles;
   const Side trailing = leading == kLeft ? kRight : kLeft;
@@ -39,7 +40,8 @@ std::vector<double> doubleSupports(const GaitTrack& track, Side leading) {
   return middles;
 }
 
-// Root mean square distance of the joints at two times, each seen from the root's place and heading.
+// Root mean square distance of the joints at two times, each seen from the root's place and
+// heading.
 double closureOf(const GaitTrack& track, double a, double b) {
   const auto seen = [&](double frame) {
     const Eigen::Quaterniond back = aboutZ(-track.headingAt(frame));
@@ -69,7 +71,8 @@ std::vector<Stretch> stretches(const GaitTrack& track, const CycleOptions& optio
           *middle >= own[i + 1]) {
         continue;
       }
-      if (options.frames && (own[i] < options.frames->first || own[i + 1] > options.frames->second)) {
+      if (options.frames &&
+          (own[i] < options.frames->first || own[i + 1] > options.frames->second)) {
         continue;
       }
       found.push_back({own[i], *middle, own[i + 1], leading, closureOf(track, own[i], own[i + 1]),
@@ -88,9 +91,8 @@ Stretch mostCyclic(const GaitTrack& track, const CycleOptions& options) {
   const auto cost = [&](const Stretch& s) {
     return options.turning ? s.closure / std::max(std::abs(s.turn), 1e-3) : s.closure;
   };
-  return *std::min_element(found.begin(), found.end(), [&](const Stretch& a, const Stretch& b) {
-    return cost(a) < cost(b);
-  });
+  return *std::min_element(found.begin(), found.end(),
+                           [&](const Stretch& a, const Stretch& b) { return cost(a) < cost(b); });
 }
 
 // The fitted line or circle: the path's point and heading at phase 0, and how they go on.
@@ -105,7 +107,8 @@ struct FittedPath {
   }
 };
 
-// Time of phase [cycles] after `begin`, such that the middle double support comes at 0.5 and the ends keep their rate.
+// Time of phase [cycles] after `begin`, such that the middle double support comes at 0.5 and the
+// ends keep their rate.
 double frameAt(const Stretch& s, double phase) {
   const double period = s.end - s.begin;
   const double late = (s.middle - s.begin) / period - 0.5;
@@ -127,8 +130,7 @@ FittedPath fitPath(const GaitTrack& track, const Stretch& s, bool turning) {
   for (int i = 0; i < kSamples; ++i) {
     const double u = static_cast<double>(i) / kSamples;
     const double heading = path.heading + path.turn * u;
-    const Eigen::Vector2d d =
-        track.jointsAt(frameAt(s, u))[0].p_WJ.head<2>() - path.at(u);
+    const Eigen::Vector2d d = track.jointsAt(frameAt(s, u))[0].p_WJ.head<2>() - path.at(u);
     across += (-std::sin(heading) * d.x() + std::cos(heading) * d.y()) / kSamples;
   }
   path.start += across * Eigen::Vector2d(-std::sin(path.heading), std::cos(path.heading));
@@ -243,7 +245,8 @@ Posture preparePosture(const Clip& level, const JointRoles& roles,
     pose.rotations.resize(joints);
     track.poseAt(i, pose);
     pose.rotations[0] = aboutZ(-heading) * pose.rotations[0];
-    for (int j = 0; j < joints; ++j) {  // quaternions that lie near each other: their mean is their sum
+    for (int j = 0; j < joints;
+         ++j) {  // quaternions that lie near each other: their mean is their sum
       const Eigen::Vector4d q = pose.rotations[j].coeffs();
       sum[j] += q.dot(sum[j]) < 0.0 ? Eigen::Vector4d(-q) : q;
     }

@@ -15,19 +15,26 @@
 namespace amble {
 namespace {
 
-// Legs are not stretched farther than this share of their length by the straight walk, a knee bent by 6 degrees: captured walkers reach 0.999.
+// Legs are not stretched farther than this share of their length by the straight walk, a knee bent
+// by 6 degrees: captured walkers reach 0.999.
 constexpr double kStraightReach = 0.9985;
 constexpr double kStandingReach = 0.995;
 constexpr double kLongestLean = 0.03;  // of the root before its feet, beyond the captured [m]
 constexpr double kLeanCost = 0.2;      // metres of lowering that a metre of lean is worth; by trial
 constexpr int kLeanSteps = 12;
-constexpr int kLoweringSteps = 16;     // step lengths for which the root's lowering is prepared
-constexpr double kGroundReach = 0.05;  // heights within so much of the path's point are its ground [m]
+constexpr int kLoweringSteps = 16;  // step lengths for which the root's lowering is prepared
+constexpr double kGroundReach =
+    0.05;  // heights within so much of the path's point are its ground [m]
 
-// Turning on the spot: one pair of steps an angle; a pair's time keeps the peak turn rate near the 84 degrees/s that people reach.
+// The standing posture is left within this share of the first step, before its foot lands, and
+// taken on within as much of the last.
+constexpr double kStandingShare = 0.85;
+
+// Turning on the spot: one pair of steps an angle; a pair's time keeps the peak turn rate near the
+// 84 degrees/s that people reach.
 constexpr double kTurnPair = 45.0 * kDegree;  // [rad]
-constexpr double kTurnStepTime = 0.45;        // [s], for a captured subject; grows with the root of scale
-constexpr double kTurnSway = 0.02;            // of the root towards the standing foot [m]
+constexpr double kTurnStepTime = 0.45;  // [s], for a captured subject; grows with the root of scale
+constexpr double kTurnSway = 0.02;      // of the root towards the standing foot [m]
 
 double smoothstep(double t) {
   t = std::clamp(t, 0.0, 1.0);
@@ -53,20 +60,27 @@ void checkSettings(const CharacterSettings& s) {
 
 std::string_view walkRuleName(WalkRule rule) {
   switch (rule) {
-    case WalkRule::kNone: return "none";
-    case WalkRule::kStepLength: return "step_length";
-    case WalkRule::kTurnRate: return "turn_rate";
-    case WalkRule::kReach: return "reach";
-    case WalkRule::kNoGround: return "no_ground";
+    case WalkRule::kNone:
+      return "none";
+    case WalkRule::kStepLength:
+      return "step_length";
+    case WalkRule::kTurnRate:
+      return "turn_rate";
+    case WalkRule::kReach:
+      return "reach";
+    case WalkRule::kNoGround:
+      return "no_ground";
   }
   return "none";
 }
 
 struct WalkSynthesizer::Impl {
-  Impl(const MotionLibrary& library, const Ground& the_ground, const CharacterSettings& the_settings)
+  Impl(const MotionLibrary& library, const Ground& the_ground,
+       const CharacterSettings& the_settings)
       : settings(the_settings),
         ground(the_ground),
-        scale((the_settings.height > 0.0 ? the_settings.height : library.stature) / library.stature),
+        scale((the_settings.height > 0.0 ? the_settings.height : library.stature) /
+              library.stature),
         stature(library.stature * scale),
         skeleton(library.skeleton.scaled(scale)),
         roles(library.roles),
@@ -82,19 +96,20 @@ struct WalkSynthesizer::Impl {
     placement.step_length = blend.law().stepLength(settings.speed);
     placement.walk_toe_out = blend.toeOut();
     placement.stand_toe_out = 0.5 * (stand.toe_out[kLeft] - stand.toe_out[kRight]);
-    placement.half_support =
-        0.5 * doubleSupport(settings.speed, roles.legLength(skeleton, kLeft));
+    placement.half_support = 0.5 * doubleSupport(settings.speed, roles.legLength(skeleton, kLeft));
     stand_channels = Eigen::VectorXd::Zero(3 + 3 * skeleton.size());
     stand_channels[2] = stand.root_height * scale;
     limits = {blend.law(), settings.speed, blend.maxTurnRate(), settings.frame_time};
-    // Standing, the root is over the stance's position to the bit; walking, it leads as captured, and leans.
+    // Standing, the root is over the stance's position to the bit; walking, it leads as captured,
+    // and leans.
     lead = placement.forward - blend.footForward();
     lead += leanForStep();
     prepareLowering();
     bendStandingKnees();
   }
 
-  // How much lower the root must walk at each step length for the legs to reach: long steps lower the hips.
+  // How much lower the root must walk at each step length for the legs to reach: long steps lower
+  // the hips.
   void prepareLowering() {
     WalkController::Carriage carriage;
     carriage.lead = lead;
@@ -105,8 +120,9 @@ struct WalkSynthesizer::Impl {
     walk = std::make_unique<WalkController>(blend, reference, stand_channels, carriage);
   }
 
-  // How much farther ahead of its feet the root walks than captured: a striking leg is nearly straight and a long step would lower the hips
-  // onto bent knees, while the leg behind still has room. The least lean that spares most of the lowering.
+  // How much farther ahead of its feet the root walks than captured: a striking leg is nearly
+  // straight and a long step would lower the hips onto bent knees, while the leg behind still has
+  // room. The least lean that spares most of the lowering.
   double leanForStep() const {
     double best = 0.0, least = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= kLeanSteps; ++i) {
@@ -164,7 +180,8 @@ struct WalkSynthesizer::Impl {
     return lowest;
   }
 
-  // Height of the ground under a whole sole: the highest of heel, ball and tip. None where any has no ground.
+  // Height of the ground under a whole sole: the highest of heel, ball and tip. None where any has
+  // no ground.
   std::optional<double> groundUnder(const FootPlace& foot, Side side) const {
     const FootShape& shape = shapes[side];
     std::optional<double> highest;
@@ -265,7 +282,8 @@ GroundPoint pathPoint(const RootPath& path, double s, double z) {
           at.heading};
 }
 
-// Which foot steps first: from standing the one on the inside of the first turn, unless parity and the last foot say otherwise.
+// Which foot steps first: from standing the one on the inside of the first turn, unless parity and
+// the last foot say otherwise.
 Side firstFoot(const Stance& from, const Stance& to, const RootPath& path, int steps,
                bool any_leading) {
   if (!from.standing) return other(from.leading);
@@ -279,10 +297,12 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
                                  bool any_leading, AnimationBuffer& out) const {
   const Impl& m = *impl_;
   SpeedProfileEnds ends{from.standing, to.standing, std::nullopt};
-  if (!from.standing && !to.standing && !any_leading) ends.parity = from.leading == to.leading ? 0 : 1;
+  if (!from.standing && !to.standing && !any_leading)
+    ends.parity = from.leading == to.leading ? 0 : 1;
   const SpeedProfile profile(path, m.limits, ends);
   if (profile.refusal() == SpeedProfile::Refusal::kTurnRate) return {WalkRule::kTurnRate, 0, kLeft};
-  if (profile.refusal() == SpeedProfile::Refusal::kStepLength) return {WalkRule::kStepLength, 0, kLeft};
+  if (profile.refusal() == SpeedProfile::Refusal::kStepLength)
+    return {WalkRule::kStepLength, 0, kLeft};
 
   const int n = profile.steps();
   const Side first = firstFoot(from, to, path, n, any_leading);
@@ -303,7 +323,8 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
     const SpeedProfile::Sample at = profile.at(k);
     const RootPath::Sample on = path.at(at.arc);
     FrameState state;
-    state.position << on.position, from.position.z() + smoothstep(at.arc / path.length()) * (to.position.z() - from.position.z());
+    state.position << on.position, from.position.z() + smoothstep(at.arc / path.length()) *
+                                                           (to.position.z() - from.position.z());
     state.arc = at.arc;
     state.heading = on.heading;
     state.speed = at.speed;
@@ -313,8 +334,9 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
     state.phase = 0.5 * at.steps + phase_offset;
     state.phase -= std::floor(state.phase);
     state.step_length = at.step_length;
-    if (from.standing) state.standing = std::max(state.standing, 1.0 - smoothstep(begin));
-    if (to.standing) state.standing = std::max(state.standing, 1.0 - smoothstep(left));
+    if (from.standing) state.standing = 1.0 - smoothstep(begin / kStandingShare);
+    if (to.standing)
+      state.standing = std::max(state.standing, 1.0 - smoothstep(left / kStandingShare));
     state.feet = steps.at(at.steps);
     out.states.push_back(state);
   }
@@ -327,7 +349,8 @@ WalkResult WalkSynthesizer::turnOnSpot(const Stance& at, double angle, Animation
   const int pairs = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / kTurnPair - 1e-9)));
   const int n = 2 * pairs;
   const double step_time = kTurnStepTime * std::sqrt(m.scale);
-  const int frames = std::max(2, static_cast<int>(std::lround(n * step_time / m.settings.frame_time)));
+  const int frames =
+      std::max(2, static_cast<int>(std::lround(n * step_time / m.settings.frame_time)));
   const Side first = angle > 0.0 ? kLeft : kRight;
   Stance end = at;
   end.heading = at.heading + angle;
@@ -356,7 +379,8 @@ WalkResult WalkSynthesizer::turnOnSpot(const Stance& at, double angle, Animation
     // Towards the foot that stands: to the right while the left one swings.
     const double into = progress - std::floor(progress);
     const bool left_swings = (static_cast<int>(progress) % 2 == 0) == (first == kLeft);
-    state.sway = (left_swings ? -1.0 : 1.0) * kTurnSway * m.scale * std::pow(std::sin(kPi * into), 2);
+    state.sway =
+        (left_swings ? -1.0 : 1.0) * kTurnSway * m.scale * std::pow(std::sin(kPi * into), 2);
     out.states.push_back(state);
   }
   out.states.push_back(m.stanceState(end, 0.0));
@@ -366,7 +390,8 @@ WalkResult WalkSynthesizer::turnOnSpot(const Stance& at, double angle, Animation
 WalkResult WalkSynthesizer::stand(const Stance& at, AnimationBuffer& out) const {
   out.states.assign(1, impl_->stanceState(at, 0.0));
   for (const Side side : {kLeft, kRight}) {
-    if (!impl_->groundUnder(out.states[0].feet[side].from, side)) return {WalkRule::kNoGround, 0, kLeft};
+    if (!impl_->groundUnder(out.states[0].feet[side].from, side))
+      return {WalkRule::kNoGround, 0, kLeft};
   }
   return impl_->pose(out, 0, kLeft);
 }

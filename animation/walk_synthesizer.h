@@ -1,9 +1,11 @@
-/// From a root path to an animated walk: one edge of the roadmap (DESIGN.md, section 3, stages 2 and 3).
+/// From a root path to an animated walk: one edge of the roadmap (DESIGN.md, section 3, stages 2
+/// and 3).
 ///
-/// The walk is Pettré's (§4.2): along the root path, cycles of the library are warped to the local speed, blended to the local
-/// turn rate and played by distance walked; then each foot is held on its footprints by two-link inverse kinematics.
-/// Every walk between two stances is a whole number of steps and of frames, begins and ends in the pose of its stances to the
-/// bit, and depends on nothing but its arguments.
+/// The walk is Pettré's (§4.2): along the root path, cycles of the library are warped to the local
+/// speed, blended to the local turn rate and played by distance walked; then each foot is held on
+/// its footprints by two-link inverse kinematics. Every walk between two stances is a whole number
+/// of steps and of frames, begins and ends in the pose of its stances to the bit, and depends on
+/// nothing but its arguments.
 #pragma once
 
 #include <memory>
@@ -19,7 +21,8 @@
 namespace amble {
 
 struct CharacterSettings {
-  double height = 0.0;             ///< stature [m, 0.5 to 2.5]; 0: the library's own. Limbs and stride scale with it
+  double height =
+      0.0;  ///< stature [m, 0.5 to 2.5]; 0: the library's own. Limbs and stride scale with it
   double speed = 1.2;              ///< on the straight [m/s, 0.3 to 2.0]
   double frame_time = 1.0 / 60.0;  ///< [s, 1/240 to 1/24]
 };
@@ -27,8 +30,10 @@ struct CharacterSettings {
 /// Which rule refused (stage 2, limits, and stage 3, animation). The names are what reports count.
 enum class WalkRule {
   kNone,        ///< nothing refused
-  kStepLength,  ///< no whole number of steps within the library's stride range fits the length of the path
-  kTurnRate,    ///< turns faster than the library's walks, or, at a walking stance, than the plan's speed allows
+  kStepLength,  ///< no whole number of steps within the library's stride range fits the length of
+                ///< the path
+  kTurnRate,    ///< turns faster than the library's walks, or, at a walking stance, than the plan's
+                ///< speed allows
   kReach,       ///< a leg cannot reach its footprint
   kNoGround,    ///< no ground under a footprint
 };
@@ -40,30 +45,34 @@ struct WalkResult {
   Side leading = kLeft;  ///< the foot in front at the end, if the walk ends walking
 };
 
-/// Const after construction: threads may share it. Buffers are the caller's, and keep their memory from call to call.
+/// Const after construction: threads may share it. Buffers are the caller's, and keep their memory
+/// from call to call.
 class WalkSynthesizer {
  public:
   /// @pre ground outlives the synthesizer. @throws std::invalid_argument for settings out of range.
-  WalkSynthesizer(const MotionLibrary& library, const Ground& ground, const CharacterSettings& settings);
+  WalkSynthesizer(const MotionLibrary& library, const Ground& ground,
+                  const CharacterSettings& settings);
   ~WalkSynthesizer();
 
   const CharacterSettings& settings() const;
   const Skeleton& skeleton() const;  ///< scaled to the height
   const JointRoles& roles() const;
-  double stature() const;            ///< [m]
-  double ankleHeight() const;        ///< of the ankle over a flat sole [m]
-  double toeHeight() const;          ///< of the toe joint over a flat sole [m]
-  double stepLength() const;         ///< of the straight walk at the plan's speed [m]
-  double maxTurnRate() const;        ///< fastest turn of a walk [rad/s]
-  double shortestWalk() const;       ///< from standing to standing [m]
+  double stature() const;       ///< [m]
+  double ankleHeight() const;   ///< of the ankle over a flat sole [m]
+  double toeHeight() const;     ///< of the toe joint over a flat sole [m]
+  double stepLength() const;    ///< of the straight walk at the plan's speed [m]
+  double maxTurnRate() const;   ///< fastest turn of a walk [rad/s]
+  double shortestWalk() const;  ///< from standing to standing [m]
 
-  /// Walks along `path` from one stance to another; `path` begins at from.position and ends at to.position with their headings.
-  /// The foot that leads at the end is given back; where `any_leading` is false it must be to.leading.
-  /// `out` is overwritten: first frame is stance `from`, last frame stance `to`. On refusal its content is unspecified.
+  /// Walks along `path` from one stance to another; `path` begins at from.position and ends at
+  /// to.position with their headings. The foot that leads at the end is given back; where
+  /// `any_leading` is false it must be to.leading. `out` is overwritten: first frame is stance
+  /// `from`, last frame stance `to`. On refusal its content is unspecified.
   WalkResult walk(const Stance& from, const Stance& to, const RootPath& path, bool any_leading,
                   AnimationBuffer& out) const;
 
-  /// Turns on the spot by `angle` [rad, left positive, |angle| <= 2 pi] from standing at `at` to standing, in small steps.
+  /// Turns on the spot by `angle` [rad, left positive, |angle| <= 2 pi] from standing at `at` to
+  /// standing, in small steps.
   WalkResult turnOnSpot(const Stance& at, double angle, AnimationBuffer& out) const;
 
   /// One frame, standing.
