@@ -20,6 +20,7 @@ using Eigen::Vector3d;
 constexpr double kLow = 0.05, kHigh = 1.80;        // what a body can touch, over the floor [m]
 constexpr double kHipLow = 0.50, kHipHigh = 1.20;  // where hips and hands are [m]
 constexpr double kCell = 0.008;                    // of the outlines of meshes [m]
+constexpr double kRugLift = 0.002;                 // what lies higher on the floor is a rug [m]
 constexpr double kFloorDepth = 0.03;  // tops this close to the floor are floor or rug [m]
 constexpr double kOneThing = 5.0;     // what a file with parts spans at most to be one thing [m]
 constexpr double kWidth = 1100;       // of the room [units]
@@ -178,10 +179,10 @@ class Drawing {
     out_ << "<g id=\"floor\">\n";
     for (const Thing& thing : things) {
       if (thing.top > kFloorDepth) continue;
-      const bool broad = coveredArea(thing.floor) > 8;  // else a rug
+      const bool rug = thing.top > kRugLift;
       drawOutlines(
           thing.floor, thing.name,
-          broad ? "fill=\"#fbf8f2\"" : "fill=\"#f0dcd8\" stroke=\"#e2c4be\" stroke-width=\"0.8\"");
+          !rug ? "fill=\"#fbf8f2\"" : "fill=\"#f0dcd8\" stroke=\"#e2c4be\" stroke-width=\"0.8\"");
     }
     out_ << "</g>\n<g id=\"things\" fill=\"#d3d8df\" stroke=\"#8b94a1\" stroke-width=\"0.8\">\n";
     for (const Thing& thing : things) drawOutlines(thing.body, thing.name, "fill-rule=\"nonzero\"");

@@ -13,6 +13,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kFloorLevel = 0.03;  // tops up to here belong to the floor: rugs, thresholds [m]
+constexpr double kRugLift = 0.002;    // what lies higher on the floor is a rug [m]
 constexpr double kBroad = 2.0;        // a floor or a ceiling is this wide and long at least [m]
 constexpr double kRoomHigh = 2.15;    // walls reach this height at least; bookcases do not [m]
 constexpr double kHeadHigh = 1.9;     // ceilings begin above this [m]
@@ -38,11 +39,11 @@ RoomPart partOf(const AlignedBox3d& box, double floor) {
   return RoomPart::kFurniture;
 }
 
-Color colorOf(RoomPart part, const AlignedBox3d& box, const SceneObject& object, int piece) {
+Color colorOf(RoomPart part, const AlignedBox3d& box, double floor, const SceneObject& object,
+              int piece) {
   const std::optional<Color> named = namedColor(object.name, object.part);
-  const Vector3d size = box.sizes();
   if (part == RoomPart::kFloor)
-    return named.value_or(std::min(size.x(), size.y()) > kLong ? kFloorColor : kRugColor);
+    return named.value_or(box.max().z() > floor + kRugLift ? kRugColor : kFloorColor);
   if (part != RoomPart::kFurniture) return named.value_or(kWallColor);
   if (isMotley(object.part)) return mix(*named, otherColor(std::to_string(piece)), 0.7f);
   return tinted(named.value_or(otherColor(object.name)), piece);
@@ -154,7 +155,7 @@ std::vector<RoomSurface> sortRoom(const Scene& scene, double floor) {
       for (const Vector3d& p : piece.mesh.vertices) surface.box.extend(p);
       surface.part = partOf(surface.box, floor);
       surface.color =
-          colorOf(surface.part, surface.box, object, static_cast<int>(room.size() - first));
+          colorOf(surface.part, surface.box, floor, object, static_cast<int>(room.size() - first));
       surface.thing = things[object.name];
       surface.closed = piece.closed;
       surface.mesh = std::move(piece.mesh);
