@@ -11,8 +11,6 @@ namespace {
 constexpr double kLift =
     SceneGround::kLevel + 0.02;    // of the cylinder over the floor, so that rugs pass below [m]
 constexpr double kSpacing = 0.05;  // between checked places; what lies between is swept [m]
-constexpr double kMeasuredWalk = 4.0;  // long enough for strides at full speed [m]
-constexpr int kDirections = 16;        // in which ground for it is looked for
 
 class CylinderScratch : public SteeringScratch {
  public:
@@ -53,38 +51,16 @@ SteeringFailure failure(const Contact& contact) {
   return {SteeringStage::kValidation, "contact", contact.part, contact.object, contact.gap};
 }
 
-// A straight walk that begins near a stance; false where there is no ground for one.
-bool straightWalk(const WalkSynthesizer& synthesizer, const Stance& near, RootPath& path,
-                  AnimationBuffer& buffer) {
-  for (int i = 0; i < kDirections; ++i) {
-    Stance from = near;
-    from.standing = true;
-    from.heading = 2.0 * kPi * i / kDirections;
-    Stance to = from;
-    to.position +=
-        kMeasuredWalk * Eigen::Vector3d(std::cos(from.heading), std::sin(from.heading), 0.0);
-    path = RootPath({makeBezier(from.position.head<2>(), from.heading, to.position.head<2>(),
-                                to.heading, 1.0 / 3.0)});
-    if (synthesizer.walk(from, to, path, true, buffer).refused == WalkRule::kNone) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
-double boundingRadius(const WalkSynthesizer& synthesizer, const Body& body, const Stance& near) {
-  RootPath path;
-  AnimationBuffer buffer;
-  const bool walks = straightWalk(synthesizer, near, path, buffer);
-  if (!walks) synthesizer.stand(near, buffer);
-  std::vector<JointFrame> joints(synthesizer.skeleton().size());
+double boundingRadius(const StraightWalk& walk, const Skeleton& skeleton, const Body& body) {
+  std::vector<JointFrame> joints(skeleton.size());
   std::vector<Eigen::Vector3d> from(body.parts.size()), to(body.parts.size());
   double radius = 0.0;
-  for (int frame = 0; frame < buffer.size(); ++frame) {
-    forwardKinematics(synthesizer.skeleton(), buffer.poses[frame], joints);
+  for (int frame = 0; frame < walk.buffer.size(); ++frame) {
+    forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
     placeBody(body, joints, from, to);
-    const Eigen::Vector2d axis = walks ? path.at(buffer.states[frame].arc).position
-                                       : Eigen::Vector2d(near.position.head<2>());
+    const Eigen::Vector2d axis = walk.path.at(walk.buffer.states[frame].arc).position;
     for (size_t i = 0; i < body.parts.size(); ++i) {
       const double reach =
           std::max((from[i].head<2>() - axis).norm(), (to[i].head<2>() - axis).norm());

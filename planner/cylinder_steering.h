@@ -8,15 +8,15 @@
 /// radius and height, stands for it: what stops the capsule stops the cylinder.
 #pragma once
 
-#include "animation/walk_synthesizer.h"
 #include "environments/collision_world.h"
 #include "planner/steering.h"
+#include "planner/straight_walk.h"
 
 namespace amble {
 
-/// Farthest horizontal distance of the body from the root path's point, over a straight walk that
-/// starts at `near` or, where there is no ground for one, over standing [m].
-double boundingRadius(const WalkSynthesizer& synthesizer, const Body& body, const Stance& near);
+/// Farthest horizontal distance of the body from the root path's point, over a walk; 0 for one
+/// without frames [m].
+double boundingRadius(const StraightWalk& walk, const Skeleton& skeleton, const Body& body);
 
 class CylinderSteering : public Steering {
  public:

@@ -20,6 +20,9 @@ constexpr int kTreeSamplesPerFailure = 4;
 // How often `cylinder` plans anew, with another seed, when the animated body touches something on
 // its path.
 constexpr int kCylinderAttempts = 10;
+constexpr double kMeasuredWalk = 3.0;  // long enough for strides at full speed [m]
+constexpr double kThinnestCylinder =
+    0.3;  // where there is no ground for that walk: half of two elbows' breadth [m]
 
 double seconds(std::chrono::steady_clock::time_point since) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
@@ -211,10 +214,10 @@ class CylinderLegs : public LegPlanner {
 
  private:
   static CylinderSteering::Settings cylinderOf(const PlanRequest& request) {
-    Stance near;
-    near.position = request.start.position;
     const WalkSynthesizer& synthesizer = *request.synthesizer;
-    return {boundingRadius(synthesizer, request.world->body(), near), synthesizer.stature(),
+    const StraightWalk walk = straightWalk(synthesizer, *request.ground, kMeasuredWalk);
+    const double radius = boundingRadius(walk, synthesizer.skeleton(), request.world->body());
+    return {std::max(radius, kThinnestCylinder), synthesizer.stature(),
             synthesizer.settings().speed};
   }
   std::optional<Obstruction> whyBody() const {

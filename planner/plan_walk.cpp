@@ -41,8 +41,7 @@ class Plan {
  public:
   explicit Plan(const PlanRequest& request)
       : request_(widened(request)),
-        steering_(*request_.synthesizer, *request_.world, *request_.ground,
-                  request_.ground->floor()),
+        steering_(*request_.synthesizer, *request_.world, *request_.ground),
         scratch_(steering_.makeScratch()) {}
 
   PlanOutcome run();

@@ -48,7 +48,7 @@ int SampledRoadmap::commit(Candidate& candidate, SteeringScratch& scratch) {
   int node = -1;
   if (verdict.keep) {
     node = roadmap_.addNode({candidate.at, verdict.kind, candidate.enter, candidate.leave});
-    if (verdict.kind == NodeKind::kGuard) failures_ = 0;
+    if (verdict.kind == NodeKind::kGuard && candidate.counted) failures_ = 0;
   }
   const int stands_for = verdict.keep ? node : verdict.stands_for;
   for (const Question& question : verdict.questions) {
@@ -70,7 +70,7 @@ int SampledRoadmap::insert(const Waypoint& at, bool enter, bool leave) {
     const RoadmapNode& known = roadmap_.nodes()[node];
     if (samePlace(known.at, at) && known.enter == enter && known.leave == leave) return node;
   }
-  Candidate candidate{at, enter, leave, true, {}};
+  Candidate candidate{at, enter, leave, true, true, {}};
   const SteeringScratchPtr scratch = steering_.makeScratch();
   return commit(candidate, *scratch);
 }
@@ -92,7 +92,8 @@ std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
     drafts[i].index = samples_ + i;
     const auto stance = sampler_.draw(limits.seed, drafts[i].index, *scratches[thread]);
     if (!stance) return;
-    drafts[i].candidate = Candidate{{*stance}, true, true, false, {}};
+    drafts[i].candidate =
+        Candidate{{*stance}, true, true, false, StanceSampler::isUniform(drafts[i].index), {}};
     judge(*drafts[i].candidate, *scratches[thread]);  // for its answers
   });
   return drafts;

@@ -10,6 +10,7 @@ namespace {
 // A try costs one check of one pose, an edge some hundreds of them: many tries are cheap beside one
 // edge.
 constexpr int kUniformTries = 200;
+constexpr int kAllRound = 8;  // headings by which a body that may turn there must be able to stand
 constexpr int kBridgeTries = 60;
 // Between the ends of a bridge [m]: less than a body's width is never free between, more is not
 // narrow.
@@ -38,23 +39,33 @@ Stance StanceSampler::anywhere(SampleStream& stream) const {
 std::optional<Stance> StanceSampler::uniform(SampleStream& stream, SteeringScratch& scratch) const {
   for (int i = 0; i < kUniformTries; ++i) {
     Stance stance = anywhere(stream);
-    if (!steering_.stand(stance, scratch)) return stance;
+    if (standsAllRound(stance, scratch)) return stance;
   }
   return std::nullopt;
 }
 
+bool StanceSampler::standsAllRound(Stance& stance, SteeringScratch& scratch) const {
+  for (int i = 1; i < kAllRound; ++i) {
+    Stance turned = stance;
+    turned.heading += 2.0 * kPi * i / kAllRound;
+    if (steering_.stand(turned, scratch)) return false;
+  }
+  return !steering_.stand(stance, scratch);
+}
+
 std::optional<Stance> StanceSampler::bridge(SampleStream& stream, SteeringScratch& scratch) const {
   for (int i = 0; i < kBridgeTries; ++i) {
+    // All three by one heading: along a plane wall the middle of two blocked places is then blocked
+    // too.
     Stance near_end = anywhere(stream);
     const double direction = stream.uniform(-kPi, kPi);
     const double length = stream.uniform(kShortestBridge, kLongestBridge);
-    const double side = stream.uniform() < 0.5 ? kPi / 2 : -kPi / 2;
+    near_end.heading = wrapAngle(direction + (stream.uniform() < 0.5 ? kPi / 2 : -kPi / 2));
     const Eigen::Vector3d half =
         0.5 * length * Eigen::Vector3d(std::cos(direction), std::sin(direction), 0.0);
     Stance far_end = near_end, middle = near_end;
     far_end.position += 2 * half;
     middle.position += half;
-    middle.heading = wrapAngle(direction + side);
     if (!bounds_.contains(middle.position.head<2>())) continue;
     if (!steering_.stand(near_end, scratch) || !steering_.stand(far_end, scratch)) continue;
     if (!steering_.stand(middle, scratch)) return middle;

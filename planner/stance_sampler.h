@@ -1,10 +1,14 @@
 /// Where samples of a roadmap come from: free standing stances, each of its own random stream.
 ///
-/// Samples of even index are uniform in the bounds and in heading. Those of odd index are drawn by
+/// Samples of even index are uniform, in the bounds and in heading, over the places where the body
+/// can stand by any heading: a node is entered and left by turns on the spot. (Along walls lies a
+/// strip where a body that faces the right way can stand but not turn. No walk needs it, few edges
+/// lead there, and a roadmap that had to cover it would not end.) Those of odd index are drawn by
 /// the bridge test (Hsu, Jiang, Reif and Sun, "The bridge test for sampling narrow passages", ICRA
-/// 2003): the middle between two places where the body cannot stand, facing along the passage.
-/// Narrow passages take a small share of a room, and a connector must lie in or in line with one.
-/// Where the bridge test finds nothing in its tries the sample is uniform.
+/// 2003): the middle between two places where the body cannot stand, facing along the passage, by
+/// which heading alone it must be able to stand. Narrow passages take a small share of a room, and
+/// a connector must lie in or in line with one. Where the bridge test finds nothing in its tries
+/// the sample is uniform.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -32,6 +36,7 @@ class StanceSampler {
   const Eigen::AlignedBox2d& bounds() const { return bounds_; }
 
  private:
+  bool standsAllRound(Stance& stance, SteeringScratch& scratch) const;
   Stance anywhere(SampleStream& stream) const;
   std::optional<Stance> uniform(SampleStream& stream, SteeringScratch& scratch) const;
   std::optional<Stance> bridge(SampleStream& stream, SteeringScratch& scratch) const;

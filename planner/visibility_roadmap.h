@@ -16,8 +16,9 @@
 ///   turns on the spot there; the turn is a part of the edge and checked with it.
 /// - Failures: M = max_failures uniform samples in a row that made no guard stop the search, and 1
 /// - 1/M estimates the covered
-///   share of the free space. As in the paper a connector does not set the count back; it counts as
-///   a failure. Samples of the bridge test (stance_sampler.h) are judged alike but not counted,
+///   share of the places where the body can stand by any heading (stance_sampler.h). As in the
+///   paper a connector does not set the count back; it counts as a failure. Samples of the bridge
+///   test may become guards and connectors as others may, but are not counted and set nothing back,
 ///   since the estimate is about uniform ones.
 /// - Ends of a query are the first guards, and stay guards even where one covers the other. An end
 /// that can only be left or only

@@ -18,6 +18,8 @@ constexpr double kSameHeading = 1e-9;  // a smaller turn is none [rad]
 constexpr double kWidestCurve = 100 * kDegree;
 // Stride and cadence give way a little so that steps and frames are whole.
 constexpr double kSpeedMargin = 1.15;
+constexpr double kMeasuredWalk =
+    3.0;  // that the core is measured on: long enough for full strides [m]
 
 class WalkScratch : public SteeringScratch {
  public:
@@ -47,7 +49,6 @@ struct Way {
   double leave = 0.0;
   double arrive = 0.0;
   double handle = 1.0 / 3.0;
-  double curvature = 0.0;  // largest [1/m]
 };
 
 WalkEdge makeEdge(const Waypoint& from, const Waypoint& to, const Way& way) {
@@ -65,18 +66,37 @@ WalkEdge makeEdge(const Waypoint& from, const Waypoint& to, const Way& way) {
   return edge;
 }
 
-// Curves of all handle lengths, the gentlest first.
+// Largest |curvature| of a curve, by parameter: near enough to tell curves apart, at a hundredth of
+// RootPath's cost [1/m].
+double sharpestBend(const Bezier& c) {
+  constexpr int kSamples = 16;
+  double sharpest = 0.0;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double u = static_cast<double>(i) / kSamples, v = 1.0 - u;
+    const Eigen::Vector2d d = v * v * (c.col(1) - c.col(0)) + 2.0 * u * v * (c.col(2) - c.col(1)) +
+                              u * u * (c.col(3) - c.col(2));
+    const Eigen::Vector2d dd =
+        v * (c.col(2) - 2.0 * c.col(1) + c.col(0)) + u * (c.col(3) - 2.0 * c.col(2) + c.col(1));
+    const double speed = d.norm();
+    if (!(speed > 0.0)) return HUGE_VAL;
+    sharpest = std::max(
+        sharpest, 2.0 / 3.0 * std::abs(d.x() * dd.y() - d.y() * dd.x()) / (speed * speed * speed));
+  }
+  return sharpest;
+}
+
+// Ways of all handle lengths, the gentlest first; `count` of them.
 void addCurves(const Waypoint& from, const Waypoint& to, double leave, double arrive, int count,
-               std::vector<WalkEdge>& edges) {
-  std::vector<std::pair<double, WalkEdge>> curves;
+               std::vector<Way>& ways) {
+  std::vector<std::pair<double, Way>> curves;
   for (const double handle : kHandles) {
-    WalkEdge edge = makeEdge(from, to, {leave, arrive, handle});
-    const double curvature = edge.path.maxCurvature();
-    curves.emplace_back(curvature, std::move(edge));
+    const Bezier curve = makeBezier(from.stance.position.head<2>(), leave,
+                                    to.stance.position.head<2>(), arrive, handle);
+    curves.emplace_back(sharpestBend(curve), Way{leave, arrive, handle});
   }
   std::stable_sort(curves.begin(), curves.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (int i = 0; i < count; ++i) edges.push_back(std::move(curves[i].second));
+  for (int i = 0; i < count; ++i) ways.push_back(curves[i].second);
 }
 
 Stance withHeading(Stance stance, double heading) {
@@ -84,11 +104,53 @@ Stance withHeading(Stance stance, double heading) {
   return stance;
 }
 
+// Stage 1: root paths, the ones that are likeliest to be wanted first.
+std::vector<Way> waysBetween(const Waypoint& from, const Waypoint& to) {
+  const Eigen::Vector2d line = (to.stance.position - from.stance.position).head<2>();
+  const double ahead = std::atan2(line.y(), line.x());
+  const double leave = from.any_heading ? ahead : from.stance.heading;
+  const double arrive = to.any_heading ? ahead : to.stance.heading;
+  const bool may_turn_first = from.stance.standing || from.any_heading;
+  const bool may_turn_last = to.stance.standing || to.any_heading;
+  const double off_first = std::abs(turn(ahead, leave)), off_last = std::abs(turn(ahead, arrive));
+  std::vector<Way> ways;
+  if (off_first > 0.0 || off_last > 0.0) {
+    const int curves = may_turn_first && may_turn_last ? 1 : static_cast<int>(kHandles.size());
+    if (off_first < kWidestCurve && off_last < kWidestCurve)
+      addCurves(from, to, leave, arrive, curves, ways);
+  }
+  if ((may_turn_first || off_first == 0.0) && (may_turn_last || off_last == 0.0)) {
+    ways.push_back({ahead, ahead});
+  } else if (may_turn_first && off_last < kWidestCurve) {  // bend into the arriving walk
+    addCurves(from, to, ahead, arrive, 1, ways);
+    addCurves(from, to, 2 * ahead - arrive, arrive, 1, ways);  // an arc, nearly
+  } else if (may_turn_last && off_first < kWidestCurve) {
+    addCurves(from, to, leave, ahead, 1, ways);
+    addCurves(from, to, leave, 2 * ahead - leave, 1, ways);
+  }
+  return ways;
+}
+
+// Turning on the spot from one heading to the other, where there is no way to walk.
+WalkEdge makeTurn(const Waypoint& from, const Waypoint& to) {
+  WalkEdge edge;
+  edge.from = from.stance;
+  edge.to = to.stance;
+  if (from.any_heading) edge.from.heading = edge.to.heading;
+  if (to.any_heading) edge.to.heading = edge.from.heading;
+  edge.turn_first = turn(edge.from.heading, edge.to.heading);
+  return edge;
+}
+
 }  // namespace
 
 WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
-                           const Ground& ground, double floor, double reach)
-    : synthesizer_(synthesizer), world_(world), ground_(ground), floor_(floor), reach_(reach) {}
+                           const SceneGround& ground)
+    : synthesizer_(synthesizer),
+      world_(world),
+      ground_(ground),
+      core_(straightWalk(synthesizer, ground, kMeasuredWalk), synthesizer.skeleton(),
+            synthesizer.roles(), world.body(), synthesizer.stature()) {}
 
 SteeringScratchPtr WalkSteering::makeScratch() const {
   auto scratch = std::make_unique<WalkScratch>();
@@ -99,7 +161,8 @@ SteeringScratchPtr WalkSteering::makeScratch() const {
 double WalkSteering::topSpeed() const { return kSpeedMargin * synthesizer_.settings().speed; }
 
 bool WalkSteering::place(Stance& stance) const {
-  const auto height = ground_.height(stance.position.x(), stance.position.y(), floor_, reach_);
+  const auto height = ground_.height(stance.position.x(), stance.position.y(), ground_.floor(),
+                                     SceneGround::kLevel);
   if (height) stance.position.z() = *height;
   return height.has_value();
 }
@@ -122,33 +185,6 @@ std::optional<SteeringFailure> WalkSteering::contact(const AnimationBuffer& buff
   return std::nullopt;
 }
 
-// Stage 1: root paths, the ones that are likeliest to be wanted first.
-std::vector<WalkEdge> WalkSteering::proposals(const Waypoint& from, const Waypoint& to) const {
-  const Eigen::Vector2d way = (to.stance.position - from.stance.position).head<2>();
-  const double ahead = std::atan2(way.y(), way.x());
-  const double leave = from.any_heading ? ahead : from.stance.heading;
-  const double arrive = to.any_heading ? ahead : to.stance.heading;
-  const bool may_turn_first = from.stance.standing || from.any_heading;
-  const bool may_turn_last = to.stance.standing || to.any_heading;
-  const double off_first = std::abs(turn(ahead, leave)), off_last = std::abs(turn(ahead, arrive));
-  std::vector<WalkEdge> edges;
-  if (off_first > 0.0 || off_last > 0.0) {
-    const int curves = may_turn_first && may_turn_last ? 1 : static_cast<int>(kHandles.size());
-    if (off_first < kWidestCurve && off_last < kWidestCurve)
-      addCurves(from, to, leave, arrive, curves, edges);
-  }
-  if ((may_turn_first || off_first == 0.0) && (may_turn_last || off_last == 0.0)) {
-    edges.push_back(makeEdge(from, to, {ahead, ahead}));
-  } else if (may_turn_first && off_last < kWidestCurve) {  // bend into the arriving walk
-    addCurves(from, to, ahead, arrive, 1, edges);
-    addCurves(from, to, 2 * ahead - arrive, arrive, 1, edges);  // an arc, nearly
-  } else if (may_turn_last && off_first < kWidestCurve) {
-    addCurves(from, to, leave, ahead, 1, edges);
-    addCurves(from, to, leave, 2 * ahead - leave, 1, edges);
-  }
-  return edges;
-}
-
 // Stages 2 to 4, of the walk first, since it is refused more often than the turns.
 SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
   WalkScratch& own = walkScratch(scratch);
@@ -168,6 +204,12 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
   const double leave = edge.from.heading + edge.turn_first;
   const double arrive = edge.to.heading - edge.turn_last;
   if (!edge.path.empty()) {
+    const auto touch = core_.touch(edge.path, edge.from.position.z(), edge.from.standing,
+                                   edge.to.standing, world_, *own.collision);
+    if (touch) {
+      result.failure = {SteeringStage::kValidation, "contact", touch->part, touch->object, 0.0};
+      return result;
+    }
     const WalkResult walk =
         synthesizer_.walk(withHeading(edge.from, leave), withHeading(edge.to, arrive), edge.path,
                           edge.any_leading, own.buffer);
@@ -189,28 +231,21 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
 
 SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to,
                                 SteeringScratch& scratch) const {
-  std::vector<WalkEdge> edges;
-  if ((to.stance.position - from.stance.position).head<2>().norm() >= kSamePlace) {
-    edges = proposals(from, to);
-  } else if (from.stance.standing && to.stance.standing) {
-    WalkEdge edge;
-    edge.from = from.stance;
-    edge.to = to.stance;
-    if (from.any_heading) edge.from.heading = edge.to.heading;
-    if (to.any_heading) edge.to.heading = edge.from.heading;
-    edge.turn_first = turn(edge.from.heading, edge.to.heading);
-    edges.push_back(std::move(edge));
-  }
   SteerResult all;
-  all.failure.rule = "same_place";
-  for (WalkEdge& edge : edges) {
+  all.failure.rule = "no_curve";
+  const auto passes = [&](WalkEdge edge) {
     SteerResult one = judge(std::move(edge), scratch);
     all.poses += one.poses;
-    if (one.edge || one.failure.stage >= all.failure.stage) all.failure = one.failure;
-    if (one.edge) {
-      all.edge = std::move(one.edge);
-      break;
-    }
+    all.edge = std::move(one.edge);
+    if (!all.edge && one.failure.stage >= all.failure.stage) all.failure = one.failure;
+    return all.edge.has_value();
+  };
+  if ((to.stance.position - from.stance.position).head<2>().norm() < kSamePlace) {
+    if (from.stance.standing && to.stance.standing) passes(makeTurn(from, to));
+    return all;
+  }
+  for (const Way& way : waysBetween(from, to)) {
+    if (passes(makeEdge(from, to, way))) break;
   }
   return all;
 }

@@ -1,7 +1,7 @@
 /// The steering method for a walking body (Pettré §3 to §5), in four stages with named refusals
 /// (DESIGN.md, section 3).
 ///
-///   1 root path   cubic Beziers between the two stances       refuses: same_place
+///   1 root path   cubic Beziers between the two stances       refuses: no_curve
 ///   2 limits      turn rates of the library, whole steps      refuses: turn_rate, step_length
 ///   3 animation   the synthesizer's frames, feet on footprints refuses: reach, no_ground
 ///   4 validation  the whole body, at frames and between them  refuses: contact
@@ -13,21 +13,18 @@
 /// heading are tried too. The first that passes all stages is the edge.
 #pragma once
 
-#include <vector>
-
 #include "animation/walk_synthesizer.h"
 #include "environments/collision_world.h"
+#include "planner/body_core.h"
 #include "planner/steering.h"
 
 namespace amble {
 
 class WalkSteering : public Steering {
  public:
-  /// @param floor  height of the floor that is walked on [m]
-  /// @param reach  how far from `floor` the ground may lie: rugs and thresholds [m, > 0]
   /// @pre all outlive the steering; the world's body is the synthesizer's.
   WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
-               const Ground& ground, double floor, double reach = SceneGround::kLevel);
+               const SceneGround& ground);
 
   SteeringScratchPtr makeScratch() const override;
   std::optional<SteeringFailure> stand(Stance& stance, SteeringScratch& scratch) const override;
@@ -44,14 +41,12 @@ class WalkSteering : public Steering {
                                          SteeringScratch& scratch) const;
 
  private:
-  std::vector<WalkEdge> proposals(const Waypoint& from, const Waypoint& to) const;
   SteerResult judge(WalkEdge edge, SteeringScratch& scratch) const;
 
   const WalkSynthesizer& synthesizer_;
   const CollisionWorld& world_;
-  const Ground& ground_;
-  double floor_;
-  double reach_;
+  const SceneGround& ground_;
+  BodyCore core_;
 };
 
 }  // namespace amble
