@@ -302,11 +302,12 @@ void BvhReader::settleOffsets(Clip& clip) {
 
 std::string readAll(std::istream& in, const std::string& name) {
   std::string text;
-  constexpr size_t kChunk = 1 << 20;  // [bytes]
-  while (in) {
+  // Pieces grow with the text, so that a small file costs little and a large one is not copied
+  // often.
+  for (size_t piece = 1 << 14; in; piece *= 2) {
     const size_t begin = text.size();
-    text.resize(begin + kChunk);
-    in.read(text.data() + begin, kChunk);
+    text.resize(begin + piece);
+    in.read(text.data() + begin, static_cast<std::streamsize>(piece));
     text.resize(begin + static_cast<size_t>(in.gcount()));
   }
   if (in.bad()) throw InputError(name, 0, "cannot be read", "a BVH file");

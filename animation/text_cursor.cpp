@@ -86,7 +86,9 @@ void TextCursor::expectLabel(std::string_view label) {
 
 double TextCursor::parseNumber(double max) {
   const char* begin = at_;
-  const char* digits = *at_ == '+' ? at_ + 1 : at_;
+  // from_chars knows no plus sign.
+  const bool plus = *at_ == '+' && remaining() > 1 && at_[1] != '-';
+  const char* digits = plus ? at_ + 1 : at_;
   double value = 0.0;
   const std::from_chars_result result = std::from_chars(digits, end_, value);
   at_ = result.ptr;

@@ -37,7 +37,7 @@ TEST(TextCursor, QuotesNoMoreThanALineCanHold) {
 
 TEST(TextCursor, RefusesWhatIsNoNumberNotFiniteOrTooLarge) {
   for (const char* const bad : {"x", "1x", "1,5", "nan", "inf", "1e999", "-1e999", "1001", "-1001",
-                                "+", "-", ".", "--1", "0x1"}) {
+                                "+", "-", ".", "--1", "+-1", "0x1"}) {
     EXPECT_NE(refusal(bad, [](TextCursor& in) { in.number(1000.0); }), "") << bad;
   }
   for (const char* const bad : {"-1", "1.5", "x", "99999999999", "", "3x"}) {
