@@ -15,8 +15,12 @@ namespace amble {
 namespace {
 
 // Less is rounding: durations are whole numbers of frames [s].
-constexpr double kGain = 1e-6;
-// Rounds of pass 3, with the others after each: all but the last were worth it, so few are enough.
+constexpr double kRounding = 1e-6;
+// A radian that the path bends counts as so much time, and a proposal must gain so much: a bend
+// that saves a frame because steps happen to come out whole looks like a stagger. By trial.
+constexpr double kBendCost = 0.3;  // [s/rad]
+constexpr double kGain = 0.05;     // [s]
+// Rounds of pass 3, with the others after each that helped.
 constexpr int kRounds = 3;
 // Pass 2: how far from the node to the line between its neighbours, and headings off that line's.
 constexpr std::array<double, 5> kPulls = {0.5, 0.25, 0.0, 0.75, 1.0};
@@ -25,6 +29,7 @@ constexpr std::array<double, 5> kTurns = {0.0, 20 * kDegree, -20 * kDegree, 40 *
 // Pass 3: how far a random stance lies from where it is looked for [m], and how far its heading is
 // off [rad].
 constexpr double kStray = 0.25;
+constexpr double kFarStray = 1.0;  // every other time
 constexpr double kTwist = 40 * kDegree;
 
 /// Walk from node `first` to node `last` by way of these, instead of as it is now.
@@ -43,6 +48,25 @@ Eigen::Vector2d at(const Stance& stance) { return stance.position.head<2>(); }
 
 double direction(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   return std::atan2(to.y() - from.y(), to.x() - from.x());
+}
+
+// How far the edge's path turns, to either side [rad].
+double bend(const WalkEdge& edge) {
+  constexpr int kSamples = 24;
+  if (edge.path.empty()) return 0.0;
+  double sum = 0.0, last = edge.path.at(0.0).heading;
+  for (int i = 1; i <= kSamples; ++i) {
+    const double heading = edge.path.at(edge.length * i / kSamples).heading;
+    sum += std::abs(heading - last);
+    last = heading;
+  }
+  return sum;
+}
+
+Eigen::Vector2d stray(SampleStream& stream) {
+  const double far = stream.uniform() < 0.5 ? kStray : kFarStray;
+  const double x = stream.uniform(-far, far);
+  return {x, stream.uniform(-far, far)};
 }
 
 Stance walking(const Eigen::Vector2d& position, double heading, Side leading) {
@@ -124,20 +148,24 @@ Answer Refiner::judge(const Proposal& proposal, SteeringScratch& scratch) const 
     if (!steering_.place(way.back().stance)) return answer;
   }
   way.push_back(node(proposal.last));
-  double old_duration = 0.0;
-  for (int i = proposal.first; i < proposal.last; ++i) old_duration += path_.edges[i].duration;
-  double duration = 0.0;
+  double old_duration = 0.0, old_bend = 0.0, duration = 0.0, new_bend = 0.0;
+  for (int i = proposal.first; i < proposal.last; ++i) {
+    old_duration += path_.edges[i].duration;
+    old_bend += bend(path_.edges[i]);
+  }
   std::vector<WalkEdge> edges;
   for (size_t i = 0; i + 1 < way.size(); ++i) {
-    if (duration + leastDuration(way, i) > old_duration - kGain) return answer;
+    if (duration + leastDuration(way, i) > old_duration + kRounding) return answer;
     const SteerResult result = steering_.steer(way[i], way[i + 1], scratch);
     answer.count.add(result);
     if (!result.edge) return answer;
     duration += result.edge->duration;
+    new_bend += bend(*result.edge);
     if (i + 2 < way.size()) way[i + 1].stance = result.edge->to;
     edges.push_back(*result.edge);
   }
-  if (duration <= old_duration - kGain) answer.edges = std::move(edges);
+  const double gain = old_duration - duration + kBendCost * (old_bend - new_bend);
+  if (duration <= old_duration + kRounding && gain >= kGain) answer.edges = std::move(edges);
   return answer;
 }
 
@@ -232,7 +260,7 @@ std::optional<Proposal> Refiner::moveNode(SampleStream& stream) const {
   const Eigen::Vector2d before = at(node(i - 1).stance), here = at(node(i).stance),
                         after = at(node(i + 1).stance);
   Eigen::Vector2d position = here + stream.uniform() * (0.5 * (before + after) - here);
-  position += Eigen::Vector2d(stream.uniform(-kStray, kStray), stream.uniform(-kStray, kStray));
+  position += stray(stream);
   if (path_.pinned[i]) position = here;
   const double heading = direction(before, after) + stream.uniform(-kTwist, kTwist);
   return Proposal{i - 1, i + 1, {walking(position, heading, kLeft)}};
@@ -256,7 +284,7 @@ std::optional<Proposal> Refiner::goBy(SampleStream& stream) const {
   const int next = std::min(last(), first + 1 + stream.below(3));
   const Eigen::Vector2d from = at(node(first).stance), to = at(node(next).stance);
   Eigen::Vector2d position = from + stream.uniform() * (to - from);
-  position += Eigen::Vector2d(stream.uniform(-kStray, kStray), stream.uniform(-kStray, kStray));
+  position += stray(stream);
   const double heading = direction(from, to) + stream.uniform(-kTwist, kTwist);
   return Proposal{first, next, {walking(position, heading, kLeft)}};
 }
@@ -322,7 +350,7 @@ EdgePath refineWalk(const Steering& steering, EdgePath path, const RefineSetting
   if (!settings.walk_on) return refiner.take();
   refiner.passStops();
   for (int round = 0; round < kRounds && !refiner.stopped(); ++round) {
-    if (!refiner.tries(round, settings.tries / kRounds)) break;
+    if (!refiner.tries(round, settings.tries / kRounds)) continue;
     refiner.shortcuts();
     refiner.passStops();
   }

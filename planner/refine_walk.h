@@ -2,8 +2,8 @@
 /// shorter and walks on.
 ///
 /// Every proposal replaces a stretch of the walk by new edges, which steering checks as it checks
-/// any other; it is taken if the walk's duration falls. So a refined walk never takes longer than
-/// the one it came from and is as valid. Three passes:
+/// any other; it is taken if the walk takes no longer and gains: in time, or by bending less. So a
+/// refined walk never takes longer than the one it came from and is as valid. Three passes:
 ///   1 shortcuts   a direct edge between two nodes, the widest apart first, until none helps
 ///   2 stops       each node where the walk stands is replaced by a stance that walks: on the node
 ///   or nearer to the line
@@ -11,8 +11,8 @@
 ///                 passes
 ///   3 tries       a counted number of random ones: a node moved, left out, or cut off between two
 ///   points of the walk
-/// and, when tries changed the walk, 1 and 2 again. Tries come from a stream each, by index, and
-/// are judged in that order, so the result is the same for any number of threads.
+/// Pass 3 comes in rounds, and after each that helped 1 and 2 again. Tries come from a stream each,
+/// by index, and are judged in that order, so the result is the same for any number of threads.
 #pragma once
 
 #include <vector>
