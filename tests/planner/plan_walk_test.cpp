@@ -1,0 +1,165 @@
+#include "planner/plan_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "animation/rotation.h"
+#include "tests/planner/furnished_room.h"
+
+namespace amble {
+namespace {
+
+PlanRequest requestIn(const FurnishedRoom& room, double goal_heading_deg = -90.0) {
+  PlanRequest request;
+  request.synthesizer = &room.synthesizer;
+  request.world = &room.world;
+  request.ground = &room.ground;
+  request.bounds = room.bounds;
+  request.start = {{1, 1, 0}, 90 * kDegree, true};
+  request.goal = {{5.3, 2.5, 0}, goal_heading_deg * kDegree, true};
+  request.limits.max_failures = 60;
+  request.refine.tries = 40;
+  return request;
+}
+
+void expectSameFrames(const AnimationBuffer& a, const AnimationBuffer& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (int i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(a.poses.p_WR(i), b.poses.p_WR(i));
+    for (int j = 0; j < a.poses.joints(); ++j) {
+      ASSERT_EQ(a.poses.rotations(i)[j].coeffs(), b.poses.rotations(i)[j].coeffs());
+    }
+  }
+}
+
+TEST(PlanWalk, RefusesRequestsThatCannotBeMeant) {
+  EXPECT_THROW(planWalk({}), std::invalid_argument);
+  PlanRequest request = requestIn(furnishedRoom());
+  request.planner = "teleport";
+  EXPECT_THROW(planWalk(request), std::invalid_argument);
+  request = requestIn(furnishedRoom());
+  request.limits.max_failures = 0;
+  EXPECT_THROW(planWalk(request), std::invalid_argument);
+  request = requestIn(furnishedRoom());
+  request.limits.threads = 0;
+  EXPECT_THROW(planWalk(request), std::invalid_argument);
+}
+
+TEST(PlanWalk, WalkEndsAtTheGoalAndTouchesNothing) {
+  const FurnishedRoom& room = furnishedRoom();
+  const CollisionScratchPtr scratch = room.world.makeScratch();
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    PlanRequest request = requestIn(room);
+    request.limits.seed = seed;
+    const PlanOutcome outcome = planWalk(request);
+    ASSERT_EQ(outcome.status, PlanStatus::kSolved);
+    const AnimationBuffer& walk = outcome.walk.buffer;
+    EXPECT_FALSE(room.world.check(walk.poses, walk.states, false, *scratch).has_value());
+    AnimationBuffer asked;
+    Stance goal;
+    goal.position = request.goal.position;
+    goal.heading = *request.goal.heading;
+    room.synthesizer.stand(goal, asked);
+    const int last = walk.size() - 1;
+    EXPECT_LT((walk.poses.p_WR(last) - asked.poses.p_WR(0)).norm(), 1e-3);
+    EXPECT_LT(walk.poses.rotations(last)[0].angularDistance(asked.poses.rotations(0)[0]),
+              0.5 * kDegree);
+  }
+}
+
+TEST(PlanWalk, SameSeedGivesTheSameFramesAtAnyNumberOfThreads) {
+  PlanRequest request = requestIn(furnishedRoom());
+  const PlanOutcome one = planWalk(request);
+  const PlanOutcome again = planWalk(request);
+  request.limits.threads = 2;
+  const PlanOutcome two = planWalk(request);
+  ASSERT_EQ(one.status, PlanStatus::kSolved);
+  expectSameFrames(one.walk.buffer, again.walk.buffer);
+  expectSameFrames(one.walk.buffer, two.walk.buffer);
+  EXPECT_EQ(one.refusals, two.refusals);
+  EXPECT_EQ(one.poses_checked, two.poses_checked);
+  EXPECT_EQ(one.samples, two.samples);
+}
+
+TEST(PlanWalk, BlockedEndsAreNamed) {
+  PlanRequest request = requestIn(furnishedRoom());
+  request.start.position = {4.5, 1.2, 0};
+  const PlanOutcome start = planWalk(request);
+  EXPECT_EQ(start.status, PlanStatus::kStartBlocked);
+  ASSERT_TRUE(start.why.has_value());
+  EXPECT_EQ(start.why->object, "table");
+  request = requestIn(furnishedRoom());
+  request.goal.position = {3.0, 1.0, 0};
+  const PlanOutcome goal = planWalk(request);
+  EXPECT_EQ(goal.status, PlanStatus::kGoalBlocked);
+  EXPECT_EQ(goal.why->object, "wall");
+}
+
+TEST(PlanWalk, SealedPassageIsNoWalkAndNamesWhatSealsIt) {
+  Scene scene = furnishedScene();
+  scene.objects.push_back(boxObject("door", {0.1, 0.9, 2.5}, {3, 3.55, 1.25}));
+  const FurnishedRoom room(scene);
+  PlanRequest request = requestIn(room);
+  request.limits.max_failures = 25;
+  const PlanOutcome outcome = planWalk(request);
+  EXPECT_EQ(outcome.status, PlanStatus::kNoWalk);
+  EXPECT_FALSE(outcome.time_limit_hit);
+  ASSERT_TRUE(outcome.why.has_value());
+  EXPECT_TRUE(outcome.why->object == "wall" || outcome.why->object == "door")
+      << outcome.why->object;
+  EXPECT_DOUBLE_EQ(outcome.coverage, 1.0 - 1.0 / 25);
+}
+
+TEST(PlanWalk, ViaPointsArePassed) {
+  PlanRequest request = requestIn(furnishedRoom());
+  request.via = {{1.2, 2.8, 0}, {5.2, 3.4, 0}};
+  const PlanOutcome outcome = planWalk(request);
+  ASSERT_EQ(outcome.status, PlanStatus::kSolved);
+  for (const Eigen::Vector3d& via : request.via) {
+    double nearest = HUGE_VAL;
+    for (const Stance& stance : outcome.walk.stances) {
+      nearest = std::min(nearest, (stance.position - via).head<2>().norm());
+    }
+    EXPECT_LT(nearest, 1e-3);
+  }
+}
+
+TEST(PlanWalk, FreeHeadingsAreChosen) {
+  PlanRequest request = requestIn(furnishedRoom());
+  request.start.heading.reset();
+  request.goal.heading.reset();
+  EXPECT_EQ(planWalk(request).status, PlanStatus::kSolved);
+}
+
+TEST(PlanWalk, EveryPlannerByNameAnswers) {
+  ASSERT_EQ(listPlanners().front().name, "visibility");
+  for (const PlannerInfo& planner : listPlanners()) {
+    PlanRequest request = requestIn(furnishedRoom());
+    request.planner = planner.name;
+    const PlanOutcome outcome = planWalk(request);
+    // The passage is narrower than the bounding cylinder of a walking body.
+    const PlanStatus expected =
+        planner.name == "cylinder" ? PlanStatus::kNoWalk : PlanStatus::kSolved;
+    EXPECT_EQ(outcome.status, expected) << planner.name;
+  }
+}
+
+TEST(PlanWalk, GoalAtTheStartIsAWalkThatStands) {
+  PlanRequest request = requestIn(furnishedRoom());
+  request.goal = request.start;
+  const PlanOutcome outcome = planWalk(request);
+  EXPECT_EQ(outcome.status, PlanStatus::kSolved);
+  EXPECT_EQ(outcome.walk.buffer.size(), 1);
+}
+
+TEST(PlanWalk, DeadlineOnlyStopsAndIsReported) {
+  PlanRequest request = requestIn(furnishedRoom());
+  request.limits.deadline = std::chrono::steady_clock::now();
+  const PlanOutcome outcome = planWalk(request);
+  EXPECT_EQ(outcome.status, PlanStatus::kNoWalk);
+  EXPECT_TRUE(outcome.time_limit_hit);
+}
+
+}  // namespace
+}  // namespace amble
