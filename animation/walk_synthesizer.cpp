@@ -137,7 +137,7 @@ struct WalkSynthesizer::Impl {
   void bendStandingKnees() {
     AnimationBuffer buffer;
     buffer.poses = PoseArray(skeleton.size());
-    buffer.states.push_back(stanceState({}, 0.0));
+    buffer.states.push_back(levelStance({}, 0.0));
     buffer.poses.resize(1);
     walk->apply(buffer);
     std::vector<JointFrame> joints(skeleton.size());
@@ -205,7 +205,8 @@ struct WalkSynthesizer::Impl {
     return true;
   }
 
-  FrameState stanceState(const Stance& stance, double arc) const {
+  // A stance on level ground at its own height.
+  FrameState levelStance(const Stance& stance, double arc) const {
     FrameState state;
     state.position = stance.position;
     state.heading = stance.heading;
@@ -216,6 +217,11 @@ struct WalkSynthesizer::Impl {
     state.phase = stance.standing || stance.leading == kLeft ? 0.0 : 0.5;
     state.step_length = placement.step_length;
     state.feet = Footsteps::atStance(placement, stance);
+    return state;
+  }
+
+  FrameState stanceState(const Stance& stance, double arc) const {
+    FrameState state = levelStance(stance, arc);
     for (const Side side : {kLeft, kRight}) {
       FootState& foot = state.feet[side];
       if (const auto z = groundUnder(foot.from, side)) {
