@@ -102,7 +102,6 @@ double SpeedProfile::countSteps() const {
 
 // The number of steps that needs the least stretching, and that stretch.
 void SpeedProfile::chooseSteps() {
-  constexpr double kShortest = -0.65, kLongest = 0.35;  // stretch, relative
   const double captured = limits_.law.capturedStep();
   stretch(0.0);
   const double natural = countSteps();
@@ -113,7 +112,7 @@ void SpeedProfile::chooseSteps() {
                    [&](int a, int b) { return std::abs(a - natural) < std::abs(b - natural); });
   for (const int n : candidates) {
     if (n < 2 || (ends_.parity && n % 2 != *ends_.parity)) continue;
-    double low = kShortest, high = kLongest;
+    double low = kLeastStretch - 1.0, high = kMostStretch - 1.0;
     stretch(low);
     if (countSteps() < n) continue;
     stretch(high);

@@ -35,6 +35,8 @@ class SpeedProfile {
   static constexpr double kAcceleration = 1.0;
   /// Fastest that a first step brings a walker to, and a last one stops from; by trial [m/s].
   static constexpr double kFirstSpeed = 1.0;
+  /// Steps are made no shorter and no longer than these shares of the wanted ones; by trial.
+  static constexpr double kLeastStretch = 0.35, kMostStretch = 1.35;
 
   /// Plans the whole profile. Where it is refused, nothing else may be asked.
   SpeedProfile(const RootPath& path, const SpeedLimits& limits, const SpeedProfileEnds& ends);

@@ -274,7 +274,11 @@ double WalkSynthesizer::toeHeight() const { return impl_->shapes[kLeft].radius; 
 double WalkSynthesizer::stepLength() const { return impl_->placement.step_length; }
 double WalkSynthesizer::maxTurnRate() const { return impl_->blend.maxTurnRate(); }
 double WalkSynthesizer::shortestWalk() const {
-  return StrideLaw::kShortestStep * impl_->blend.law().capturedStep();
+  // Two steps of half a step's length each.
+  const StrideLaw& law = impl_->blend.law();
+  const double wanted = law.stepLength(std::min(impl_->settings.speed, SpeedProfile::kFirstSpeed));
+  return std::max(StrideLaw::kShortestStep * law.capturedStep(),
+                  SpeedProfile::kLeastStretch * wanted);
 }
 
 namespace {

@@ -385,6 +385,18 @@ TEST(WalkSynthesizer, FootprintsAreOnTheGroundThatIsThere) {
   }
 }
 
+TEST(WalkSynthesizer, TheShortestWalkIsWalkedAndAShorterOneIsNot) {
+  for (const double speed : {0.4, 0.8, 1.2, 2.0}) {
+    const WalkSynthesizer character = walker(speed);
+    AnimationBuffer out;
+    const double shortest = character.shortestWalk();
+    ASSERT_EQ(walkAlong(character, straightPath(1.001 * shortest), out).refused, WalkRule::kNone);
+    expectGoodWalk(character, out);
+    EXPECT_EQ(walkAlong(character, straightPath(0.99 * shortest), out).refused,
+              WalkRule::kStepLength);
+  }
+}
+
 TEST(WalkSynthesizer, AFrameRateChangesWhatIsSeenNotWhereFeetGo) {
   const RootPath path = straightPath(5.0);
   AnimationBuffer fine, coarse;
