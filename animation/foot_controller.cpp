@@ -140,8 +140,10 @@ bool FootController::dipHips(AnimationBuffer& buffer) const {
   }
   if (!any) return true;
   for (int i = 1; i + 1 < n; ++i) {
-    const double from_end = std::min(i, n - 1 - i) / (0.5 * reach);
-    buffer.poses.p_WR(i).z() -= dip[i] * smoothstep(std::min(1.0, from_end));
+    // Near a stance a dip of a millimetre or two may come at once, a deep one needs its time.
+    const double from_end = std::min(i, n - 1 - i) * buffer.frame_time;
+    const double fade = std::max(kShortestFade, dip[i] / kDipSpeed);
+    buffer.poses.p_WR(i).z() -= dip[i] * smoothstep(std::min(1.0, from_end / fade));
   }
   return true;
 }

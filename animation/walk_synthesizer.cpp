@@ -16,8 +16,8 @@ namespace amble {
 namespace {
 
 // Legs are not stretched farther than this share of their length by the straight walk, a knee bent
-// by 6 degrees: captured walkers reach 0.999.
-constexpr double kStraightReach = 0.9985;
+// by 8 degrees: captured walkers reach 0.999.
+constexpr double kStraightReach = 0.9975;
 constexpr double kStandingReach = 0.995;
 constexpr double kLongestLean = 0.03;  // of the root before its feet, beyond the captured [m]
 constexpr double kLeanCost = 0.2;      // metres of lowering that a metre of lean is worth; by trial
