@@ -39,10 +39,10 @@ class FootController : public SubController {
   /// Where a leg would stretch farther than this, the hips dip, over kDipTime before and after;
   /// deeper than kDeepestDip is refused.
   static constexpr double kDipReach = 0.999;
-  static constexpr double kDipTime = 0.3;      // [s]
+  static constexpr double kDipTime = 0.3;        // [s]
   static constexpr double kShortestFade = 0.03;  // of a dip towards a stance [s]
   static constexpr double kDipSpeed = 0.03;      // by trial [m/s]
-  static constexpr double kDeepestDip = 0.04;  // [m]; by trial, deeper looks like a stumble
+  static constexpr double kDeepestDip = 0.04;    // [m]; by trial, deeper looks like a stumble
 
   FootController(const Skeleton& skeleton, const JointRoles& roles,
                  const std::array<FootShape, 2>& shapes, const GaitBlend& blend);

@@ -110,6 +110,7 @@ void GaitTrack::findPlants(Side side) {
     toe.push_back(joints[roles_.legs[side].toe].p_WJ);
   }
   const double speed = walkingSpeed(clip_);
+  if (!(speed > 0.0)) return;  // nobody walks: what crosses zero is noise
   const auto strikes = crossings(speeds(ankle, clip_.frame_time), kStrikeShare * speed, true);
   const auto lifts = crossings(speeds(toe, clip_.frame_time), kLiftShare * speed, false);
   for (const double strike : strikes) {

@@ -25,9 +25,9 @@ struct TwoLinkSolution {
   double knee_flexion;  ///< angle between the links, 0 straight [rad, >= 0]
 };
 
-/// The knee flexes in the plane of hip, knee and ankle until the ankle is as far as the target, then
-/// the whole leg turns on the shortest way to it; it flexes forward only. None where the target is
-/// farther than both links together, or nearer than their difference.
+/// The knee flexes in the plane of hip, knee and ankle until the ankle is as far as the target,
+/// then the whole leg turns on the shortest way to it; it flexes forward only. None where the
+/// target is farther than both links together, or nearer than their difference.
 std::optional<TwoLinkSolution> solveTwoLink(const TwoLink& leg, const Eigen::Vector3d& target);
 
 }  // namespace amble

@@ -24,9 +24,8 @@ constexpr double kPathEnd = 0.02;           // [m]
 constexpr double kEndHeading = 2.0;         // [degrees]
 constexpr double kAchieved = 0.05;          // speed and turn rate, of what was asked
 constexpr double kDoubleSupport = 0.04;     // from the norm
-constexpr double kPace = 0.8;  // of the walk's top speed: slower is starting, stopping or turning
-constexpr double kLeastPace = 1.0;  // two steps; a share over less depends on where it is cut [s]
-constexpr double kTurns = 0.15;     // slower is straight: walkers sway by as much [rad/s]
+constexpr double kPace = 0.8;    // of the walk's top speed: slower is starting, stopping or turning
+constexpr double kTurns = 0.15;  // slower is straight: walkers sway by as much [rad/s]
 
 FootPlants plantsOfWalk(const AnimationBuffer& walk) {
   std::array<std::vector<bool>, 2> planted;
@@ -63,28 +62,40 @@ Asked askedOver(const AnimationBuffer& walk, const GaitMeasures& gait) {
 }
 
 // Double support while the walk goes at its pace: starts, stops and turns on the spot have more of
-// it, as they should.
+// it, as they should. Over whole strides, since a share over part of one depends on where it is
+// cut.
 struct Support {
   double share = 0.0;  // [0, 1]
   double speed = 0.0;  // mean [m/s]
-  double time = 0.0;   // over which that was [s]
+  int frames = 0;      // over which that was; 0 where there is no whole stride at pace
 };
+
+Support supportOver(const AnimationBuffer& walk, int first, int end) {
+  Support support;
+  support.frames = end - first;
+  for (int i = first; i < end; ++i) {
+    const FrameState& state = walk.states[i];
+    support.share += (state.planted[kLeft] && state.planted[kRight] ? 1.0 : 0.0) / support.frames;
+    support.speed += state.speed / support.frames;
+  }
+  return support;
+}
+
 Support supportAtPace(const AnimationBuffer& walk) {
   double top = 0.0;
   for (const FrameState& state : walk.states) top = std::max(top, state.speed);
-  Support support;
-  int both = 0, count = 0;
-  for (const FrameState& state : walk.states) {
-    if (top == 0.0 || state.speed < kPace * top) continue;
-    ++count;
-    both += state.planted[kLeft] && state.planted[kRight] ? 1 : 0;
-    support.speed += state.speed;
+  Support longest;
+  std::array<int, 2> strike = {-1, -1};  // the first of this stretch, by Side
+  for (int i = 1; i < walk.size(); ++i) {
+    if (walk.states[i].speed < kPace * top) strike = {-1, -1};
+    for (int side = 0; side < 2; ++side) {
+      const bool strikes = walk.states[i].planted[side] && !walk.states[i - 1].planted[side];
+      if (!strikes || walk.states[i].speed < kPace * top) continue;
+      if (strike[side] < 0) strike[side] = i;
+      if (i - strike[side] > longest.frames) longest = supportOver(walk, strike[side], i);
+    }
   }
-  if (count == 0) return support;
-  support.speed /= count;
-  support.share = static_cast<double>(both) / count;
-  support.time = count * walk.frame_time;
-  return support;
+  return longest;
 }
 
 }  // namespace
@@ -133,7 +144,7 @@ std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
     lines.push_back({"turn rate, achieved against asked",
                      std::abs(gait.turn_rate / asked.turn_rate - 1.0), kAchieved, "1"});
   }
-  if (const Support support = supportAtPace(walk); support.time >= kLeastPace) {
+  if (const Support support = supportAtPace(walk); support.frames > 0) {
     const double leg =
         0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
     lines.push_back({"double support, from its norm",
