@@ -6,6 +6,7 @@
 
 #include "animation/rotation.h"
 #include "tests/animation/random_clip.h"
+#include "tests/animation/walk_paths.h"
 
 namespace amble {
 namespace {
@@ -33,26 +34,6 @@ Bezier randomBezier(Generator& generator, const Eigen::Vector2d& from, double* h
   const double last = way + uniform(generator, -100, 100) * kDegree;
   if (heading != nullptr) *heading = last;
   return makeBezier(from, first, to, last, uniform(generator, 0.3, 0.7));
-}
-
-/// An arc of a circle as short curves, each of `step` radians: a cubic's curvature is 1/r there to
-/// step^4.
-RootPath circle(double radius, double angle, double heading) {
-  constexpr int kCurves = 24;
-  const double step = angle / kCurves, h = 4.0 / 3.0 * std::tan(step / 4.0) * radius;
-  const auto at = [&](double a) {
-    return Eigen::Vector2d(radius * (std::sin(heading + a) - std::sin(heading)),
-                           radius * (std::cos(heading) - std::cos(heading + a)));
-  };
-  const auto along = [&](double a) {
-    return Eigen::Vector2d(std::cos(heading + a), std::sin(heading + a));
-  };
-  std::vector<Bezier> curves(kCurves);
-  for (int i = 0; i < kCurves; ++i) {
-    const double a = i * step, b = a + step;
-    curves[i] << at(a), at(a) + h * along(a), at(b) - h * along(b), at(b);
-  }
-  return RootPath(curves);
 }
 
 TEST(RootPath, ArcLengthIsThatOfAFinePolyline) {
@@ -117,7 +98,7 @@ TEST(RootPath, SamplesAtEqualArcsAreEquallySpaced) {
 
 TEST(RootPath, HeadingDoesNotJumpWhereTheAngleWraps) {
   for (const double angle : {2.0 * kPi, -2.0 * kPi}) {
-    const RootPath path = circle(1.5, angle, 2.0);
+    const RootPath path = circlePath(1.5, angle, 2.0);
     EXPECT_NEAR(path.at(path.length()).heading - path.at(0.0).heading, angle, 1e-9);
     double before = path.at(0.0).heading;
     for (int k = 1; k <= 500; ++k) {
@@ -130,7 +111,7 @@ TEST(RootPath, HeadingDoesNotJumpWhereTheAngleWraps) {
 
 TEST(RootPath, CurvatureOfACircleIsOneOverItsRadiusLeftPositive) {
   for (const double radius : {0.4, 1.0, 5.0}) {
-    const RootPath left = circle(radius, 2.0, 0.3), right = circle(-radius, -2.0, 0.3);
+    const RootPath left = circlePath(radius, 2.0, 0.3), right = circlePath(-radius, -2.0, 0.3);
     EXPECT_NEAR(left.length(), 2.0 * radius, 1e-6);
     for (int k = 0; k <= 100; ++k) {
       EXPECT_NEAR(left.at(left.length() * k / 100.0).curvature * radius, 1.0, 1e-4);
