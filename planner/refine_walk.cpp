@@ -20,12 +20,16 @@ constexpr double kRounding = 1e-6;
 // that saves a frame because steps happen to come out whole looks like a stagger. By trial.
 constexpr double kBendCost = 0.3;  // [s/rad]
 constexpr double kGain = 0.05;     // [s]
-// Rounds of pass 3, with the others after each that helped.
-constexpr int kRounds = 3;
+// Rounds of pass 3: at most, and in a row without help until it ends. By trial: a long walk has
+// more to gain.
+constexpr int kMostRounds = 12;
+constexpr int kIdleRounds = 3;
 // Pass 2: how far from the node to the line between its neighbours, and headings off that line's.
 constexpr std::array<double, 5> kPulls = {0.5, 0.25, 0.0, 0.75, 1.0};
 constexpr std::array<double, 5> kTurns = {0.0, 20 * kDegree, -20 * kDegree, 40 * kDegree,
                                           -40 * kDegree};
+// How far from a corner it is cut [m]: about the radius of the tightest walks and more.
+constexpr std::array<double, 3> kCuts = {0.6, 0.9, 1.3};
 // Pass 3: how far a random stance lies from where it is looked for [m], and how far its heading is
 // off [rad].
 constexpr double kStray = 0.25;
@@ -216,16 +220,16 @@ void Refiner::shortcuts() {
   } while (firstThatHelps(proposals) >= 0);
 }
 
-// Stances that walk by node i.
+// Ways to walk by node i, and, after those, to stand there with one turn instead of two.
 std::vector<Proposal> Refiner::passings(int i) const {
   const Eigen::Vector2d before = at(node(i - 1).stance), here = at(node(i).stance),
                         after = at(node(i + 1).stance);
   const Eigen::Vector2d middle = 0.5 * (before + after);
   const double along = direction(before, after);
-  // Headed half way between arriving and leaving, which on a corner is where the line between the
+  const double arriving = direction(before, here), leaving = direction(here, after);
+  // Half way between arriving and leaving, which on a corner is where the line between the
   // neighbours goes, nearly.
-  const double arriving = direction(before, here);
-  const double bisecting = arriving + 0.5 * wrapAngle(direction(here, after) - arriving);
+  const double bisecting = arriving + 0.5 * wrapAngle(leaving - arriving);
   std::vector<Proposal> proposals;
   for (const double pull : kPulls) {
     if (path_.pinned[i] && pull > 0.0) continue;
@@ -235,6 +239,20 @@ std::vector<Proposal> Refiner::passings(int i) const {
           pull > 0.0 ? Eigen::Vector2d(here + pull * (middle - here)) : here;
       proposals.push_back({i - 1, i + 1, {walking(position, heading, kLeft)}});
     }
+  }
+  for (const double cut : kCuts) {  // the corner rounded, from one leg to the other
+    if (path_.pinned[i] || cut > (here - before).norm() - kCuts[0] ||
+        cut > (after - here).norm() - kCuts[0])
+      continue;
+    const Eigen::Vector2d first = here + cut * (before - here).normalized();
+    const Eigen::Vector2d second = here + cut * (after - here).normalized();
+    proposals.push_back(
+        {i - 1, i + 1, {walking(first, arriving, kLeft), walking(second, leaving, kLeft)}});
+  }
+  for (const double heading : {arriving, leaving}) {
+    Stance turned = node(i).stance;
+    turned.heading = heading;
+    proposals.push_back({i - 1, i + 1, {turned}});
   }
   return proposals;
 }
@@ -349,8 +367,13 @@ EdgePath refineWalk(const Steering& steering, EdgePath path, const RefineSetting
   refiner.shortcuts();
   if (!settings.walk_on) return refiner.take();
   refiner.passStops();
-  for (int round = 0; round < kRounds && !refiner.stopped(); ++round) {
-    if (!refiner.tries(round, settings.tries / kRounds)) continue;
+  for (int round = 0, idle = 0; round < kMostRounds && idle < kIdleRounds && !refiner.stopped();
+       ++round) {
+    if (!refiner.tries(round, settings.tries)) {
+      ++idle;
+      continue;
+    }
+    idle = 0;
     refiner.shortcuts();
     refiner.passStops();
   }

@@ -11,8 +11,9 @@
 ///                 passes
 ///   3 tries       a counted number of random ones: a node moved, left out, or cut off between two
 ///   points of the walk
-/// Pass 3 comes in rounds, and after each that helped 1 and 2 again. Tries come from a stream each,
-/// by index, and are judged in that order, so the result is the same for any number of threads.
+/// Pass 3 comes in rounds until some in a row are no help, and after each that helped 1 and 2
+/// again. Tries come from a stream each, by index, and are judged in that order, so the result is
+/// the same for any number of threads.
 #pragma once
 
 #include <vector>
@@ -37,7 +38,7 @@ struct EdgePath {
 
 struct RefineSettings {
   bool walk_on = true;  ///< false: pass 1 only
-  int tries = 100;      ///< of pass 3 [>= 0]; where it ends is by trial: later ones rarely help
+  int tries = 50;       ///< a round of pass 3 [>= 0]; by trial
 };
 
 /// @pre path.edges is not empty. limits.deadline and limits.stop end it early, with what is
