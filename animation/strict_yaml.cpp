@@ -23,7 +23,8 @@ enum class Kind { kNull, kScalar, kSequence, kMap };
 // What a file holds may be long; a message is one line.
 std::string quote(const std::string& text) {
   constexpr size_t kLongest = 60;
-  return "'" + (text.size() > kLongest ? text.substr(0, kLongest) + "..." : text) + "'";
+  if (text.size() <= kLongest) return "'" + text + "'";
+  return "'" + text.substr(0, kLongest) + "...'";
 }
 
 std::string toText(double number) {

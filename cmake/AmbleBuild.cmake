@@ -18,7 +18,29 @@ set(CMAKE_EXE_LINKER_FLAGS_ASAN "${amble_sanitizers}")
 find_program(AMBLE_CCACHE ccache)
 if(AMBLE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${AMBLE_CCACHE}")
+  if(AMBLE_PCH)  # which ccache takes only so
+    set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros "${AMBLE_CCACHE}")
+  endif()
 endif()
+
+# With AMBLE_PCH: targets of one group (the same flags) share a precompiled header, made with the first of them.
+function(amble_pch group target)
+  if(NOT AMBLE_PCH)
+    return()
+  endif()
+  # g++ 12 forgets with them that <string> is a system header, and warns of what is not so (PR 105329, 105651).
+  target_compile_options(${target} PRIVATE -fpch-preprocess -Wno-array-bounds -Wno-restrict
+                                           -Wno-stringop-overflow -Wno-stringop-overread)
+  get_property(first GLOBAL PROPERTY amble_pch_${group})
+  if(first)
+    target_precompile_headers(${target} REUSE_FROM ${first})
+  else()
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+    set_property(GLOBAL PROPERTY amble_pch_${group} ${target})
+  endif()
+endfunction()
+set(amble_std_headers <Eigen/Geometry> <algorithm> <array> <cmath> <filesystem> <functional> <map>
+                      <memory> <optional> <ostream> <span> <string> <vector>)
 
 # Flags of every target of ours. Fused multiply-add would make results depend on the compiler.
 function(amble_flags target)
@@ -45,6 +67,7 @@ function(amble_library folder)
   amble_flags(${target})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                               $<INSTALL_INTERFACE:include/amble>)
+  amble_pch(libraries ${target} ${amble_std_headers})
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen ${arg_USES} PRIVATE ${arg_PRIVATE})
   install(TARGETS ${target} EXPORT amble-targets)
@@ -66,6 +89,7 @@ function(amble_tests folder)
   target_compile_definitions(${target} PRIVATE AMBLE_SHARED="${AMBLE_SHARED}"
                                                AMBLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${target} PRIVATE amble_${folder} GTest::gtest_main ${arg_PRIVATE})
+  amble_pch(tests ${target} <gtest/gtest.h> ${amble_std_headers})
   gtest_discover_tests(${target} TEST_PREFIX "${folder}." DISCOVERY_MODE PRE_TEST
                        PROPERTIES TIMEOUT 600)
 endfunction()
