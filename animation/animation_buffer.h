@@ -35,8 +35,8 @@ struct FrameState {
   double heading = 0.0;    ///< of the root path [rad]
   double speed = 0.0;      ///< along the root path [m/s, >= 0]
   double turn_rate = 0.0;  ///< [rad/s], left positive
-  double turning =
-      1.0;  ///< share of the turn rate that the cycles are blended by; 0 at stances [0, 1]
+  /// Turn rate that the cycles are blended for: turn_rate without its jumps; 0 at stances [rad/s].
+  double blended_turn_rate = 0.0;
   double phase = 0.0;             ///< of the walk cycle [cycles, 0 <= . < 1]
   double step_length = 0.0;       ///< to which the cycles are warped here [m]
   double standing = 0.0;          ///< share of the standing posture, 1 at standing stances [0, 1]

@@ -52,7 +52,7 @@ bool WalkController::apply(AnimationBuffer& buffer) const {
     if (state.standing >= 1.0) {
       channels = stand_;
     } else {
-      blend_.evaluate(state.phase, state.turning * state.turn_rate, state.step_length, channels);
+      blend_.evaluate(state.phase, state.blended_turn_rate, state.step_length, channels);
       channels[0] += carriage_.lead;
       channels[2] -= lowering(state.step_length) * loweringShare(state.phase);
       if (state.standing > 0.0) channels += state.standing * (stand_ - channels);

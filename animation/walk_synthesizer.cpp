@@ -26,6 +26,8 @@ constexpr int kLoweringSteps = 16;  // step lengths for which the root's lowerin
 constexpr double kGroundReach =
     0.05;  // heights within so much of the path's point are its ground [m]
 
+constexpr double kBlendTime = 0.12;  // half of the moment over which a blend changes; by trial [s]
+
 // The standing posture is left within this share of the first step, before its foot lands, and
 // taken on within as much of the last.
 constexpr double kStandingShare = 0.85;
@@ -213,7 +215,6 @@ struct WalkSynthesizer::Impl {
     state.arc = arc;
     state.standing = stance.standing ? 1.0 : 0.0;
     state.speed = stance.standing ? 0.0 : settings.speed;
-    state.turning = 0.0;
     state.phase = stance.standing || stance.leading == kLeft ? 0.0 : 0.5;
     state.step_length = placement.step_length;
     state.feet = Footsteps::atStance(placement, stance);
@@ -301,6 +302,21 @@ Side firstFoot(const Stance& from, const Stance& to, const RootPath& path, int s
   return path.at(0.5 * path.length()).curvature > 1e-6 ? kLeft : kRight;
 }
 
+// Where curves join and bend the other way the turn rate jumps; people lean into a turn over a
+// moment. The mean over that moment, which shrinks towards the ends: there it is 0 and stays so.
+void smoothBlending(std::vector<FrameState>& states, double frame_time) {
+  const int n = static_cast<int>(states.size());
+  const int widest = static_cast<int>(std::lround(kBlendTime / frame_time));
+  std::vector<double> sums(n + 1, 0.0);
+  for (int pass = 0; pass < 2; ++pass) {  // a mean of means has no corners
+    for (int i = 0; i < n; ++i) sums[i + 1] = sums[i] + states[i].blended_turn_rate;
+    for (int i = 0; i < n; ++i) {
+      const int half = std::min({widest, i, n - 1 - i});
+      states[i].blended_turn_rate = (sums[i + half + 1] - sums[i - half]) / (2 * half + 1);
+    }
+  }
+}
+
 }  // namespace
 
 WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const RootPath& path,
@@ -340,7 +356,7 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
     state.speed = at.speed;
     state.turn_rate = on.curvature * at.speed;
     const double begin = at.steps, left = n - at.steps;
-    state.turning = smoothstep(begin) * smoothstep(left);
+    state.blended_turn_rate = smoothstep(begin) * smoothstep(left) * state.turn_rate;
     state.phase = 0.5 * at.steps + phase_offset;
     state.phase -= std::floor(state.phase);
     state.step_length = at.step_length;
@@ -351,6 +367,7 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
     out.states.push_back(state);
   }
   out.states.push_back(m.stanceState(end, path.length()));
+  smoothBlending(out.states, m.settings.frame_time);
   return m.pose(out, n, end.leading);
 }
 

@@ -119,12 +119,12 @@ TEST(WalkController, StandingIsMixedInEvenly) {
   EXPECT_NEAR(mixed, 0.75 * walk + 0.25 * (state.position.z() + 0.93), 1e-12);
 }
 
-TEST(WalkController, ATurnRateCountsByItsShareOfTurning) {
-  FrameState state = walking(0.2), half = state;
-  state.turn_rate = 0.2;
-  half.turn_rate = 0.4;
-  half.turning = 0.5;
-  EXPECT_EQ(posed(controllerOf(), state).p_WR, posed(controllerOf(), half).p_WR);
+TEST(WalkController, CyclesAreBlendedForTheBlendedTurnRateAlone) {
+  FrameState state = walking(0.2), turning = state, blended = state;
+  turning.turn_rate = 0.4;
+  blended.blended_turn_rate = 0.4;
+  EXPECT_EQ(posed(controllerOf(), state).p_WR, posed(controllerOf(), turning).p_WR);
+  EXPECT_NE(posed(controllerOf(), state).p_WR, posed(controllerOf(), blended).p_WR);
 }
 
 TEST(WalkController, SwayMovesTheRootToTheLeft) {
