@@ -54,8 +54,8 @@ class WalkSampler : public ob::StateSampler {
 
   // Where no try is free the state stays as it is, and costs one more refusal.
   void sampleUniform(ob::State* state) override {
-    if (const auto stance = sampler_.draw(seed_, effort_.samples++, *scratch_))
-      waypoint(state) = {*stance};
+    if (const auto sample = sampler_.draw(seed_, effort_.samples++, *scratch_))
+      waypoint(state) = {sample->stance};
   }
   void sampleUniformNear(ob::State* state, const ob::State* near, double distance) override {
     SampleStream stream(seed_, (1ULL << 50) + effort_.samples++);

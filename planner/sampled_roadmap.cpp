@@ -70,7 +70,7 @@ int SampledRoadmap::insert(const Waypoint& at, bool enter, bool leave) {
     const RoadmapNode& known = roadmap_.nodes()[node];
     if (samePlace(known.at, at) && known.enter == enter && known.leave == leave) return node;
   }
-  Candidate candidate{at, enter, leave, true, true, {}};
+  Candidate candidate{at, enter, leave, true, true, true, {}};
   const SteeringScratchPtr scratch = steering_.makeScratch();
   return commit(candidate, *scratch);
 }
@@ -90,10 +90,11 @@ std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
   parallelFor(count, limits.threads, [&](int i, int thread) {
     if (limits.stopped()) return;
     drafts[i].index = samples_ + i;
-    const auto stance = sampler_.draw(limits.seed, drafts[i].index, *scratches[thread]);
-    if (!stance) return;
+    const auto sample = sampler_.draw(limits.seed, drafts[i].index, *scratches[thread]);
+    if (!sample) return;
+    const bool counted = StanceSampler::isUniform(drafts[i].index);
     drafts[i].candidate =
-        Candidate{{*stance}, true, true, false, StanceSampler::isUniform(drafts[i].index), {}};
+        Candidate{{sample->stance}, true, true, false, sample->all_round, counted, {}};
     judge(*drafts[i].candidate, *scratches[thread]);  // for its answers
   });
   return drafts;

@@ -29,6 +29,7 @@ struct Candidate {
   Waypoint at;
   bool enter = true, leave = true;  ///< edges may end here, begin here
   bool end = false;                 ///< of a query: kept in any case
+  bool all_round = true;            ///< the body can stand there by any heading
   bool counted = true;  ///< as a failure unless it becomes a guard, which sets the count back
   std::map<std::pair<int, bool>, SteerResult>
       answers;  ///< by (node, whether from the candidate to the node)

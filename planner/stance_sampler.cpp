@@ -19,8 +19,8 @@ constexpr double kLongestBridge = 1.8;
 
 }  // namespace
 
-std::optional<Stance> StanceSampler::draw(std::uint64_t seed, std::uint64_t index,
-                                          SteeringScratch& scratch) const {
+std::optional<StanceSampler::Sample> StanceSampler::draw(std::uint64_t seed, std::uint64_t index,
+                                                         SteeringScratch& scratch) const {
   SampleStream stream(seed, index);
   if (!isUniform(index)) {
     if (const auto found = bridge(stream, scratch)) return found;
@@ -36,10 +36,11 @@ Stance StanceSampler::anywhere(SampleStream& stream) const {
   return stance;
 }
 
-std::optional<Stance> StanceSampler::uniform(SampleStream& stream, SteeringScratch& scratch) const {
+std::optional<StanceSampler::Sample> StanceSampler::uniform(SampleStream& stream,
+                                                            SteeringScratch& scratch) const {
   for (int i = 0; i < kUniformTries; ++i) {
     Stance stance = anywhere(stream);
-    if (standsAllRound(stance, scratch)) return stance;
+    if (standsAllRound(stance, scratch)) return Sample{stance, true};
   }
   return std::nullopt;
 }
@@ -53,7 +54,8 @@ bool StanceSampler::standsAllRound(Stance& stance, SteeringScratch& scratch) con
   return !steering_.stand(stance, scratch);
 }
 
-std::optional<Stance> StanceSampler::bridge(SampleStream& stream, SteeringScratch& scratch) const {
+std::optional<StanceSampler::Sample> StanceSampler::bridge(SampleStream& stream,
+                                                           SteeringScratch& scratch) const {
   for (int i = 0; i < kBridgeTries; ++i) {
     // All three by one heading: along a plane wall the middle of two blocked places is then blocked
     // too.
@@ -68,7 +70,7 @@ std::optional<Stance> StanceSampler::bridge(SampleStream& stream, SteeringScratc
     middle.position += half;
     if (!bounds_.contains(middle.position.head<2>())) continue;
     if (!steering_.stand(near_end, scratch) || !steering_.stand(far_end, scratch)) continue;
-    if (!steering_.stand(middle, scratch)) return middle;
+    if (!steering_.stand(middle, scratch)) return Sample{middle, standsAllRound(middle, scratch)};
   }
   return std::nullopt;
 }

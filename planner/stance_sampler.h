@@ -22,12 +22,17 @@ namespace amble {
 
 class StanceSampler {
  public:
+  struct Sample {
+    Stance stance;
+    bool all_round = true;  ///< the body can stand there by any heading
+  };
+
   /// @pre bounds is not empty; steering outlives the sampler.
   StanceSampler(const Steering& steering, const Eigen::AlignedBox2d& bounds)
       : steering_(steering), bounds_(bounds) {}
 
   /// The free stance of that index, or none where no try was free.
-  std::optional<Stance> draw(std::uint64_t seed, std::uint64_t index,
+  std::optional<Sample> draw(std::uint64_t seed, std::uint64_t index,
                              SteeringScratch& scratch) const;
 
   /// Whether a sample is one that the estimate of coverage may count: uniform.
@@ -38,8 +43,8 @@ class StanceSampler {
  private:
   bool standsAllRound(Stance& stance, SteeringScratch& scratch) const;
   Stance anywhere(SampleStream& stream) const;
-  std::optional<Stance> uniform(SampleStream& stream, SteeringScratch& scratch) const;
-  std::optional<Stance> bridge(SampleStream& stream, SteeringScratch& scratch) const;
+  std::optional<Sample> uniform(SampleStream& stream, SteeringScratch& scratch) const;
+  std::optional<Sample> bridge(SampleStream& stream, SteeringScratch& scratch) const;
 
   const Steering& steering_;
   Eigen::AlignedBox2d bounds_;

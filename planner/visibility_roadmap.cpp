@@ -84,8 +84,8 @@ Verdict VisibilityRoadmap::judge(Candidate& candidate, SteeringScratch& scratch)
     verdict.kind = candidate.enter && candidate.leave ? NodeKind::kGuard : NodeKind::kTerminal;
     verdict.keep = true;
   } else {
-    verdict.kind = covered ? NodeKind::kConnector : NodeKind::kGuard;
-    verdict.keep = !covered || joins(candidate, verdict);
+    verdict.kind = covered || !candidate.all_round ? NodeKind::kConnector : NodeKind::kGuard;
+    verdict.keep = covered || !candidate.all_round ? joins(candidate, verdict) : true;
   }
   return verdict;
 }
