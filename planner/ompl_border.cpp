@@ -238,15 +238,15 @@ ob::PlannerStatus RoadmapPlanner::solve(const ob::PlannerTerminationCondition& p
 
 void RoadmapPlanner::getPlannerData(ob::PlannerData& data) const {
   Planner::getPlannerData(data);
+  std::vector<WalkState> states(roadmap_.roadmap().nodes().size());
   std::vector<unsigned int> vertex;
-  for (const RoadmapNode& node : roadmap_.roadmap().nodes()) {
-    WalkState* state = static_cast<WalkState*>(si_->allocState());
-    state->at = node.at;
-    vertex.push_back(data.addVertex(ob::PlannerDataVertex(state)));
+  for (size_t i = 0; i < states.size(); ++i) {
+    states[i].at = roadmap_.roadmap().nodes()[i].at;
+    vertex.push_back(data.addVertex(ob::PlannerDataVertex(&states[i])));
   }
   for (const RoadmapEdge& edge : roadmap_.roadmap().edges())
     data.addEdge(vertex[edge.from], vertex[edge.to]);
-  data.decoupleFromPlanner();
+  data.decoupleFromPlanner();  // it has copies of the states then
 }
 
 class SeededRrt : public og::RRT {
