@@ -44,7 +44,7 @@ FrameState walking(double phase) {
   state.position = {1, -2, 0.5};
   state.heading = 0.7;
   state.phase = phase;
-  state.turn_rate = 0.3;
+  state.turn_rate = state.blended_turn_rate = 0.3;
   state.step_length = 0.6;
   return state;
 }
