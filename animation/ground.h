@@ -2,24 +2,40 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 
 namespace amble {
 
-/// Height of the ground. An extension point: a plane here, a scene's layers in environments/.
+/// A point of the ground at a given (x, y).
+struct SurfacePoint {
+  double height = 0.0;                                ///< [m, World]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, upwards: z > 0 [World]
+};
+
+/// Heights and normals of the ground. An extension point: a plane here, analytic slopes and stairs
+/// beside it, a scene's layers in environments/. Const: threads share it.
 class Ground {
  public:
   virtual ~Ground() = default;
-  /// Height of the highest ground at (x, y) that is not above z + reach, nor below z - reach; none
-  /// where there is none [m].
-  virtual std::optional<double> height(double x, double y, double z, double reach) const = 0;
+  /// The highest ground at (x, y) that is not above z + reach, nor below z - reach; none where
+  /// there is none. @param reach  [m, >= 0]
+  virtual std::optional<SurfacePoint> surface(double x, double y, double z, double reach) const = 0;
+  /// Its height alone [m].
+  std::optional<double> height(double x, double y, double z, double reach) const {
+    const auto point = surface(x, y, z, reach);
+    return point ? std::optional<double>(point->height) : std::nullopt;
+  }
 };
 
 /// The plane z = level, without end.
 class FlatGround : public Ground {
  public:
   explicit FlatGround(double level = 0.0) : level_(level) {}
-  std::optional<double> height(double, double, double, double) const override { return level_; }
+  std::optional<SurfacePoint> surface(double, double, double z, double reach) const override {
+    if (!(std::abs(level_ - z) <= reach)) return std::nullopt;
+    return SurfacePoint{level_, Eigen::Vector3d::UnitZ()};
+  }
 
  private:
   double level_;

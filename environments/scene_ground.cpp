@@ -28,6 +28,12 @@ struct UpFacing {
   double lowest() const { return std::min({corners[0].z(), corners[1].z(), corners[2].z()}); }
   double highest() const { return std::max({corners[0].z(), corners[1].z(), corners[2].z()}); }
 
+  // Unit, upwards.
+  Eigen::Vector3d normal() const {
+    const Eigen::Vector3d n = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+    return n.z() < 0.0 ? Eigen::Vector3d(-n) : n;
+  }
+
   // Its height over (x, y), or none beside it.
   std::optional<double> heightAt(double x, double y) const {
     const Eigen::Vector2d p(x, y);
@@ -200,10 +206,11 @@ SceneGround::SceneGround(const Scene& scene, double floor)
 
 SceneGround::~SceneGround() = default;
 
-std::optional<double> SceneGround::height(double x, double y, double z, double reach) const {
-  std::optional<double> best;
-  grid_->buckets.visit(x, y, [&](double height, const UpFacing&) {
-    if (std::abs(height - z) <= reach && (!best || height > *best)) best = height;
+std::optional<SurfacePoint> SceneGround::surface(double x, double y, double z, double reach) const {
+  std::optional<SurfacePoint> best;
+  grid_->buckets.visit(x, y, [&](double height, const UpFacing& triangle) {
+    if (std::abs(height - z) > reach || (best && height <= best->height)) return;
+    best = SurfacePoint{height, triangle.normal()};
   });
   return best;
 }

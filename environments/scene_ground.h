@@ -22,7 +22,7 @@ class SceneGround : public Ground {
   SceneGround(const Scene& scene, double floor);
   ~SceneGround() override;
 
-  std::optional<double> height(double x, double y, double z, double reach) const override;
+  std::optional<SurfacePoint> surface(double x, double y, double z, double reach) const override;
   double floor() const { return floor_; }
   /// Whether the object has ground that counts: soles may touch it.
   bool isGround(int object) const { return ground_objects_[object]; }
