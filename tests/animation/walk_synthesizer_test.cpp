@@ -17,9 +17,9 @@ namespace {
 class HoledGround : public Ground {
  public:
   explicit HoledGround(Eigen::AlignedBox2d hole) : hole_(hole) {}
-  std::optional<double> height(double x, double y, double, double) const override {
+  std::optional<SurfacePoint> surface(double x, double y, double, double) const override {
     if (hole_.contains(Eigen::Vector2d(x, y))) return std::nullopt;
-    return 0.0;
+    return SurfacePoint{};
   }
 
  private:

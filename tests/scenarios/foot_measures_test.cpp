@@ -65,7 +65,9 @@ TEST_F(SoleTracksTest, PenetrationIsTheDeepestFrame) {
 TEST_F(SoleTracksTest, WhereThereIsNoGroundNothingIsMeasured) {
   class Nowhere : public Ground {
    public:
-    std::optional<double> height(double, double, double, double) const override { return {}; }
+    std::optional<SurfacePoint> surface(double, double, double, double) const override {
+      return {};
+    }
   };
   const SoleTracks soles(synthesizer_.skeleton(), body_, poses_, Nowhere());
   EXPECT_EQ(soles.slide(kLeft, 0, kFrames - 1), 0.0);
