@@ -26,6 +26,12 @@ class Ground {
     const auto point = surface(x, y, z, reach);
     return point ? std::optional<double>(point->height) : std::nullopt;
   }
+  /// The highest point of anything, ground or obstacle, over the strip of `half_width` about the
+  /// segment a-b (in plan), of what ends between low and high [m]; -infinity where there is
+  /// nothing. What goes on above `high` is nothing to step over and is left out. As it stands here
+  /// only ground is seen, sampled every 2 cm. @pre half_width >= 0, low <= high
+  virtual double crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
+                       double low, double high) const;
 };
 
 /// The plane z = level, without end.

@@ -16,6 +16,7 @@
 #include "animation/joint_roles.h"
 #include "animation/motion_library.h"
 #include "animation/root_path.h"
+#include "animation/rotation.h"
 #include "animation/stance.h"
 
 namespace amble {
@@ -25,6 +26,12 @@ struct CharacterSettings {
       0.0;  ///< stature [m, 0.5 to 2.5]; 0: the library's own. Limbs and stride scale with it
   double speed = 1.2;              ///< on the straight [m/s, 0.3 to 2.0]
   double frame_time = 1.0 / 60.0;  ///< [s, 1/240 to 1/24]
+  /// Steepest ground, up or down: public ramps end at 1:12, 4.8 degrees (ADA), hillside paths near
+  /// 20 [rad, 0 to 45 degrees].
+  double max_slope = 20.0 * kDegree;
+  /// Highest step up and down: stairs of dwellings rise by 0.14 to 0.20 m (DIN 18065) [m, 0 to 1].
+  double max_climb = 0.25;
+  double max_drop = 0.25;
 };
 
 /// Which rule refused (stage 2, limits, and stage 3, animation). The names are what reports count.

@@ -68,5 +68,16 @@ TEST(StairGround, TheSameFlightWalkedTheOtherWayIsTheSameGround) {
   }
 }
 
+TEST(Ground, ACrestIsTheHighestOfWhatEndsWithinTheRange) {
+  const StairGround stairs({.rise = 0.17, .going = 0.29, .count = 10, .start = 1.0});
+  const double none = -std::numeric_limits<double>::infinity();
+  EXPECT_EQ(stairs.crest({0.5, 0}, {0.9, 0}, 0.05, -0.1, 0.3), 0.0);
+  EXPECT_NEAR(stairs.crest({0.5, 0}, {1.1, 0}, 0.05, -0.1, 0.3), 0.17, 1e-12);
+  EXPECT_NEAR(stairs.crest({1.1, 0}, {0.5, 0}, 0.05, -0.1, 0.3), 0.17, 1e-12);
+  EXPECT_NEAR(stairs.crest({0.95, -1}, {0.95, 1}, 0.06, -0.1, 0.3), 0.17, 1e-12);
+  EXPECT_EQ(stairs.crest({2.0, 0}, {2.1, 0}, 0.05, -0.1, 0.3), none);
+  EXPECT_EQ(stairs.crest({0.5, 0}, {0.5, 0}, 0.0, -0.1, 0.3), 0.0);
+}
+
 }  // namespace
 }  // namespace amble
