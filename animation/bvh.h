@@ -8,12 +8,12 @@
 #include <istream>
 #include <ostream>
 #include <string>
+#include <string_view>
 
+#include "animation/capture_file.h"
 #include "animation/clip.h"
 
 namespace amble {
-
-enum class UpAxis { kY, kZ };
 
 struct BvhReadOptions {
   double metres_per_unit = 1.0;  ///< length of a file's unit [m, > 0]
@@ -26,6 +26,8 @@ struct BvhReadOptions {
 Clip readBvh(const std::filesystem::path& file, const BvhReadOptions& options = {});
 /// The same from a stream; `name` stands for the file in messages.
 Clip readBvh(std::istream& in, const std::string& name, const BvhReadOptions& options = {});
+/// The same from the text of a file.
+Clip parseBvh(std::string_view text, const std::string& name, const BvhReadOptions& options = {});
 
 struct BvhWriteOptions {
   double metres_per_unit = 1.0;  ///< 1 writes metres, 0.01 centimetres [m, > 0]

@@ -2,9 +2,6 @@
 /// is trusted: memory grows with what is really there.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 
 #include "animation/bvh.h"
 #include "animation/error.h"
@@ -13,21 +10,6 @@
 
 namespace amble {
 namespace {
-
-constexpr int kMaxJoints = 10'000;
-constexpr int kMaxDepth = 1'000;
-
-// No capture is that far away or turned that often; beyond it sums of numbers lose the micrometre.
-// [file units, degrees]
-constexpr double kMaxNumber = 1e9;
-
-// Joints without channels take memory but no text. A file may hold so many poses of joints a byte;
-// real files have one a six bytes or more.
-constexpr size_t kMaxJointPosesPerByte = 4;
-
-// A joint whose position channels vary by no more than this has a fixed offset [m]: some exporters
-// recompute it for each frame and round. A micrometre is what we write.
-constexpr double kFixedOffsetTolerance = 1e-6;
 
 enum class Quantity { kPosition, kRotation };
 
@@ -64,8 +46,6 @@ class BvhReader {
   double readFrameTime();
   void readFrame(Clip& clip, int frame);
   void setPose(Clip& clip, int frame) const;
-  Eigen::Vector3d toWorld(const Eigen::Vector3d& p_file) const;
-  void settleOffsets(Clip& clip);
 
   TextCursor in_;
   BvhReadOptions options_;
@@ -82,7 +62,7 @@ Clip BvhReader::read() {
   clip.name = in_.name();
   clip.poses = PoseArray(static_cast<int>(tree_.joints.size()));
   readMotion(clip);
-  settleOffsets(clip);
+  settleOffsets(options_.metres_per_unit, tree_.joints, clip.joint_positions);
   for (Joint& joint : tree_.joints) {
     joint.offset *= options_.metres_per_unit;
     for (Eigen::Vector3d& tip : joint.end_sites) tip *= options_.metres_per_unit;
@@ -148,7 +128,7 @@ void BvhReader::openEndSite(int parent) {
 }
 
 void BvhReader::readOffset(Eigen::Vector3d& offset) {
-  for (int i = 0; i < 3; ++i) offset[i] = in_.number(kMaxNumber);
+  for (int i = 0; i < 3; ++i) offset[i] = in_.number(kMaxCaptureNumber);
 }
 
 void BvhReader::readChannels(int joint) {
@@ -240,7 +220,7 @@ int BvhReader::readFrameCount() {
 
 double BvhReader::readFrameTime() {
   in_.expectLabel("Frame Time");
-  const double seconds = in_.number(kMaxNumber);
+  const double seconds = in_.number(kMaxCaptureNumber);
   if (!(seconds > 0.0)) in_.fail("frame time " + std::to_string(seconds), "seconds above 0");
   in_.expectLineEnd();
   return seconds;
@@ -250,7 +230,7 @@ void BvhReader::readFrame(Clip& clip, int frame) {
   for (size_t i = 0; i < tree_.columns.size(); ++i) {
     const Column& column = tree_.columns[i];
     double value = 0.0;
-    if (!in_.numberInLine(kMaxNumber, value)) {
+    if (!in_.numberInLine(kMaxCaptureNumber, value)) {
       in_.fail(std::to_string(i) + " numbers in a frame", std::to_string(tree_.columns.size()));
     }
     if (column.joint < 0) continue;
@@ -270,7 +250,7 @@ void BvhReader::setPose(Clip& clip, int frame) const {
   const std::span<Eigen::Quaterniond> q = clip.poses.rotations(frame);
   for (size_t j = 0; j < q.size(); ++j) q[j] = fromEuler(angles_[j], tree_.joints[j].order);
   if (options_.up == UpAxis::kY) q[0] = yUpToWorld() * q[0];
-  clip.poses.p_WR(frame) = toWorld(positions_[0]);
+  clip.poses.p_WR(frame) = fileToWorld(options_.metres_per_unit * positions_[0], options_.up);
   if (!moving_joints_) return;
   for (const Eigen::Vector3d& p : positions_) {
     clip.joint_positions.push_back(options_.metres_per_unit * p);
@@ -278,58 +258,18 @@ void BvhReader::setPose(Clip& clip, int frame) const {
   clip.joint_positions[frame * q.size()].setZero();
 }
 
-Eigen::Vector3d BvhReader::toWorld(const Eigen::Vector3d& p_file) const {
-  const Eigen::Vector3d p = options_.metres_per_unit * p_file;
-  return options_.up == UpAxis::kY ? Eigen::Vector3d(p.x(), -p.z(), p.y()) : p;
-}
-
-// Position channels that stay as they are replace the OFFSET once and for all; only where one moves
-// are positions kept.
-void BvhReader::settleOffsets(Clip& clip) {
-  if (clip.joint_positions.empty()) return;
-  const size_t joints = tree_.joints.size();
-  std::vector<bool> moves(joints, false);
-  for (size_t i = joints; i < clip.joint_positions.size(); ++i) {
-    const Eigen::Vector3d change = clip.joint_positions[i] - clip.joint_positions[i % joints];
-    if (change.cwiseAbs().maxCoeff() > kFixedOffsetTolerance) moves[i % joints] = true;
-  }
-  for (size_t j = 1; j < joints; ++j) {
-    if (!moves[j]) tree_.joints[j].offset = clip.joint_positions[j] / options_.metres_per_unit;
-  }
-  const bool any = std::find(moves.begin(), moves.end(), true) != moves.end();
-  if (!any) clip.joint_positions = {};
-}
-
-std::string readAll(std::istream& in, const std::string& name) {
-  std::string text;
-  // Pieces grow with the text, so that a small file costs little and a large one is not copied
-  // often.
-  for (size_t piece = 1 << 14; in; piece *= 2) {
-    const size_t begin = text.size();
-    text.resize(begin + piece);
-    in.read(text.data() + begin, static_cast<std::streamsize>(piece));
-    text.resize(begin + static_cast<size_t>(in.gcount()));
-  }
-  if (in.bad()) throw InputError(name, 0, "cannot be read", "a BVH file");
-  return text;
-}
-
 }  // namespace
 
-Clip readBvh(std::istream& in, const std::string& name, const BvhReadOptions& options) {
-  const std::string text = readAll(in, name);
+Clip parseBvh(std::string_view text, const std::string& name, const BvhReadOptions& options) {
   return BvhReader(text, name, options).read();
 }
 
+Clip readBvh(std::istream& in, const std::string& name, const BvhReadOptions& options) {
+  return parseBvh(readText(in, name, "a BVH file"), name, options);
+}
+
 Clip readBvh(const std::filesystem::path& file, const BvhReadOptions& options) {
-  if (file == "-") return readBvh(std::cin, "-", options);
-  std::error_code unknown;
-  if (std::filesystem::is_directory(file, unknown)) {
-    throw InputError(file.string(), 0, "is a folder", "a BVH file");
-  }
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string(), 0, "cannot be opened", "a BVH file");
-  return readBvh(in, file.string(), options);
+  return parseBvh(readText(file, "a BVH file"), file.string(), options);
 }
 
 }  // namespace amble

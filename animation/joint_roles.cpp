@@ -60,7 +60,7 @@ std::vector<std::string> wordsOf(const std::string& name) {
 
 class RoleGuess {
  public:
-  RoleGuess(const Skeleton& skeleton, const std::string& file) : skeleton_(skeleton), file_(file) {
+  explicit RoleGuess(const Skeleton& skeleton) : skeleton_(skeleton) {
     for (const Joint& joint : skeleton.joints()) words_.push_back(wordsOf(joint.name));
   }
   JointRoles guess();
@@ -70,24 +70,19 @@ class RoleGuess {
   int limbJoint(Side side, const LimbNames& limb, int except) const;
   void guessLimbs(Side side);
   void guessTrunk();
-  void require(int joint, const std::string& role) const;
-  void requireAll() const;
   int commonAncestor(int a, int b) const;
   int childTowards(int ancestor, int joint) const;
 
   const Skeleton& skeleton_;
-  const std::string& file_;
   std::vector<std::vector<std::string>> words_;  // by joint
   JointRoles roles_;
 };
 
 JointRoles RoleGuess::guess() {
-  if (skeleton_.size() == 0) throw InputError(file_, 0, "a skeleton without joints", "a person's");
   roles_.hips = -1;
   guessLimbs(kLeft);
   guessLimbs(kRight);
   guessTrunk();
-  requireAll();
   return roles_;
 }
 
@@ -154,25 +149,6 @@ void RoleGuess::guessTrunk() {
   if (neck != roles_.head) roles_.neck = neck;
 }
 
-void RoleGuess::require(int joint, const std::string& role) const {
-  if (joint >= 0) return;
-  throw InputError(file_, 0, "no joint looks like " + role,
-                   "names as of MotionBuilder, Biped, Daz, Acclaim, Mixamo or Rokoko");
-}
-
-void RoleGuess::requireAll() const {
-  for (const int side : {kLeft, kRight}) {
-    const std::string name = std::string(kSideNames[side]) + "_";
-    require(roles_.legs[side].up_leg, name + "up_leg");
-    require(roles_.legs[side].leg, name + "leg");
-    require(roles_.legs[side].foot, name + "foot");
-    require(roles_.arms[side].arm, name + "arm");
-    require(roles_.arms[side].fore_arm, name + "fore_arm");
-  }
-  require(roles_.hips, "hips");
-  require(roles_.head, "head");
-}
-
 int RoleGuess::commonAncestor(int a, int b) const {
   while (a != b) {
     int& later = a > b ? a : b;
@@ -223,8 +199,27 @@ double JointRoles::legLength(const Skeleton& skeleton, Side side) const {
   return length;
 }
 
+JointRoles rolesByName(const Skeleton& skeleton) { return RoleGuess(skeleton).guess(); }
+
+std::string missingRole(const JointRoles& roles) {
+  for (const char* const side : kSideNames) {
+    for (const char* const limb : {"up_leg", "leg", "foot", "arm", "fore_arm"}) {
+      const std::string role = std::string(side) + "_" + limb;
+      if (roleJoint(roles, role) < 0) return role;
+    }
+  }
+  if (roles.hips < 0) return "hips";
+  return roles.head < 0 ? "head" : "";
+}
+
 JointRoles guessJointRoles(const Skeleton& skeleton, const std::string& file) {
-  return RoleGuess(skeleton, file).guess();
+  if (skeleton.size() == 0) throw InputError(file, 0, "a skeleton without joints", "a person's");
+  const JointRoles roles = rolesByName(skeleton);
+  const std::string missing = missingRole(roles);
+  if (missing.empty()) return roles;
+  throw InputError(file, 0, "no joint looks like " + missing,
+                   "names as of MotionBuilder, Biped, Daz, Acclaim, Mixamo, Rokoko, H-Anim, VRM or "
+                   "Unreal");
 }
 
 bool setRole(JointRoles& roles, std::string_view role, int joint) {

@@ -39,10 +39,14 @@ struct JointRoles {
 };
 
 /// Guessed from names of the common rigs (MotionBuilder, 3ds Max Biped, Daz, Acclaim, Mixamo,
-/// Rokoko).
+/// Rokoko, H-Anim, VRM, Unreal).
 /// @throws InputError naming `file` and the first role for which no joint was found (hips, both
 /// legs, both arms, head).
 JointRoles guessJointRoles(const Skeleton& skeleton, const std::string& file);
+/// The same without the refusal: -1 where no name fits. @pre the skeleton has joints.
+JointRoles rolesByName(const Skeleton& skeleton);
+/// The first role that a person cannot do without (as above) and has no joint; "" where all have.
+std::string missingRole(const JointRoles& roles);
 
 /// Role names as a motion library's `joints:` writes them (`hips`, `left_up_leg`, ... ,
 /// `right_hand`), and the joint index of each. `setRole` returns false where the name is no role.

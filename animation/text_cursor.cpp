@@ -48,12 +48,18 @@ void TextCursor::skipSpace() {
   for (; at_ != end_ && isSpace(*at_); ++at_) line_ += *at_ == '\n';
 }
 
-std::string_view TextCursor::word() {
+std::string_view TextCursor::peekWord() {
   skipSpace();
-  if (at_ == end_) fail("the file ends here", "more");
-  const char* begin = at_;
-  while (at_ != end_ && !isSpace(*at_)) ++at_;
-  return {begin, static_cast<size_t>(at_ - begin)};
+  const char* end = at_;
+  while (end != end_ && !isSpace(*end)) ++end;
+  return {at_, static_cast<size_t>(end - at_)};
+}
+
+std::string_view TextCursor::word() {
+  const std::string_view word = peekWord();
+  if (word.empty()) fail("the file ends here", "more");
+  at_ += word.size();
+  return word;
 }
 
 std::string_view TextCursor::restOfLine() {

@@ -26,6 +26,8 @@ class TextCursor {
 
   /// The next word on this line or a later one. @throws InputError at the end of the file.
   std::string_view word();
+  /// The word that word() would read, without going on; empty at the end of the file.
+  std::string_view peekWord();
   /// What is left of this line, trimmed.
   std::string_view restOfLine();
   /// The next word has to be this one, whatever its case. @throws InputError

@@ -1,0 +1,142 @@
+#include "animation/motion_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "animation/asf_amc.h"
+#include "animation/bvh.h"
+#include "animation/error.h"
+#include "animation/motion_guesses.h"
+#include "animation/role_guess.h"
+#include "animation/rotation.h"
+
+namespace amble {
+namespace {
+
+std::string endingOf(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+/// A capture whose unit and vertical axis are not settled yet.
+struct OpenMotion {
+  std::function<Clip(double metres_per_unit, UpAxis up)> read;
+  std::shared_ptr<AsfAmcNotes> notes;  // of what was read last; null for other formats
+};
+
+OpenMotion openAmc(const std::filesystem::path& amc, const MotionReadOptions& options) {
+  const std::filesystem::path asf = options.asf.empty() ? findAsf(amc) : options.asf;
+  const auto notes = std::make_shared<AsfAmcNotes>();
+  const auto read = [=, skeleton = readText(asf, "an ASF file"),
+                     motion = readText(amc, "an AMC file"),
+                     frame_time = options.frame_time](double unit, UpAxis up) {
+    *notes = {};
+    return parseAsfAmc({skeleton, asf.string()}, {motion, amc.string()},
+                       {.metres_per_unit = unit, .up = up, .frame_time = frame_time}, notes.get());
+  };
+  return {read, notes};
+}
+
+OpenMotion openMotion(const std::filesystem::path& file, const MotionReadOptions& options) {
+  const std::string ending = endingOf(file);
+  if (file == "-" || ending == ".bvh") {
+    const auto read = [name = file.string(), text = readText(file, "a BVH file")](double unit,
+                                                                                  UpAxis up) {
+      return parseBvh(text, name, {.metres_per_unit = unit, .up = up});
+    };
+    return {read, nullptr};
+  }
+  if (ending == ".amc") return openAmc(file, options);
+  if (ending == ".asf") {
+    throw InputError(file.string(), 0, "a skeleton without a motion", "the .amc that goes with it");
+  }
+  throw InputError(file.string(), 0, "no kind of capture that Amble knows", ".bvh or .amc");
+}
+
+const char* axisName(UpAxis up) { return up == UpAxis::kY ? "y" : "z"; }
+
+Reading<double> settleUnit(const Clip& raw, const JointRoles& roles,
+                           const std::optional<double>& said) {
+  if (said) return {*said, false, true, fmt::format("{:g} m, as asked", *said)};
+  const double leg =
+      0.5 * (roles.legLength(raw.skeleton, kLeft) + roles.legLength(raw.skeleton, kRight));
+  Reading<double> unit{guessUnit(raw.skeleton, roles), true, leg > 0.0, ""};
+  unit.text = leg > 0.0
+                  ? fmt::format("{:g} m, guessed: legs of {:.2f} m", unit.value, leg * unit.value)
+                  : "1 m, guessed: the legs have no length";
+  return unit;
+}
+
+Reading<UpAxis> settleUp(const Clip& raw, const JointRoles& roles,
+                         const std::optional<UpAxis>& said) {
+  if (said) return {*said, false, true, fmt::format("{}, as asked", axisName(*said))};
+  return guessUp(raw, roles);
+}
+
+Reading<double> settleFrameTime(const Clip& clip, const AsfAmcNotes* notes,
+                                const std::optional<double>& said) {
+  Reading<double> time{clip.frame_time, false, true, fmt::format("{:.7g} s", clip.frame_time)};
+  if (notes == nullptr) return time;
+  time.guessed = !said && !notes->frame_time_said;
+  time.text += time.guessed ? ", guessed: the usual one of its format" : said ? ", as asked" : "";
+  return time;
+}
+
+void turnTo(double heading, double target, Clip& clip) {
+  const Eigen::Quaterniond turn = aboutZ(target - heading);
+  for (int i = 0; i < clip.frames(); ++i) {
+    clip.poses.p_WR(i) = turn * clip.poses.p_WR(i);
+    clip.poses.rotations(i)[0] = turn * clip.poses.rotations(i)[0];
+  }
+}
+
+Reading<double> settleFacing(const JointRoles& roles, const std::optional<double>& said,
+                             Clip& clip) {
+  Reading<double> facing = guessFacing(clip, roles);
+  if (!said) return facing;
+  turnTo(facing.value, *said, clip);
+  facing.value = *said;
+  facing.text = fmt::format("{:.1f} degrees, as asked", *said / kDegree);
+  facing.guessed = false;
+  return facing;
+}
+
+}  // namespace
+
+bool isMotionFile(const std::filesystem::path& file) {
+  const std::string ending = endingOf(file);
+  return file == "-" || ending == ".bvh" || ending == ".amc";
+}
+
+CapturedMotion readMotion(const std::filesystem::path& file, const MotionReadOptions& options) {
+  const OpenMotion open = openMotion(file, options);
+  CapturedMotion motion;
+  const UpAxis as_written = UpAxis::kZ;
+  motion.clip = open.read(1.0, as_written);
+  const RoleGuess guess = guessRoles(motion.clip, file.string(), options.roles);
+  motion.roles = guess.roles;
+  motion.metres_per_unit = settleUnit(motion.clip, motion.roles, options.metres_per_unit);
+  motion.up = settleUp(motion.clip, motion.roles, options.up);
+  // Read again rather than converted: what a micrometre is depends on the unit.
+  if (motion.metres_per_unit.value != 1.0 || motion.up.value != as_written) {
+    motion.clip = open.read(motion.metres_per_unit.value, motion.up.value);
+  }
+  motion.frame_time = settleFrameTime(motion.clip, open.notes.get(), options.frame_time);
+  motion.facing = settleFacing(motion.roles, options.facing, motion.clip);
+  if (open.notes) motion.warnings = open.notes->warnings;
+  for (const std::string& unsure : guess.unsure) motion.warnings.push_back("unsure of " + unsure);
+  if (!motion.metres_per_unit.sure)
+    motion.warnings.push_back("unit " + motion.metres_per_unit.text);
+  if (!motion.up.sure) motion.warnings.push_back("vertical axis " + motion.up.text);
+  if (!motion.facing.sure) motion.warnings.push_back("facing " + motion.facing.text);
+  return motion;
+}
+
+}  // namespace amble
