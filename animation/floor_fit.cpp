@@ -17,31 +17,16 @@ constexpr double kStandingSpeed = 0.3;
 // across says nothing.
 constexpr double kLevelSpread = 0.2;
 
-struct FootPath {
-  std::vector<Eigen::Vector3d> ankle, toe;  // by frame [m]
-};
-
-FootPath footPath(const Clip& clip, const LegJoints& leg) {
-  FootPath path;
-  std::vector<JointFrame> frames(clip.skeleton.size());
-  for (int i = 0; i < clip.frames(); ++i) {
-    forwardKinematics(clip, i, frames);
-    path.ankle.push_back(frames[leg.foot].p_WJ);
-    path.toe.push_back(frames[leg.toe >= 0 ? leg.toe : leg.foot].p_WJ);
-  }
-  return path;
-}
-
-std::vector<Eigen::Vector3d> standingAnkles(const Clip& clip, const JointRoles& roles) {
+std::vector<Eigen::Vector3d> standingAnkles(const FootPaths& paths,
+                                            const std::array<double, 2>& legs, double frame_time) {
   std::vector<Eigen::Vector3d> standing;
   for (const Side side : {kLeft, kRight}) {
-    const FootPath path = footPath(clip, roles.legs[side]);
-    const double slow =
-        kStandingSpeed * roles.legLength(clip.skeleton, side) * 2.0 * clip.frame_time;
-    for (int i = 1; i + 1 < clip.frames(); ++i) {
-      if ((path.ankle[i + 1] - path.ankle[i - 1]).norm() < slow &&
-          (path.toe[i + 1] - path.toe[i - 1]).norm() < slow) {
-        standing.push_back(path.ankle[i]);
+    const Eigen::MatrixXd& path = paths[side];
+    const double slow = kStandingSpeed * legs[side] * 2.0 * frame_time, limit = slow * slow;
+    for (Eigen::Index i = 1; i + 1 < path.rows(); ++i) {
+      const auto way = path.row(i + 1) - path.row(i - 1);
+      if (way.head<3>().squaredNorm() < limit && way.tail<3>().squaredNorm() < limit) {
+        standing.emplace_back(path.row(i).head<3>().transpose());
       }
     }
   }
@@ -67,16 +52,16 @@ std::vector<int> mirrorJoints(const Skeleton& skeleton, const JointRoles& roles)
 }  // namespace
 
 FloorFit fitFloor(const Clip& clip, const JointRoles& roles) {
-  const std::vector<Eigen::Vector3d> standing = standingAnkles(clip, roles);
+  return fitFloor(footPaths(clip, roles), legLengths(clip, roles), clip.frame_time);
+}
+
+FloorFit fitFloor(const FootPaths& paths, const std::array<double, 2>& legs, double frame_time) {
+  const std::vector<Eigen::Vector3d> standing = standingAnkles(paths, legs, frame_time);
   FloorFit fit;
   fit.samples = static_cast<int>(standing.size());
   if (standing.empty()) {
-    fit.height = std::numeric_limits<double>::infinity();
-    for (const Side side : {kLeft, kRight}) {
-      for (const auto& p : footPath(clip, roles.legs[side]).ankle) {
-        fit.height = std::min(fit.height, p.z());
-      }
-    }
+    if (paths[kLeft].rows() == 0) return fit;
+    fit.height = std::min(paths[kLeft].col(2).minCoeff(), paths[kRight].col(2).minCoeff());
     return fit;
   }
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();

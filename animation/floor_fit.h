@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "animation/clip.h"
+#include "animation/foot_paths.h"
 #include "animation/joint_roles.h"
 
 namespace amble {
@@ -21,6 +22,8 @@ struct FloorFit {
 /// second). The tilt is held towards level where the feet do not spread: a straight walk says
 /// nothing of the tilt across it. No samples: the level plane of the lowest ankle.
 FloorFit fitFloor(const Clip& clip, const JointRoles& roles);
+/// The same of paths that are there already: leg lengths [m], frame time [s].
+FloorFit fitFloor(const FootPaths& paths, const std::array<double, 2>& legs, double frame_time);
 
 /// The clip turned so that the floor is level, and lifted so that standing ankles are
 /// `ankle_height` above z = 0 [m].

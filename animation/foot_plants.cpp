@@ -17,10 +17,9 @@ constexpr double kStandingQuantile = 0.25;
 // Frames that count as slow there: below this share of the foot's own speed quantile. By trial.
 constexpr double kSwingQuantile = 0.95;
 
-// The point between toe (0) and ankle (1) whose downward speed is greatest at strike. O'Connor's is
-// the middle of heel and toe; towards the heel comes nearer to the force plates' onset, the ankle
-// alone has other troughs. By trial.
-constexpr double kAnkleShare = 0.7;
+// The point between toe (0) and ankle (1) whose vertical velocity tells of strike and lift-off:
+// O'Connor's middle of the foot. Scores hardly change from 0.5 to 0.7.
+constexpr double kAnkleShare = 0.5;
 
 // A foot whose ankle comes in (whose toe goes off) faster than this share of its swing is in the
 // air, whatever its vertical velocity says: drawn motion often lands and leaves softer than people
@@ -28,12 +27,12 @@ constexpr double kAnkleShare = 0.7;
 constexpr double kLandingShare = 0.35;
 constexpr double kLeavingShare = 0.5;
 
-/// A foot's joints in the floor's frame, low-passed: in leg lengths and leg lengths a second. A row
-/// a frame.
+/// A foot's joints over the floor, low-passed: in leg lengths and leg lengths a second. A row a
+/// frame.
 struct FootSignals {
   Eigen::MatrixXd height;                // ankle, toe over the floor
   Eigen::MatrixXd speed;                 // of ankle, toe
-  Eigen::MatrixXd vertical;              // velocity of ankle, toe along the floor's normal
+  Eigen::VectorXd rise;                  // velocity of the foot's middle along the floor's normal
   std::array<double, 2> swing = {0, 0};  // how fast ankle and toe swing
 
   Eigen::Index frames() const { return speed.rows(); }
@@ -53,30 +52,28 @@ double quantile(std::vector<double> values, double share) {
   return *nth;
 }
 
-// The point that stands for the toe: its joint, or the foot's tip, or the ankle again.
-Eigen::Vector3d toePoint(const Clip& clip, const LegJoints& leg,
-                         std::span<const JointFrame> joints) {
-  if (leg.toe >= 0) return joints[leg.toe].p_WJ;
-  const std::vector<Eigen::Vector3d>& tips = clip.skeleton.joint(leg.foot).end_sites;
-  return tips.empty() ? joints[leg.foot].p_WJ : joints[leg.foot] * tips[0];
-}
-
 FootSignals footSignals(Eigen::MatrixXd path, const FloorFit& floor, double leg, double rate,
                         double cutoff) {
   path /= leg;
   lowPass(path, rate, cutoff);
   const Eigen::MatrixXd velocity = derivative(path, rate);
+  const Eigen::Vector3d& n = floor.normal;
+  const auto along = [&n](const Eigen::MatrixXd& rows, int j) -> Eigen::VectorXd {
+    return n.x() * rows.col(3 * j) + n.y() * rows.col(3 * j + 1) + n.z() * rows.col(3 * j + 2);
+  };
   FootSignals signals;
   signals.height.resize(path.rows(), 2);
   signals.speed.resize(path.rows(), 2);
-  signals.vertical.resize(path.rows(), 2);
   for (int j = 0; j < 2; ++j) {
-    signals.height.col(j) = (path.middleCols(3 * j, 3) * floor.normal).array() - floor.height / leg;
-    signals.speed.col(j) = velocity.middleCols(3 * j, 3).rowwise().norm();
-    signals.vertical.col(j) = velocity.middleCols(3 * j, 3) * floor.normal;
+    signals.height.col(j) = along(path, j).array() - floor.height / leg;
+    signals.speed.col(j) =
+        (velocity.col(3 * j).array().square() + velocity.col(3 * j + 1).array().square() +
+         velocity.col(3 * j + 2).array().square())
+            .sqrt();
     const Eigen::VectorXd speed = signals.speed.col(j);
     signals.swing[j] = quantile({speed.begin(), speed.end()}, kSwingQuantile);
   }
+  signals.rise = kAnkleShare * along(velocity, 0) + (1.0 - kAnkleShare) * along(velocity, 1);
   return signals;
 }
 
@@ -117,31 +114,34 @@ void dropShortRuns(std::vector<bool>& flags, bool value, double shortest) {
   }
 }
 
-/// The highest point of `values` that is reached uphill from `start` within `reach` frames and
-/// while `speed` is below `limit`, between frames by a parabola; `crossing` where that is no clear
-/// peak.
+/// The highest point of `sign` * `values` that is reached uphill from `start` within `reach` frames
+/// and while `speed` is below `limit`, between frames by a parabola; `crossing` where that is no
+/// clear peak.
 struct Climb {
   int start, reach;
+  double sign;
   double limit;  // of speed
   double clear;  // least height of a peak
   double crossing;
 };
 
-double climb(const Eigen::VectorXd& values, const Eigen::VectorXd& speed, const Climb& how) {
+double climb(const Eigen::VectorXd& values, const Eigen::Ref<const Eigen::VectorXd>& speed,
+             const Climb& how) {
+  const auto at = [&](int i) { return how.sign * values[i]; };
   const int last = static_cast<int>(values.size()) - 1;
-  const int step = how.start > 0 && values[how.start - 1] > values[how.start] ? -1 : 1;
+  const int step = how.start > 0 && at(how.start - 1) > at(how.start) ? -1 : 1;
   int top = how.start;
   for (int moved = 0; moved < how.reach; ++moved) {
     const int next = top + step;
-    if (next < 0 || next > last || values[next] <= values[top]) break;
+    if (next < 0 || next > last || at(next) <= at(top)) break;
     if (speed[next] > how.limit)
       return top;  // the foot swings: it has left the ground here at the latest
     top = next;
   }
-  if (values[top] < how.clear || top == 0 || top == last) return how.crossing;
-  const double before = values[top - 1], after = values[top + 1];
-  const double bend = before - 2.0 * values[top] + after;
-  if (!(bend < 0.0) || before > values[top] || after > values[top]) return how.crossing;
+  if (at(top) < how.clear || top == 0 || top == last) return how.crossing;
+  const double before = at(top - 1), after = at(top + 1);
+  const double bend = before - 2.0 * at(top) + after;
+  if (!(bend < 0.0) || before > at(top) || after > at(top)) return how.crossing;
   return top + 0.5 * (before - after) / bend;
 }
 
@@ -155,19 +155,17 @@ FootPlant refined(const FootPlant& run, const FootSignals& signals, const std::v
   while (last_still > run.first && !still[last_still]) --last_still;
   FootPlant plant = run;
   if (run.first > 0) {
-    const Eigen::VectorXd down =
-        -(kAnkleShare * signals.vertical.col(0) + (1.0 - kAnkleShare) * signals.vertical.col(1));
-    plant.strike = climb(
-        down, signals.speed.col(0),
-        {run.first, reach, kLandingShare * signals.swing[0], options.clear_velocity, run.strike});
-    plant.strike = std::min(plant.strike, static_cast<double>(first_still));
+    const double trough = climb(signals.rise, signals.speed.col(0),
+                                {run.first, reach, -1.0, kLandingShare * signals.swing[0],
+                                 options.clear_velocity, run.strike});
+    plant.strike = std::min(trough, static_cast<double>(first_still)) - options.strike_lead * rate;
     plant.first = std::clamp(static_cast<int>(std::ceil(plant.strike)), 0, run.last);
   }
   if (run.last < frames - 1) {
-    plant.lift_off = climb(
-        signals.vertical.col(0), signals.speed.col(1),
-        {run.last, reach, kLeavingShare * signals.swing[1], options.clear_velocity, run.lift_off});
-    plant.lift_off = std::max(plant.lift_off, last_still + 0.5);
+    const double peak = climb(signals.rise, signals.speed.col(1),
+                              {run.last, reach, 1.0, kLeavingShare * signals.swing[1],
+                               options.clear_velocity, run.lift_off});
+    plant.lift_off = std::max(peak - options.lift_off_lead * rate, last_still + 0.5);
     plant.last =
         std::clamp(static_cast<int>(std::ceil(plant.lift_off)) - 1, plant.first, frames - 1);
   }
@@ -188,22 +186,43 @@ void mergeTouching(std::vector<FootPlant>& plants) {
   plants = std::move(merged);
 }
 
-}  // namespace
+/// Rows at `factor` times the rate, on a Catmull-Rom spline through them.
+Eigen::MatrixXd finer(const Eigen::MatrixXd& rows, int factor) {
+  const Eigen::Index last = rows.rows() - 1;
+  Eigen::MatrixXd fine(last * factor + 1, rows.cols());
+  for (Eigen::Index i = 0; i <= last * factor; ++i) {
+    const Eigen::Index k = std::min(i / factor, std::max<Eigen::Index>(0, last - 1));
+    const double t = static_cast<double>(i - k * factor) / factor;
+    const auto row = [&](Eigen::Index r) { return rows.row(std::clamp<Eigen::Index>(r, 0, last)); };
+    const Eigen::RowVectorXd from = row(k), to = row(k + 1);
+    const Eigen::RowVectorXd slope_from = 0.5 * (to - row(k - 1)),
+                             slope_to = 0.5 * (row(k + 2) - from);
+    const double s = t * t * (3.0 - 2.0 * t);
+    fine.row(i) = (1.0 - s) * from + s * to + t * (1.0 - t) * (1.0 - t) * slope_from -
+                  t * t * (1.0 - t) * slope_to;
+  }
+  return fine;
+}
 
-std::array<Eigen::MatrixXd, 2> footPaths(const Clip& clip, const JointRoles& roles) {
-  std::array<Eigen::MatrixXd, 2> paths;  // columns: ankle x y z, toe x y z [m]
-  for (Eigen::MatrixXd& path : paths) path.resize(clip.frames(), 6);
-  std::vector<JointFrame> joints(clip.skeleton.size());
-  for (int i = 0; i < clip.frames(); ++i) {
-    forwardKinematics(clip, i, joints);
-    for (const Side side : {kLeft, kRight}) {
-      const LegJoints& leg = roles.legs[side];
-      paths[side].row(i) << joints[leg.foot].p_WJ.transpose(),
-          toePoint(clip, leg, joints).transpose();
+/// Plants of `fine`, which has `factor` times the frames, on the frames that are there.
+FootPlants coarser(const FootPlants& fine, int factor, int frames) {
+  FootPlants result;
+  result.frames = frames;
+  for (const Side side : {kLeft, kRight}) {
+    for (const FootPlant& from : fine.plants[side]) {
+      FootPlant plant;
+      plant.first = from.first == 0 ? 0 : (from.first + factor - 1) / factor;
+      plant.last = from.last == fine.frames - 1 ? frames - 1 : from.last / factor;
+      if (plant.first > plant.last) continue;
+      plant.strike = from.first == 0 ? -0.5 : from.strike / factor;
+      plant.lift_off = from.last == fine.frames - 1 ? frames - 0.5 : from.lift_off / factor;
+      result.plants[side].push_back(plant);
     }
   }
-  return paths;
+  return result;
 }
+
+}  // namespace
 
 bool FootPlants::planted(Side side, int frame) const {
   return std::any_of(plants[side].begin(), plants[side].end(), [&](const FootPlant& plant) {
@@ -234,17 +253,25 @@ FootPlants plantsOf(const std::array<std::vector<bool>, 2>& planted) {
 }
 
 FootPlants detectPlants(const Clip& clip, const JointRoles& roles, const PlantOptions& options) {
+  return detectPlants(footPaths(clip, roles), legLengths(clip, roles), clip.frame_time, options);
+}
+
+FootPlants detectPlants(const FootPaths& paths, const std::array<double, 2>& legs,
+                        double frame_time, const PlantOptions& options) {
   FootPlants result;
-  result.frames = clip.frames();
-  if (clip.frames() == 0) return result;
-  const double rate = 1.0 / clip.frame_time;
-  const FloorFit floor = fitFloor(clip, roles);
-  const std::array<Eigen::MatrixXd, 2> paths = footPaths(clip, roles);
+  result.frames = static_cast<int>(paths[kLeft].rows());
+  if (result.frames == 0) return result;
+  const double rate = 1.0 / frame_time;
+  if (rate < kPlantRate && result.frames > 1) {
+    const int factor = static_cast<int>(std::ceil(kPlantRate / rate));
+    const FootPaths fine = {finer(paths[kLeft], factor), finer(paths[kRight], factor)};
+    return coarser(detectPlants(fine, legs, frame_time / factor, options), factor, result.frames);
+  }
+  const FloorFit floor = fitFloor(paths, legs, frame_time);
   std::array<FootSignals, 2> signals;
   std::array<std::vector<bool>, 2> planted, still;
   for (const Side side : {kLeft, kRight}) {
-    const double leg = roles.legLength(clip.skeleton, side);
-    signals[side] = footSignals(paths[side], floor, leg, rate, options.cutoff);
+    signals[side] = footSignals(paths[side], floor, legs[side], rate, options.cutoff);
     FootStates states = lowAndSlow(signals[side], options);
     planted[side] = std::move(states.planted);
     still[side] = std::move(states.still);

@@ -6,8 +6,8 @@
 /// degree; thresholds are in leg lengths and follow the foot's own swing, so that one set of
 /// defaults serves every subject; drop-outs are closed and flickers removed by time, not by frames;
 /// and the two ends of each plant are moved to where O'Connor et al. (Gait & Posture 25, 2007) read
-/// strike and lift-off from the vertical velocity of the foot: its trough (middle of the foot) and
-/// its peak (ankle). One level floor is assumed: feet on stairs and slopes are not found.
+/// strike and lift-off from the vertical velocity of the middle of the foot, low-passed: its trough
+/// and its peak. One level floor is assumed: feet on stairs and slopes are not found.
 #pragma once
 
 #include <array>
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "animation/clip.h"
+#include "animation/foot_paths.h"
 #include "animation/joint_roles.h"
 
 namespace amble {
@@ -42,9 +43,12 @@ struct FootPlants {
 FootPlants plantsOf(const std::array<std::vector<bool>, 2>& planted);
 
 /// Defaults found by trial on CMU and ACCAD walks and runs, but for the two durations (thesis: a
-/// window of some frames).
+/// window of some frames). The cut-off and the two leads are from the eight trials with force
+/// plates, each in the middle of a range in which the scores hardly change (8 to 10 Hz, 8 to 10
+/// ms, 13 to 16 ms); the leads come out the same, to 2 ms, whichever of three of the four children
+/// they are found on.
 struct PlantOptions {
-  double cutoff = 12.0;  ///< low-pass of the joints' places [Hz, > 0]
+  double cutoff = 8.5;   ///< low-pass of the joints' places [Hz, > 0]
   double height = 0.06;  ///< a planted joint is lower over its standing height [leg lengths, > 0]
   double speed_of_swing =
       0.18;  ///< and slower than this share of the foot's 95th percentile of speed [> 0]
@@ -56,17 +60,21 @@ struct PlantOptions {
       0.15;  ///< how far strike and lift-off are looked for from the thresholds' crossing [s]
   double clear_velocity =
       0.1;  ///< a trough or peak below it says nothing: the crossing stands [leg lengths a second]
+  double strike_lead = 0.009;     ///< plates feel the foot so long before they have braked it [s]
+  double lift_off_lead = 0.0155;  ///< and let it go so long before it rises fastest [s]
 };
 
-/// Ankle and toe (where the rig has none: the tip of the foot joint, or the ankle) of both feet
-/// against the fitted floor. Against the eight trials with force plates, of four children:
-/// precision 0.990, recall 0.975, specificity 0.987, accuracy 0.980; strike 12 ms and lift-off 11
-/// ms off on average.
+/// Ankle and toe (footPaths) of both feet against the fitted floor. Slow clips are interpolated to
+/// kPlantRate first. Costs a forward kinematics a frame, and then a fraction of a microsecond
+/// (benchmarks/plants_benchmark.cpp). Against the eight trials with force plates, of four children:
+/// see tests/animation/foot_plants_test.cpp.
 FootPlants detectPlants(const Clip& clip, const JointRoles& roles,
                         const PlantOptions& options = {});
+/// The same of paths that are there already: leg lengths [m, > 0], frame time [s, > 0].
+FootPlants detectPlants(const FootPaths& paths, const std::array<double, 2>& legs,
+                        double frame_time, const PlantOptions& options = {});
 
-/// Where ankle and toe point of both feet are, by Side: a row a frame, columns ankle x y z, toe x y
-/// z [m, World]. The toe point is what detectPlants takes for the toe.
-std::array<Eigen::MatrixXd, 2> footPaths(const Clip& clip, const JointRoles& roles);
+/// Below this rate strikes between frames are read off too coarse a curve [Hz].
+inline constexpr double kPlantRate = 90.0;
 
 }  // namespace amble
