@@ -158,8 +158,9 @@ FootPlant refined(const FootPlant& run, const FootSignals& signals, const std::v
     const double trough = climb(signals.rise, signals.speed.col(0),
                                 {run.first, reach, -1.0, kLandingShare * signals.swing[0],
                                  options.clear_velocity, run.strike});
-    plant.strike = std::min(trough, static_cast<double>(first_still)) - options.strike_lead * rate;
-    plant.first = std::clamp(static_cast<int>(std::ceil(plant.strike)), 0, run.last);
+    plant.strike = std::min(trough, static_cast<double>(first_still));
+    const double planted_from = plant.strike - options.strike_lead * rate;
+    plant.first = std::clamp(static_cast<int>(std::ceil(planted_from)), 0, run.last);
   }
   if (run.last < frames - 1) {
     const double peak = climb(signals.rise, signals.speed.col(1),

@@ -24,7 +24,9 @@ namespace amble {
 struct FootPlant {
   int first = 0;  ///< first and last frame on the ground, both included
   int last = 0;
-  double strike = 0.0;    ///< the same between frames [frames]; first - 1 < strike <= first
+  /// When the foot comes down, between frames [frames]: first - 1 < strike, and at most strike_lead
+  /// after `first`.
+  double strike = 0.0;
   double lift_off = 0.0;  ///< last < lift_off <= last + 1
 };
 
@@ -60,8 +62,10 @@ struct PlantOptions {
       0.15;  ///< how far strike and lift-off are looked for from the thresholds' crossing [s]
   double clear_velocity =
       0.1;  ///< a trough or peak below it says nothing: the crossing stands [leg lengths a second]
-  double strike_lead = 0.009;     ///< plates feel the foot so long before they have braked it [s]
-  double lift_off_lead = 0.0155;  ///< and let it go so long before it rises fastest [s]
+  /// Frames are planted from so long before the strike: a frame of a force plate is the mean over
+  /// the time until the next, and has some force in it when the foot comes down in that time [s].
+  double strike_lead = 0.009;
+  double lift_off_lead = 0.0155;  ///< the foot is off so long before its middle rises fastest [s]
 };
 
 /// Ankle and toe (footPaths) of both feet against the fitted floor. Slow clips are interpolated to
