@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace amble {
@@ -12,6 +13,9 @@ constexpr double kTrim = 0.15;      // of a plant, at both ends (QUALITY.md)
 constexpr double kFlatUntil = 0.5;  // of a plant: from then on the heel may have risen
 constexpr double kSpeedWindow =
     0.5;  // smoothing of the pelvis for speed, as MANIFEST's of the captures [s]
+// Of a swing: in between the toe passes the standing foot; before and after it is on its way up and
+// down.
+constexpr double kClearFrom = 0.3, kClearTo = 0.7;
 constexpr double kGroundReach = 1.0;  // how far the ground may lie from a sole point [m]
 
 double median(std::vector<double> values) {
@@ -130,19 +134,30 @@ void measureFeet(const std::array<FootTrack, 2>& tracks, const FootPlants& plant
   result.largest_drift = drifts.empty() ? 0.0 : *std::max_element(drifts.begin(), drifts.end());
 }
 
-/// Highest the ankle goes between the foot's plant before `landing` and `landing`, over where it
-/// stood.
-double swingLift(const GaitMeasures& measures, size_t landing, const FootTrack& track) {
+/// The same foot's plant before plants[landing]; none where it is not seen.
+const PlantMeasures* standBefore(const GaitMeasures& measures, size_t landing) {
   for (size_t i = landing; i-- > 0;) {
-    const PlantMeasures& before = measures.plants[i];
-    if (before.side != measures.plants[landing].side) continue;
-    double highest = 0.0;
-    for (int k = before.plant.last; k <= measures.plants[landing].plant.first; ++k) {
-      highest = std::max(highest, track.ankle_height[k]);
-    }
-    return std::max(0.0, highest - before.ankle_height);
+    if (measures.plants[i].side == measures.plants[landing].side) return &measures.plants[i];
   }
-  return 0.0;
+  return nullptr;
+}
+
+/// What the foot that lands does since it stood `before`: how high its ankle goes over where it
+/// stood, how near to the ground its toe stays.
+void measureSwing(const PlantMeasures& before, const PlantMeasures& landing, const FootTrack& track,
+                  StepMeasures& step) {
+  double highest = 0.0;
+  for (int k = before.plant.last; k <= landing.plant.first; ++k) {
+    highest = std::max(highest, track.ankle_height[k]);
+  }
+  step.lift = std::max(0.0, highest - before.ankle_height);
+  const double swing = landing.plant.strike - before.plant.lift_off;
+  const int first = static_cast<int>(std::ceil(before.plant.lift_off + kClearFrom * swing));
+  const int last = static_cast<int>(std::floor(before.plant.lift_off + kClearTo * swing));
+  double lowest = std::numeric_limits<double>::infinity();
+  for (int k = first; k <= last; ++k) lowest = std::min(lowest, track.toe_height[k]);
+  if (first <= last) step.toe_clearance = std::max(0.0, lowest - before.toe_height);
+  step.stride = (landing.at - before.at).head<2>().norm();
 }
 
 StepMeasures measureStep(const GaitMeasures& measures, size_t landing,
@@ -160,7 +175,9 @@ StepMeasures measureStep(const GaitMeasures& measures, size_t landing,
   const Eigen::Vector3d way = to.at - from.at;
   step.length = way.head<2>().dot(along);
   step.width = (along.x() * way.y() - along.y() * way.x()) * (to.side == kLeft ? 1.0 : -1.0);
-  step.lift = swingLift(measures, landing, tracks[to.side]);
+  if (const PlantMeasures* before = standBefore(measures, landing)) {
+    measureSwing(*before, to, tracks[to.side], step);
+  }
   step.rise = way.z();
   return step;
 }
@@ -171,7 +188,7 @@ bool struck(const PlantMeasures& plant) { return plant.plant.first > 0; }
 void measureSteps(const std::vector<Eigen::Vector3d>& pelvis,
                   const std::array<FootTrack, 2>& tracks, double frame_time, GaitMeasures& result) {
   std::array<std::vector<double>, 2> lengths, times;
-  std::vector<double> all_lengths, all_times, widths, lifts;
+  std::vector<double> all_lengths, all_times, widths, lifts, strides, clearances;
   for (size_t i = 1; i < result.plants.size(); ++i) {
     if (result.plants[i].side == result.plants[i - 1].side || !struck(result.plants[i - 1]))
       continue;
@@ -182,12 +199,16 @@ void measureSteps(const std::vector<Eigen::Vector3d>& pelvis,
     all_times.push_back(step.duration);
     widths.push_back(step.width);
     if (step.lift > 0.0) lifts.push_back(step.lift);
+    if (step.stride > 0.0) strides.push_back(step.stride);
+    if (step.stride > 0.0) clearances.push_back(step.toe_clearance);
     result.steps.push_back(step);
   }
   result.step_length = mean(all_lengths);
   result.step_time = mean(all_times);
   result.step_width = mean(widths);
   result.lift = mean(lifts);
+  result.stride_length = mean(strides);
+  result.toe_clearance = mean(clearances);
   result.length_asymmetry = asymmetry(lengths);
   result.time_asymmetry = asymmetry(times);
 }
@@ -216,31 +237,48 @@ void findSpan(int frames, GaitMeasures& result) {
   }
 }
 
-/// Time within [begin, end] in which the foot is planted, as a sum of pieces, for two feet at once.
-void measureSupport(const FootPlants& plants, GaitMeasures& result) {
-  const double span = result.end - result.begin;
-  if (!(span > 0.0)) return;
+/// Frames within [begin, end] in which each foot stands, and both do.
+struct SupportTime {
+  std::array<double, 2> single = {0.0, 0.0};
+  double both = 0.0;
+};
+
+SupportTime supportTime(const FootPlants& plants, double begin, double end) {
   // Between frames, from strikes and lift-offs; a plant cut off by the clip's end lasts to it.
-  double single[2] = {0.0, 0.0}, both = 0.0;
-  const auto overlap = [&](const FootPlant& a, double begin, double end) {
+  SupportTime time;
+  const auto overlap = [&](const FootPlant& a, double from, double to) {
     const double first = a.first == 0 ? -1.0 : a.strike;
     const double last = a.last == plants.frames - 1 ? plants.frames : a.lift_off;
-    return std::pair(std::max(first, begin), std::min(last, end));
+    return std::pair(std::max(first, from), std::min(last, to));
   };
   for (const Side side : {kLeft, kRight}) {
     for (const FootPlant& plant : plants.plants[side]) {
-      const auto [begin, end] = overlap(plant, result.begin, result.end);
-      if (end <= begin) continue;
-      single[side] += end - begin;
+      const auto [from, to] = overlap(plant, begin, end);
+      if (to <= from) continue;
+      time.single[side] += to - from;
       if (side == kRight) continue;
       for (const FootPlant& other : plants.plants[kRight]) {
-        const auto [from, to] = overlap(other, begin, end);
-        both += std::max(0.0, to - from);
+        const auto [both_from, both_to] = overlap(other, from, to);
+        time.both += std::max(0.0, both_to - both_from);
       }
     }
   }
-  result.double_support = both / span;
-  result.flight = std::max(0.0, 1.0 - (single[kLeft] + single[kRight] - both) / span);
+  return time;
+}
+
+void measureSupport(const FootPlants& plants, GaitMeasures& result) {
+  for (StepMeasures& step : result.steps) {
+    const double span = step.end - step.begin;
+    if (span > 0.0) {
+      step.double_support = supportTime(plants, step.begin, step.end).both / span;
+    }
+  }
+  const double span = result.end - result.begin;
+  if (!(span > 0.0)) return;
+  const SupportTime time = supportTime(plants, result.begin, result.end);
+  result.double_support = time.both / span;
+  result.flight =
+      std::max(0.0, 1.0 - (time.single[kLeft] + time.single[kRight] - time.both) / span);
 }
 
 // Value of a sequence between frames.
@@ -250,6 +288,25 @@ T between(const std::vector<T>& values, double frame) {
   const int i = std::clamp(static_cast<int>(frame), 0, std::max(0, last - 1));
   const double t = std::clamp(frame - i, 0.0, 1.0);
   return T((1.0 - t) * values[i] + t * values[std::min(i + 1, last)]);
+}
+
+/// Mean speed and turn rate over a stretch.
+struct Travel {
+  double speed = 0.0, turn_rate = 0.0;
+};
+
+Travel travelOver(const std::vector<Eigen::Vector3d>& path, const std::vector<double>& headings,
+                  double begin, double end, double frame_time) {
+  const double time = (end - begin) * frame_time;
+  if (!(time > 0.0)) return {};
+  double way = 0.0;
+  Eigen::Vector3d at = between(path, begin);
+  for (int i = static_cast<int>(std::floor(begin)) + 1; i < end; ++i) {
+    way += (path[i] - at).head<2>().norm();
+    at = path[i];
+  }
+  way += (between(path, end) - at).head<2>().norm();
+  return {way / time, (between(headings, end) - between(headings, begin)) / time};
 }
 
 void measureTravel(const Clip& clip, const JointRoles& roles,
@@ -263,20 +320,21 @@ void measureTravel(const Clip& clip, const JointRoles& roles,
   }
   const double time = (result.end - result.begin) * clip.frame_time;
   if (!(time > 0.0)) return;
-  double way = 0.0;
-  Eigen::Vector3d at = between(path, result.begin);
-  for (int i = static_cast<int>(std::floor(result.begin)) + 1; i < result.end; ++i) {
-    way += (path[i] - at).head<2>().norm();
-    at = path[i];
-  }
-  way += (between(path, result.end) - at).head<2>().norm();
-  result.speed = way / time;
-  result.turn_rate = (between(headings, result.end) - between(headings, result.begin)) / time;
+  const Travel whole = travelOver(path, headings, result.begin, result.end, clip.frame_time);
+  result.speed = whole.speed;
+  result.turn_rate = whole.turn_rate;
   int steps = 0;
-  for (const StepMeasures& step : result.steps) {
+  for (StepMeasures& step : result.steps) {
+    const Travel travel = travelOver(path, headings, step.begin, step.end, clip.frame_time);
+    step.speed = travel.speed;
+    step.turn_rate = travel.turn_rate;
     if (step.begin >= result.begin - 1e-9 && step.end <= result.end + 1e-9) ++steps;
   }
   result.cadence = 60.0 * steps / time;
+  result.cycle_frequency = 0.5 * steps / time;
+  result.leg_length =
+      0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
+  result.normalised_speed = result.speed / result.leg_length;
 }
 
 }  // namespace

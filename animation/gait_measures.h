@@ -42,6 +42,12 @@ struct StepMeasures {
   double lift = 0.0;  ///< of the landing foot's ankle in its swing, over where it stood before [m];
                       ///< 0 where it was not seen to
   double rise = 0.0;  ///< of the footprint over the other one [m]
+  double stride = 0.0;  ///< between this footprint and the same foot's before [m]; 0 where not seen
+  double speed = 0.0;   ///< of the pelvis, smoothed as for the clip, over the step [m/s]
+  double turn_rate = 0.0;      ///< of the pelvis' heading, mean, left positive [rad/s]
+  double toe_clearance = 0.0;  ///< least height of the swinging toe over its standing, in the
+                               ///< middle of its swing [m]; 0 where not seen
+  double double_support = 0.0;  ///< share of the step with both feet planted [0, 1]
 };
 
 struct GaitMeasures {
@@ -75,10 +81,17 @@ struct GaitMeasures {
   double step_length = 0.0;       ///< mean [m]
   double step_time = 0.0;         ///< mean [s]
   double step_width = 0.0;        ///< mean [m]
+  double stride_length = 0.0;     ///< mean over steps that show it [m]
   double lift = 0.0;              ///< mean [m]
+  double toe_clearance = 0.0;     ///< mean over steps that show it [m]
   double length_asymmetry =
       0.0;                      ///< |left - right| over the mean of both, of mean step lengths [1]
   double time_asymmetry = 0.0;  ///< the same of step times [1]
+
+  double leg_length = 0.0;  ///< thigh + shank, mean of both [m]
+  double normalised_speed =
+      0.0;  ///< V = v / leg (Glardon), so that subjects of all sizes compare [1/s]
+  double cycle_frequency = 0.0;  ///< two steps are a cycle [Hz]
 };
 
 /// @pre plants.frames == clip.frames(). Where `ground` has no height, z = 0 holds.

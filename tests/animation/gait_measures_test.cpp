@@ -76,6 +76,28 @@ TEST(GaitMeasures, AFootThatSwingsThroughTheGroundPenetratesIt) {
   EXPECT_NEAR(measured(Puppet{.lift = 0.0, .sink = 0.02}).penetration, 0.02, 1e-4);
 }
 
+TEST(GaitMeasures, EachStepOfASteadyWalkMeasuresWhatTheClipDoes) {
+  const Puppet puppet{.turn_rate = 0.3};
+  const GaitMeasures gait = measured(puppet);
+  ASSERT_GE(gait.steps.size(), 6u);
+  for (size_t i = 2; i + 2 < gait.steps.size(); ++i) {
+    const StepMeasures& step = gait.steps[i];
+    EXPECT_NEAR(step.speed, gait.speed, 1e-6);
+    EXPECT_NEAR(step.turn_rate, puppet.turn_rate, 1e-6);
+    EXPECT_NEAR(step.double_support, 2.0 * (puppet.stance - 0.5), 0.05);
+    EXPECT_NEAR(step.stride, 2.0 * step.length, 0.02 * step.stride);
+  }
+  EXPECT_NEAR(gait.cycle_frequency, 1.0 / puppet.period, 0.01);
+  EXPECT_NEAR(gait.leg_length, Puppet::kThigh + Puppet::kShank, 1e-12);
+  EXPECT_NEAR(gait.normalised_speed, gait.speed / gait.leg_length, 1e-12);
+}
+
+TEST(GaitMeasures, TheToeOfAFlatFootClearsTheGroundByItsLiftInTheMiddleOfTheSwing) {
+  const Puppet puppet{.lift = 0.1};
+  // Drawn as lift * sin(pi u): at 0.3 of the swing, and at 0.7, lowest in between.
+  EXPECT_NEAR(measured(puppet).toe_clearance, 0.1 * std::sin(0.3 * kPi), 0.006);
+}
+
 TEST(GaitMeasures, FootprintsOfACircleTurnWithIt) {
   const Puppet puppet{.turn_rate = 0.5, .duration = 12.0};
   const GaitMeasures gait = measured(puppet);
