@@ -84,12 +84,13 @@ void describeObject(const SceneObject& object, Findings& out) {
 
 // Heights that can be stood on at the points of a grid, lowest first, those within kLevel as one.
 std::vector<double> floorHeights(const Scene& scene, const Eigen::AlignedBox3d& box) {
+  const SceneGround ground(scene);
   std::vector<double> heights;
   for (int i = 0; i < kFloorSamples * kFloorSamples; ++i) {
     const Eigen::Vector2d share((i % kFloorSamples + 0.5) / kFloorSamples,
                                 (static_cast<int>(i / kFloorSamples) + 0.5) / kFloorSamples);
     const Eigen::Vector2d at = box.min().head<2>() + box.sizes().head<2>().cwiseProduct(share);
-    for (const double height : floors(scene, at.x(), at.y())) heights.push_back(height);
+    for (const double height : ground.floors(at.x(), at.y())) heights.push_back(height);
   }
   std::sort(heights.begin(), heights.end());
   std::vector<double> distinct;

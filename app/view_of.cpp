@@ -25,7 +25,7 @@ WalkView viewOf(const RunResult& result) {
   WalkView view;
   view.title = problem.scenario.name;
   view.scene = &problem.scene;
-  view.floor = problem.ground.floor();
+  view.floor = problem.floor;
   view.skeleton = &problem.synthesizer.skeleton();
   view.body = &problem.body;
   if (walk.buffer.size() > 0) {

@@ -32,7 +32,7 @@ void validateEdges(benchmark::State& state) {
                                 (static_cast<int>(cell / kSide) + 0.5) / kSide);
     Waypoint to;
     to.stance.position.head<2>() = bounds.min() + bounds.sizes().cwiseProduct(share);
-    to.stance.position.z() = problem.ground.floor();
+    to.stance.position.z() = problem.floor;
     to.any_heading = true;
     poses += steering.steer(from, to, *scratch).poses;
     ++edges;

@@ -154,7 +154,6 @@ void fillSolid(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<uint
   if (solid.empty()) return;
   const VoxelRange range(grid, solid.bounds());
   for (int k = range.low.z(); k <= range.high.z(); ++k) {
-    if (grid.centre(0, 0, k).z() <= obstacle.solid_above) continue;
     for (int j = range.low.y(); j <= range.high.y(); ++j) {
       uint8_t* row = &occupied[grid.index(0, j, k)];
       for (int begin = range.low.x(), end; begin <= range.high.x(); begin = end) {

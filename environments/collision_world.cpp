@@ -45,7 +45,7 @@ std::optional<Contact> CollisionWorld::checkPose(PoseView pose, CollisionScratch
 
 int CollisionWorld::touched(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
                             CollisionScratch& scratch) const {
-  return model_->layers.touchedObstacle({from, to, radius}, *scratch.exact);
+  return model_->layers.touchedObstacle({from, to, radius}, 0.0, *scratch.exact);
 }
 
 Clearance CollisionWorld::clearance(const PoseArray& poses, std::span<const FrameState>,

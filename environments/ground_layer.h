@@ -1,9 +1,11 @@
 /// The ground as a thing to touch: a layer of its own, apart from the obstacles, since feet are
 /// always near it.
 ///
-/// A capsule is free of it if it neither touches its surfaces nor lies under them. What is allowed
-/// to sink in is lifted by that depth first. Most questions are answered by a height: the layer's
-/// ceiling where the capsule is.
+/// A capsule is free of it if it neither touches its surfaces nor lies inside or under them. What
+/// is allowed to sink in is lifted by that depth first. Most questions are answered by heights: in
+/// each square of a grid the layer fills a few spans of height, and a box outside them is free.
+/// Near the ground planes are looked for that part a capsule, or all that it sweeps between two
+/// places, from each triangle near it; where none is found for one, FCL answers.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,43 +13,59 @@
 
 #include "environments/capsule.h"
 #include "environments/obstacle_set.h"
-#include "environments/scene_ground.h"
+#include "environments/solid_test.h"
+#include "environments/triangle_grid.h"
 
 namespace amble {
 
 class GroundLayer {
  public:
-  /// @param surfaces  of ground objects, all below the floor's height + SceneGround::kLevel; meshes
-  /// in World
-  /// @pre `ground` outlives the layer.
-  GroundLayer(std::vector<Obstacle> surfaces, const SceneGround& ground);
+  /// @param surfaces  of ground objects, with what lies below their ground: risers, edges,
+  /// undersides; meshes in World, and their closed pieces as `solid`
+  explicit GroundLayer(std::vector<Obstacle> surfaces);
 
-  double highest() const { return highest_; }  ///< of all; -infinity for none [m]
-  /// No surface over or under the box's footprint is higher than this; -infinity where there is
-  /// none [m].
-  double ceiling(const Eigen::AlignedBox3d& box) const;
-  /// The object that the capsule touches or lies under, when it is lifted by `depth` [m, >= 0]; -1
-  /// for none.
+  /// The object that the capsule touches, or lies inside or under, when it is lifted by `depth` [m,
+  /// >= 0]; -1 for none.
   int touched(const Capsule& capsule, double depth, ObstacleSet::Scratch& scratch) const;
+
+  /// True only if nothing between the places a and b of a capsule touches the ground, lifted by
+  /// `depth`, each point leaving its straight way by no more than `bend` [m, >= 0]; false says
+  /// nothing.
+  /// @pre it is not inside or under the ground at a.
+  bool isClearBetween(const Capsule& a, const Capsule& b, double depth, double bend) const;
 
  private:
   static constexpr double kCell = 0.1;  // [m]; larger for scenes beyond kMostCells
-  static constexpr int kMostCells = 2000;
-  struct Footprint {
+  static constexpr int kMostCells = 1000;
+  struct Span {
+    double low, high;
+  };
+  struct Solid {
     int object;
-    Eigen::AlignedBox2d box;
+    SolidTest test;
+  };
+  struct Entry {
+    int cell;
+    Span span;
   };
 
-  void raise(const Obstacle& surface);
+  void fillSpans(const std::vector<Obstacle>& surfaces);
+  void collect(const TriangleMesh& mesh, std::vector<Entry>& entries) const;
+  bool isInside(const Eigen::Vector3d& p) const;
   Eigen::Vector2i cellOf(const Eigen::Vector2d& p) const;
+  bool meetsSpan(const Eigen::AlignedBox3d& box) const;
+  int aboveOf(const Eigen::Vector3d& p) const;
 
-  const SceneGround& ground_;
   ObstacleSet surfaces_;
-  std::vector<Footprint> footprints_;
+  TriangleGrid grid_;
+  std::vector<Eigen::Vector3d> normals_;  // of the grid's triangles, unit
+  std::vector<int> objects_;              // of the grid's triangles
+  std::vector<Solid> solids_;
   Eigen::AlignedBox2d extent_;
-  double cell_ = kCell, highest_;
+  double cell_ = kCell;
   Eigen::Vector2i count_{0, 0};
-  std::vector<double> ceiling_;  // x fastest [m]
+  std::vector<int> start_;   // of each cell in spans_, and the end; x fastest
+  std::vector<Span> spans_;  // lowest first, without overlap
 };
 
 }  // namespace amble

@@ -74,12 +74,12 @@ std::optional<Contact> MotionCheck::checkFrame(int frame) {
       if (side < 0 || side + 1 >= poses_.size()) continue;
       near = std::max(near, scratch_.near(side, part));
     }
-    const bool around = world_.layers.touchedObstacle(capsule.inflated(near), *scratch_.exact) < 0;
+    const double depth = world_.allowedDepth(part, states_[frame], states_[frame]);
+    const bool around =
+        world_.layers.touchedObstacle(capsule.inflated(near), depth, *scratch_.exact) < 0;
     scratch_.freeAround(frame, part) = around;
-    int object = around ? -1 : world_.layers.touchedObstacle(capsule, *scratch_.exact);
-    if (object < 0)
-      object = world_.layers.ground().touched(
-          capsule, world_.allowedDepth(part, states_[frame], states_[frame]), *scratch_.exact);
+    int object = around ? -1 : world_.layers.touchedObstacle(capsule, depth, *scratch_.exact);
+    if (object < 0) object = world_.layers.ground().touched(capsule, depth, *scratch_.exact);
     if (object >= 0 && !found) found = Contact{frame, 0.0, part, object, 0.0};
   }
   return found;
@@ -101,16 +101,11 @@ std::optional<Contact> MotionCheck::checkInterval(int frame) {
   return first;
 }
 
-// By heights: the lowest point of a part is an end of its axis, and that leaves the straight line
-// between its two places by `bend` at most. Where the ground is not level there, as for obstacles.
+// By planes: a point of the part's axis leaves the straight line between its two places by `bend`
+// at most. Where no plane parts it from the ground, as for obstacles.
 bool MotionCheck::groundIsFree(const Task& task, const Capsule& a, const Capsule& b,
                                const PartMotion& motion, double near) const {
-  const double lowest = std::min(a.lowest(), b.lowest()) + task.depth - motion.bend;
-  if (lowest >= world_.layers.ground().highest()) return true;
-  Eigen::AlignedBox3d box = a.bounds();
-  box.extend(b.bounds());
-  const Eigen::Vector3d more = Eigen::Vector3d::Constant(motion.bend);
-  if (lowest >= world_.layers.ground().ceiling({box.min() - more, box.max() + more})) return true;
+  if (world_.layers.ground().isClearBetween(a, b, task.depth, motion.bend)) return true;
   return world_.layers.ground().touched(a.inflated(near), task.depth, *scratch_.exact) < 0 &&
          world_.layers.ground().touched(b.inflated(near), task.depth, *scratch_.exact) < 0;
 }
@@ -118,7 +113,8 @@ bool MotionCheck::groundIsFree(const Task& task, const Capsule& a, const Capsule
 std::optional<Contact> MotionCheck::touchedAt(const Task& task, const Moment& moment,
                                               double near) const {
   const Capsule capsule = moment.capsule.inflated(near);
-  int object = task.obstacles ? world_.layers.touchedObstacle(capsule, *scratch_.exact) : -1;
+  int object =
+      task.obstacles ? world_.layers.touchedObstacle(capsule, task.depth, *scratch_.exact) : -1;
   if (object < 0 && task.ground)
     object = world_.layers.ground().touched(capsule, task.depth, *scratch_.exact);
   if (object < 0) return std::nullopt;
@@ -135,8 +131,8 @@ std::optional<Contact> MotionCheck::prove(const Task& task, const Moment& a, con
   Task left = task;
   if (task.obstacles)
     left.obstacles =
-        world_.layers.touchedObstacle(a.capsule.inflated(near), *scratch_.exact) >= 0 ||
-        world_.layers.touchedObstacle(b.capsule.inflated(near), *scratch_.exact) >= 0;
+        world_.layers.touchedObstacle(a.capsule.inflated(near), task.depth, *scratch_.exact) >= 0 ||
+        world_.layers.touchedObstacle(b.capsule.inflated(near), task.depth, *scratch_.exact) >= 0;
   if (task.ground) left.ground = !groundIsFree(task, a.capsule, b.capsule, motion, near);
   if (!left.obstacles && !left.ground) return std::nullopt;
   if (near < kProofGap) {

@@ -103,10 +103,9 @@ struct CollisionModel {
   /// What the part touches, the ground included, or -1.
   int touched(const Capsule& capsule, int part, const FrameState& state,
               CollisionScratch& scratch) const {
-    const int object = layers.touchedObstacle(capsule, *scratch.exact);
-    return object >= 0
-               ? object
-               : layers.ground().touched(capsule, allowedDepth(part, state, state), *scratch.exact);
+    const double depth = allowedDepth(part, state, state);
+    const int object = layers.touchedObstacle(capsule, depth, *scratch.exact);
+    return object >= 0 ? object : layers.ground().touched(capsule, depth, *scratch.exact);
   }
 };
 

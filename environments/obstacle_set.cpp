@@ -88,12 +88,9 @@ struct ObstacleSet::Impl {
     Geometries geometries;
     fcl::Transform3d X;
     SolidTest solid;
-    double solid_above;  // [m]
 
     // For a capsule that touches no surface: it is inside as a whole or not at all.
-    bool contains(const Capsule& capsule) const {
-      return capsule.from.z() > solid_above && solid.inside(capsule.from);
-    }
+    bool contains(const Capsule& capsule) const { return solid.inside(capsule.from); }
   };
 
   // Meshes are placed here, once, instead of in every query.
@@ -119,8 +116,7 @@ struct ObstacleSet::Impl {
   }
 
   static Piece emptyPiece(const Obstacle& obstacle) {
-    return {obstacle.object,     {}, {}, fcl::Transform3d::Identity(), SolidTest(obstacle.solid),
-            obstacle.solid_above};
+    return {obstacle.object, {}, {}, fcl::Transform3d::Identity(), SolidTest(obstacle.solid)};
   }
 
   bool touches(const Piece& piece, Scratch& scratch) const {

@@ -24,9 +24,6 @@ struct Obstacle {
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
   /// World; its closed components are solid. Empty for primitives, which are anyway.
   TriangleMesh solid;
-  /// Only above this height: where an object's ground was taken out of it, the ground's own test
-  /// answers below [m].
-  double solid_above = -std::numeric_limits<double>::infinity();
 };
 
 class ObstacleSet {

@@ -1,236 +1,146 @@
 #include "environments/scene_ground.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <set>
+#include <limits>
 #include <utility>
-
-#include "animation/rotation.h"
 
 namespace amble {
 namespace {
 
-// Steeper than this is no floor, whatever the character climbs [1].
-const double kFlatNormal = std::cos(20.0 * kDegree);
-// Points this near to a triangle's edge are on it: floors have seams [m].
-constexpr double kSeam = 1e-6;
-// Of the grid that floor regions are measured on [m].
-constexpr double kFloorCell = 0.1;
-// A level surface smaller than this is furniture: larger than tables and beds, smaller than rooms
-// [m^2].
-constexpr double kFloorArea = 4.0;
+constexpr double kNone = -std::numeric_limits<double>::infinity();
+// Against the rounding of normals: a ramp of exactly the steepest slope is ground.
+constexpr double kSlopeRounding = 1e-6;
 
-struct UpFacing {
-  std::array<Eigen::Vector3d, 3> corners;  // [m, World]
-  int object = 0;
-
-  double lowest() const { return std::min({corners[0].z(), corners[1].z(), corners[2].z()}); }
-  double highest() const { return std::max({corners[0].z(), corners[1].z(), corners[2].z()}); }
-
-  // Unit, upwards.
-  Eigen::Vector3d normal() const {
-    const Eigen::Vector3d n = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-    return n.z() < 0.0 ? Eigen::Vector3d(-n) : n;
+// Of each triangle whether it could be ground as it lies; `ground` is ground from either side.
+std::vector<bool> facingUp(const Scene& scene, const ScenePieces& pieces, double max_slope) {
+  const double least = std::cos(max_slope) - kSlopeRounding;
+  std::vector<bool> up(pieces.triangles.size(), false);
+  for (size_t t = 0; t < up.size(); ++t) {
+    const ScenePiece& piece = pieces.pieceOf(static_cast<int>(t));
+    const Role role = scene.objects[piece.object].role;
+    if (role != Role::kAuto && role != Role::kGround) continue;
+    const double nz = upwardness(pieces.triangles[t]);
+    const bool either_side = role == Role::kGround && !piece.closed;
+    up[t] = (either_side ? std::abs(nz) : nz) >= least;
   }
-
-  // Its height over (x, y), or none beside it.
-  std::optional<double> heightAt(double x, double y) const {
-    const Eigen::Vector2d p(x, y);
-    std::array<double, 3> side;
-    for (int k = 0; k < 3; ++k) {
-      const Eigen::Vector2d a = corners[k].head<2>(), edge = corners[(k + 1) % 3].head<2>() - a;
-      side[k] = edge.x() * (p.y() - a.y()) - edge.y() * (p.x() - a.x());
-    }
-    const double twice_area = side[0] + side[1] + side[2];
-    const double sign = twice_area < 0.0 ? -1.0 : 1.0;
-    for (int k = 0; k < 3; ++k) {
-      const double length = (corners[(k + 1) % 3] - corners[k]).head<2>().norm();
-      if (sign * side[k] < -kSeam * length) return std::nullopt;
-    }
-    // side[k] weighs the corner opposite to edge k.
-    const double z =
-        (side[0] * corners[2].z() + side[1] * corners[0].z() + side[2] * corners[1].z()) /
-        twice_area;
-    return std::clamp(z, lowest(), highest());
-  }
-};
-
-double signedVolume(const TriangleMesh& mesh) {
-  double volume = 0.0;
-  const Eigen::Vector3d origin = mesh.vertices.front();
-  for (const std::array<int, 3>& t : mesh.triangles)
-    volume += (mesh.vertices[t[0]] - origin)
-                  .dot((mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
-  return volume;
+  return up;
 }
 
-// Closed pieces are turned outside out, open ones face as they are wound; `ground` is ground from
-// either side.
-void addUpFacing(const SceneObject& object, int index, std::vector<UpFacing>& out) {
-  for (const MeshComponent& piece : splitComponents(worldMesh(object))) {
-    const double sign = piece.closed && signedVolume(piece.mesh) < 0.0 ? -1.0 : 1.0;
-    for (const std::array<int, 3>& t : piece.mesh.triangles) {
-      UpFacing triangle{
-          {piece.mesh.vertices[t[0]], piece.mesh.vertices[t[1]], piece.mesh.vertices[t[2]]}, index};
-      const auto& [a, b, c] = triangle.corners;
-      const double nz = sign * (b - a).cross(c - a).normalized().z();
-      const bool either_side = object.role == Role::kGround && !piece.closed;
-      if ((either_side ? std::abs(nz) : nz) >= kFlatNormal) out.push_back(triangle);
-    }
-  }
-}
-
-std::vector<UpFacing> upFacing(const Scene& scene) {
-  std::vector<UpFacing> result;
-  for (size_t i = 0; i < scene.objects.size(); ++i) {
-    const SceneObject& object = scene.objects[i];
-    if (object.role == Role::kAuto || object.role == Role::kGround)
-      addUpFacing(object, static_cast<int>(i), result);
-  }
-  return result;
-}
-
-// Triangles by the squares of the plane that they overlap.
-class Buckets {
- public:
-  explicit Buckets(std::vector<UpFacing> triangles) : triangles_(std::move(triangles)) {
-    for (const UpFacing& t : triangles_)
-      for (const Eigen::Vector3d& corner : t.corners)
-        extent_.extend(Eigen::Vector2d(corner.head<2>()));
-    if (triangles_.empty()) return;
-    cell_ = std::max(kSmallestCell, extent_.sizes().maxCoeff() / kMostCells);
-    for (int k = 0; k < 2; ++k) count_[k] = 1 + static_cast<int>(extent_.sizes()[k] / cell_);
-    fill();
-  }
-
-  const Eigen::AlignedBox2d& extent() const { return extent_; }
-  const std::vector<UpFacing>& triangles() const { return triangles_; }
-
-  // Calls visit(height, triangle) for every triangle over or under (x, y).
-  template <typename Visit>
-  void visit(double x, double y, Visit visit_one) const {
-    if (triangles_.empty()) return;
-    const int i = column(x, 0), j = column(y, 1);
-    const double slack = cell_;
-    if (x < extent_.min().x() - slack || x > extent_.max().x() + slack ||
-        y < extent_.min().y() - slack || y > extent_.max().y() + slack)
-      return;
-    const int cell = j * count_[0] + i;
-    for (int k = start_[cell]; k < start_[cell + 1]; ++k)
-      if (const auto z = triangles_[items_[k]].heightAt(x, y)) visit_one(*z, triangles_[items_[k]]);
-  }
-
- private:
-  static constexpr double kSmallestCell = 0.25;  // [m]
-  static constexpr double kMostCells = 1000.0;   // along a side
-
-  int column(double value, int axis) const {
-    // Held in range as a number: a far point's column does not fit an int.
-    const double offset = (value - extent_.min()[axis]) / cell_;
-    return static_cast<int>(std::clamp(offset, 0.0, count_[axis] - 1.0));
-  }
-
-  // Counting sort: once to count, once to place.
-  void fill() {
-    start_.assign(static_cast<size_t>(count_[0]) * count_[1] + 1, 0);
-    eachCell([&](int cell, int) { ++start_[cell + 1]; });
-    for (size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
-    items_.resize(start_.back());
-    std::vector<int> next(start_.begin(), start_.end() - 1);
-    eachCell([&](int cell, int triangle) { items_[next[cell]++] = triangle; });
-  }
-
-  template <typename Visit>
-  void eachCell(Visit visit_one) const {
-    for (size_t t = 0; t < triangles_.size(); ++t) {
-      Eigen::AlignedBox2d box;
-      for (const Eigen::Vector3d& c : triangles_[t].corners)
-        box.extend(Eigen::Vector2d(c.head<2>()));
-      for (int j = column(box.min().y() - kSeam, 1); j <= column(box.max().y() + kSeam, 1); ++j)
-        for (int i = column(box.min().x() - kSeam, 0); i <= column(box.max().x() + kSeam, 0); ++i)
-          visit_one(j * count_[0] + i, static_cast<int>(t));
-    }
-  }
-
-  std::vector<UpFacing> triangles_;
-  Eigen::AlignedBox2d extent_;
-  double cell_ = kSmallestCell;
-  std::array<int, 2> count_ = {0, 0};
-  std::vector<int> start_;  // of each cell in items_, and the end
-  std::vector<int> items_;  // triangles
-};
-
-bool levelAt(const Buckets& buckets, double x, double y, double z) {
-  bool found = false;
-  buckets.visit(x, y, [&](double height, const UpFacing&) {
-    found = found || std::abs(height - z) <= SceneGround::kLevel;
-  });
-  return found;
-}
-
-// Whether the surface of height z at (x, y) goes on at that level for kFloorArea or more.
-bool isLarge(const Buckets& buckets, double x, double y, double z) {
-  const int enough = static_cast<int>(std::ceil(kFloorArea / (kFloorCell * kFloorCell)));
-  std::set<std::pair<int, int>> seen = {{0, 0}};
-  std::vector<std::pair<int, int>> open = {{0, 0}};
-  for (size_t next = 0; next < open.size(); ++next) {
-    if (static_cast<int>(open.size()) >= enough) return true;
-    const auto [i, j] = open[next];
-    for (const auto& cell : {std::pair(i + 1, j), {i - 1, j}, {i, j + 1}, {i, j - 1}}) {
-      if (!seen.insert(cell).second) continue;
-      if (levelAt(buckets, x + cell.first * kFloorCell, y + cell.second * kFloorCell, z))
-        open.push_back(cell);
-    }
-  }
-  return false;
+GroundSettings atLevel(double level) {
+  GroundSettings settings;
+  settings.level = level;
+  return settings;
 }
 
 }  // namespace
 
-struct SceneGround::Grid {
-  Buckets buckets;
-};
+SceneGround::SceneGround(const Scene& scene, double level) : SceneGround(scene, atLevel(level)) {}
 
-SceneGround::SceneGround(const Scene& scene, double floor)
-    : floor_(floor), ground_objects_(scene.objects.size(), false) {
-  std::vector<UpFacing> level;
-  for (const UpFacing& triangle : upFacing(scene)) {
-    if (triangle.lowest() < floor - kLevel || triangle.highest() > floor + kLevel) continue;
-    ground_objects_[triangle.object] = true;
-    level.push_back(triangle);
+SceneGround::SceneGround(const Scene& scene, const GroundSettings& settings)
+    : settings_(settings),
+      pieces_(std::make_unique<ScenePieces>(splitScene(scene))),
+      all_(pieces_->triangles),
+      up_(facingUp(scene, *pieces_, settings.max_slope)),
+      ground_triangles_(up_.size(), false),
+      ground_objects_(scene.objects.size(), false) {
+  cells_ = std::make_unique<GroundCells>(scene, *pieces_, all_, up_, settings);
+  std::vector<Triangle3> ground;
+  for (size_t t = 0; t < up_.size(); ++t) {
+    const int object = pieces_->pieceOf(static_cast<int>(t)).object;
+    if (!up_[t]) continue;
+    if (scene.objects[object].role != Role::kGround && !cells_->isGround(pieces_->triangles[t]))
+      continue;
+    ground_triangles_[t] = true;
+    ground_objects_[object] = true;
+    ground.push_back(pieces_->triangles[t]);
+    for (const Eigen::Vector3d& corner : ground.back())
+      heights_.extend(Eigen::AlignedBox1d::VectorType(corner.z()));
   }
-  grid_ = std::make_unique<Grid>(Grid{Buckets(std::move(level))});
-  extent_ = grid_->buckets.extent();
+  surfaces_ = TriangleGrid(std::move(ground));
+  is_level_ = heights_.isEmpty() || heights_.sizes()[0] <= kLevel;
 }
 
 SceneGround::~SceneGround() = default;
+SceneGround::SceneGround(SceneGround&&) noexcept = default;
 
 std::optional<SurfacePoint> SceneGround::surface(double x, double y, double z, double reach) const {
-  std::optional<SurfacePoint> best;
-  grid_->buckets.visit(x, y, [&](double height, const UpFacing& triangle) {
-    if (std::abs(height - z) > reach || (best && height <= best->height)) return;
-    best = SurfacePoint{height, triangle.normal()};
+  double best = kNone;
+  int found = -1;
+  surfaces_.visitAt(x, y, [&](int t) {
+    const auto height = heightOver(surfaces_.triangles()[t], x, y);
+    if (!height || std::abs(*height - z) > reach || *height <= best) return;
+    best = *height;
+    found = t;
   });
-  return best;
+  if (found < 0) return std::nullopt;
+  const Triangle3& t = surfaces_.triangles()[found];
+  const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+  return SurfacePoint{best, normal.z() < 0.0 ? Eigen::Vector3d(-normal) : normal};
 }
 
-std::vector<double> floors(const Scene& scene, double x, double y) {
-  const Buckets buckets(upFacing(scene));
-  std::vector<std::pair<double, bool>> found;  // height, said to be ground
-  buckets.visit(x, y, [&](double height, const UpFacing& triangle) {
-    found.emplace_back(height, scene.objects[triangle.object].role == Role::kGround);
+double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
+                          double low, double high) const {
+  const double length = (b - a).norm();
+  const Eigen::Vector2d along =
+      length > 0.0 ? Eigen::Vector2d((b - a) / length) : Eigen::Vector2d(Eigen::Vector2d::UnitX());
+  const Eigen::Vector2d aside(-along.y(), along.x());
+  const Eigen::AlignedBox2d strip(Eigen::Vector2d(0.0, -half_width),
+                                  Eigen::Vector2d(length, half_width));
+  Eigen::AlignedBox2d plan;
+  for (const Eigen::Vector2d& end : {a, b})
+    for (const double side : {half_width, -half_width}) plan.extend(end + side * aside);
+  double highest = kNone;
+  all_.visitBox(plan, [&](int t) {
+    Triangle3 local = all_.triangles()[t];
+    if (std::max({local[0].z(), local[1].z(), local[2].z()}) <= highest) return;
+    for (Eigen::Vector3d& corner : local) {
+      const Eigen::Vector2d p = corner.head<2>() - a;
+      corner.head<2>() << along.dot(p), aside.dot(p);
+    }
+    const auto heights = heightsWithin(local, strip);
+    if (heights && heights->high >= low && heights->high <= high)
+      highest = std::max(highest, heights->high);
   });
-  std::sort(found.begin(), found.end());
-  std::vector<double> large, all;
-  const auto append = [](std::vector<double>& list, double height) {
-    if (list.empty() || height - list.back() > SceneGround::kLevel) list.push_back(height);
-  };
-  for (const auto& [height, said] : found) {
-    append(all, height);
-    if (said || isLarge(buckets, x, y, height)) append(large, height);
+  return highest;
+}
+
+std::optional<SurfacePoint> SceneGround::stand(double x, double y, double z, double reach) const {
+  const auto over = [&](double floor) { return surface(x, y, floor, kLevel); };
+  if (is_level_) {
+    if (heights_.isEmpty() || std::abs(heights_.min()[0] - z) > reach + kLevel) return std::nullopt;
+    return over(heights_.min()[0]);
   }
-  return large.empty() ? all : large;
+  std::optional<double> nearest;
+  for (const double floor : floors(x, y))
+    if (!nearest || std::abs(floor - z) < std::abs(*nearest - z)) nearest = floor;
+  if (!nearest || std::abs(*nearest - z) > reach) return std::nullopt;
+  return over(*nearest);
+}
+
+std::vector<double> SceneGround::floors(double x, double y) const {
+  std::vector<double> ground, any;
+  const auto collect = [&](const TriangleGrid& grid, int t, std::vector<double>& out) {
+    if (const auto z = heightOver(grid.triangles()[t], x, y)) out.push_back(*z);
+  };
+  surfaces_.visitAt(x, y, [&](int t) { collect(surfaces_, t, ground); });
+  if (ground.empty()) {
+    all_.visitAt(x, y, [&](int t) {
+      if (up_[t]) collect(all_, t, any);
+    });
+  }
+  std::vector<double>& all = ground.empty() ? any : ground;
+  std::sort(all.begin(), all.end());
+  std::vector<double> floors;
+  for (size_t i = 0; i < all.size(); ++i) {
+    // Covered by other ground: what lies under a kerb or a low stair is no floor.
+    const bool covered = std::any_of(all.begin(), all.end(), [&](double z) {
+      return z > all[i] + kLevel && z < all[i] + settings_.headroom;
+    });
+    if (covered || (!floors.empty() && all[i] - floors.back() <= kLevel)) continue;
+    floors.push_back(all[i]);
+  }
+  return floors;
 }
 
 }  // namespace amble

@@ -1,4 +1,9 @@
 /// A scene as a body meets it: obstacles, and the ground apart from them (DESIGN.md, section 3).
+///
+/// Three sets. Obstacles: everything without ground. The ground layer: ground, and what lies below
+/// its surface with it, such as risers. Banks: the rest of the pieces that ground is part of, such
+/// as the side of a stair or the wall of a house that is one mesh with its floor; where they meet
+/// the ground soles may be as deep in their edges as in the ground's.
 #pragma once
 
 #include "environments/clearance_field.h"
@@ -11,26 +16,22 @@ namespace amble {
 
 class SceneLayers {
  public:
-  /// @pre ground outlives the layers.
   SceneLayers(const Scene& scene, const SceneGround& ground);
 
   /// An object that the capsule touches or lies in, the ground left out; -1 for none.
-  int touchedObstacle(const Capsule& capsule, ObstacleSet::Scratch& scratch) const {
-    return field_.isFree(capsule) ? -1 : obstacles_.touched(capsule, scratch);
-  }
-  /// The obstacle nearer than `limit`, if there is one [m].
+  /// @param depth  by which it may sink into banks from above: that of the ground [m, >= 0]
+  int touchedObstacle(const Capsule& capsule, double depth, ObstacleSet::Scratch& scratch) const;
+  /// The obstacle or bank nearer than `limit`, if there is one [m].
   ObstacleSet::Nearest nearestObstacle(const Capsule& capsule, double limit,
-                                       ObstacleSet::Scratch& scratch) const {
-    if (field_.isFree(capsule.inflated(limit))) return {limit, -1};
-    return obstacles_.nearest(capsule, limit, scratch);
-  }
+                                       ObstacleSet::Scratch& scratch) const;
   const GroundLayer& ground() const { return ground_; }
 
  private:
   struct Split;
   SceneLayers(Split split, const SceneGround& ground);
+  static Eigen::AlignedBox3d boundsOf(const ObstacleSet& a, const ObstacleSet& b);
 
-  ObstacleSet obstacles_;
+  ObstacleSet obstacles_, banks_;
   GroundLayer ground_;
   ClearanceField field_;
 };

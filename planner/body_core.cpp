@@ -29,6 +29,32 @@ double offsetFrom(const RootPath::Sample& path, const Eigen::Vector3d& point) {
       .dot(point.head<2>() - path.position);
 }
 
+// The ground's height along a way, and where it has been level for as long as a stride.
+class LevelWay {
+ public:
+  explicit LevelWay(const BodyCore::Way& way) : way_(way), z_(way.z) {}
+
+  // To the next point, the i-th; whether the ground is level there and was on the last few.
+  bool goTo(const Eigen::Vector2d& p, int i) {
+    if (way_.ground.isLevel()) return true;
+    const GroundSettings& settings = way_.ground.settings();
+    const auto next =
+        way_.ground.height(p.x(), p.y(), z_, std::max(settings.max_climb, settings.max_drop));
+    if (!next || std::abs(*next - z_) > kUneven) uneven_ = i;
+    if (next) z_ = *next;
+    return i - uneven_ > kLevelPoints;
+  }
+  double z() const { return z_; }
+
+ private:
+  static constexpr double kUneven = 0.01;  // between points kSpacing apart [m]
+  static constexpr int kLevelPoints = 8;   // kSpacing apart: a stride
+
+  const BodyCore::Way& way_;
+  double z_;
+  int uneven_ = -kLevelPoints - 1;
+};
+
 }  // namespace
 
 BodyCore::BodyCore(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
@@ -62,23 +88,25 @@ BodyCore::BodyCore(const StraightWalk& walk, const Skeleton& skeleton, const Joi
   }
 }
 
-std::optional<BodyCore::Touch> BodyCore::touch(const RootPath& path, double z, bool standing_first,
-                                               bool standing_last, const CollisionWorld& world,
+std::optional<BodyCore::Touch> BodyCore::touch(const Way& way, const CollisionWorld& world,
                                                CollisionScratch& scratch) const {
+  const RootPath& path = way.path;
   const int count = std::max(1, static_cast<int>(std::ceil(path.length() / kSpacing)));
-  const double first = standing_first ? kStandingMargin : kWalkingMargin;
-  const double last = path.length() - (standing_last ? kStandingMargin : kWalkingMargin);
+  const double first = way.standing_first ? kStandingMargin : kWalkingMargin;
+  const double last = path.length() - (way.standing_last ? kStandingMargin : kWalkingMargin);
   std::vector<Eigen::Vector3d> before(lines_.size());
+  LevelWay level(way);
   for (int i = 0; i <= count; ++i) {
     const double s = path.length() * i / count;
     const RootPath::Sample at = path.at(s);
     const Eigen::Vector2d left(-std::sin(at.heading), std::cos(at.heading));
+    const bool is_level = level.goTo(at.position, i);
     for (size_t k = 0; k < lines_.size(); ++k) {
       const Line& line = lines_[k];
       const Eigen::Vector2d point = at.position + line.offset * left;
-      const Eigen::Vector3d here(point.x(), point.y(), z + line.height);
+      const Eigen::Vector3d here(point.x(), point.y(), level.z() + line.height);
       const bool covered = !line.leg || (s - path.length() / count >= first && s <= last);
-      if (i > 0 && covered) {
+      if (i > 0 && covered && is_level) {
         const int object = world.touched(before[k], here, line.radius, scratch);
         if (object >= 0) return Touch{line.part, object};
       }

@@ -28,10 +28,15 @@ class BodyCore {
     int part = -1;
     int object = -1;
   };
-  /// What the body would touch on its way along the path, or none, which says nothing. `standing`:
-  /// at the path's begin and end; legs that walk there cover less of it.
-  std::optional<Touch> touch(const RootPath& path, double z, bool standing_first,
-                             bool standing_last, const CollisionWorld& world,
+  struct Way {
+    const RootPath& path;
+    double z;                            ///< of the ground at its begin [m]
+    bool standing_first, standing_last;  ///< legs that walk there cover less of the path
+    const SceneGround& ground;
+  };
+  /// What the body would touch on its way, or none, which says nothing. Asked where the way is
+  /// level: on slopes and stairs the body is carried otherwise.
+  std::optional<Touch> touch(const Way& way, const CollisionWorld& world,
                              CollisionScratch& scratch) const;
 
  private:

@@ -83,10 +83,10 @@ SteeringScratchPtr CylinderSteering::makeScratch() const {
 }
 
 bool CylinderSteering::place(Stance& stance) const {
-  const auto height = ground_.height(stance.position.x(), stance.position.y(), ground_.floor(),
-                                     SceneGround::kLevel);
-  if (height) stance.position.z() = *height;
-  return height.has_value();
+  const auto under = ground_.stand(stance.position.x(), stance.position.y(), stance.position.z(),
+                                   settings_.height);
+  if (under) stance.position.z() = under->height;
+  return under.has_value();
 }
 
 std::optional<SteeringFailure> CylinderSteering::stand(Stance& stance,

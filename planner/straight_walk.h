@@ -11,7 +11,7 @@ struct StraightWalk {
   AnimationBuffer buffer;
 };
 
-/// From standing to standing over `length` [m], somewhere on the ground (contacts are not asked
+/// From standing to standing over `length` [m], somewhere on level ground (contacts are not asked
 /// about); without frames where there is no ground for one.
 StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround& ground,
                           double length);

@@ -21,6 +21,10 @@ constexpr double kSpeedMargin = 1.15;
 constexpr double kMeasuredWalk =
     3.0;  // that the core is measured on: long enough for full strides [m]
 
+// How far a stance that is put on the ground may be from it: a flight of stairs is higher, what the
+// ground rises by between the places of a proposal is not [m].
+constexpr double kPlaceReach = 1.5;
+
 class WalkScratch : public SteeringScratch {
  public:
   CollisionScratchPtr collision;
@@ -161,10 +165,10 @@ SteeringScratchPtr WalkSteering::makeScratch() const {
 double WalkSteering::topSpeed() const { return kSpeedMargin * synthesizer_.settings().speed; }
 
 bool WalkSteering::place(Stance& stance) const {
-  const auto height = ground_.height(stance.position.x(), stance.position.y(), ground_.floor(),
-                                     SceneGround::kLevel);
-  if (height) stance.position.z() = *height;
-  return height.has_value();
+  const auto under =
+      ground_.stand(stance.position.x(), stance.position.y(), stance.position.z(), kPlaceReach);
+  if (under) stance.position.z() = under->height;
+  return under.has_value();
 }
 
 std::optional<SteeringFailure> WalkSteering::stand(Stance& stance, SteeringScratch& scratch) const {
@@ -204,8 +208,9 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
   const double leave = edge.from.heading + edge.turn_first;
   const double arrive = edge.to.heading - edge.turn_last;
   if (!edge.path.empty()) {
-    const auto touch = core_.touch(edge.path, edge.from.position.z(), edge.from.standing,
-                                   edge.to.standing, world_, *own.collision);
+    const auto touch = core_.touch(
+        {edge.path, edge.from.position.z(), edge.from.standing, edge.to.standing, ground_}, world_,
+        *own.collision);
     if (touch) {
       result.failure = {SteeringStage::kValidation, "contact", touch->part, touch->object, 0.0};
       return result;

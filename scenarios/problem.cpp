@@ -9,6 +9,12 @@
 namespace amble {
 namespace {
 
+// Of stature. Who walks with the head lower than this crawls; by trial.
+constexpr double kHeadroomOfStature = 0.6;
+// A foot is 0.152 long and 0.055 broad (Drillis and Contini 1966); 70 % of it must be supported.
+constexpr double kFootRoomOfStature = 0.7 * 0.152;
+constexpr double kFootBreadthOfStature = 0.055;
+
 std::string metres(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", value == 0.0 ? 0.0 : value);
@@ -49,6 +55,24 @@ CharacterSettings settingsOf(const Scenario& scenario, double frame_time) {
   settings.height = scenario.character.height;
   settings.speed = scenario.walk.speed;
   settings.frame_time = frame_time;
+  settings.max_slope = scenario.character.max_slope;
+  settings.max_climb = scenario.character.max_climb;
+  settings.max_drop = scenario.character.max_drop;
+  return settings;
+}
+
+GroundSettings groundSettings(const Scenario& scenario, const MotionLibrary& library) {
+  const CharacterSpec& character = scenario.character;
+  const double stature = character.height > 0.0 ? character.height : library.stature;
+  GroundSettings settings;
+  settings.max_slope = character.max_slope;
+  settings.max_climb = character.max_climb;
+  settings.max_drop = character.max_drop;
+  settings.headroom = kHeadroomOfStature * stature;
+  settings.foot_length = kFootRoomOfStature * stature;
+  settings.foot_breadth = kFootBreadthOfStature * stature;
+  settings.places = {scenario.start.at, scenario.goal.at};
+  for (const Place& place : scenario.via) settings.places.push_back(place.at);
   return settings;
 }
 
@@ -66,13 +90,13 @@ void requireWithinBounds(const Scenario& scenario, const Place& place, const std
 
 }  // namespace
 
-double chooseFloor(const Scene& scene, const Scenario& scenario, const Place& place,
-                   const std::string& key) {
+double chooseFloor(const Scene& scene, const SceneGround& ground, const Scenario& scenario,
+                   const Place& place, const std::string& key) {
   requireWithinBounds(scenario, place, key);
   const auto fail = [&](const std::string& problem, const std::string& expected) {
     throw InputError(scenario.file.string(), place.line, "'" + key + ".at' " + problem, expected);
   };
-  const std::vector<double> heights = floors(scene, place.at.x(), place.at.y());
+  const std::vector<double> heights = ground.floors(place.at.x(), place.at.y());
   if (heights.empty()) {
     const Eigen::AlignedBox3d box = scene.bounds();
     fail("has no floor under it", "a place on the scene's floor; the scene has " +
@@ -101,14 +125,15 @@ Problem::Problem(const Scenario& problem, double frame_time)
     : scenario(problem),
       scene(loadScene(scenario)),
       library(loadLibrary(scenario)),
-      ground(scene, chooseFloor(scene, scenario, scenario.start, "start")),
+      ground(scene, groundSettings(scenario, library)),
+      floor(chooseFloor(scene, ground, scenario, scenario.start, "start")),
       synthesizer(library, ground, settingsOf(scenario, frame_time)),
       body(makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
                     {synthesizer.ankleHeight(), synthesizer.toeHeight()})),
       world(scene, ground, synthesizer.skeleton(), body) {}
 
 Eigen::Vector3d Problem::stand(const Place& place, const std::string& key) const {
-  return {place.at.x(), place.at.y(), chooseFloor(scene, scenario, place, key)};
+  return {place.at.x(), place.at.y(), chooseFloor(scene, ground, scenario, place, key)};
 }
 
 Eigen::AlignedBox2d Problem::bounds() const {

@@ -25,12 +25,13 @@ struct Problem {
   const Scenario scenario;
   const Scene scene;
   const MotionLibrary library;
-  const SceneGround ground;  ///< of the floor that the start stands on
+  const SceneGround ground;  ///< what the character can stand on, in all layers
+  const double floor;        ///< height of that which the start stands on [m, World]
   const WalkSynthesizer synthesizer;
   const Body body;
   const CollisionWorld world;
 
-  /// Where a stance of the scenario stands: on this floor, or on the floor that its z names [m,
+  /// Where a stance of the scenario stands: on the floor there, or on that which its z names [m,
   /// World].
   Eigen::Vector3d stand(const Place& place, const std::string& key) const;
   /// Where to look: the scenario's bounds, or the extent of what can be walked on [m].
@@ -39,8 +40,8 @@ struct Problem {
 
 /// Height of the floor that a place stands on [m]. `key` names it in messages: "start", "goal",
 /// "via[0]". @throws InputError
-double chooseFloor(const Scene& scene, const Scenario& scenario, const Place& place,
-                   const std::string& key);
+double chooseFloor(const Scene& scene, const SceneGround& ground, const Scenario& scenario,
+                   const Place& place, const std::string& key);
 
 /// An object as reports name it: its name in the scene, with that of its part of a mesh file where
 /// it is one.

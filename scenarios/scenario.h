@@ -28,10 +28,9 @@ struct Place {
 inline constexpr double kFloorReach = 0.3;
 
 struct CharacterSpec {
-  double height = 0.0;              ///< stature [m, 0.5 to 2.5]; 0: the library's own
-  std::string library = "default";  ///< `default`, or a path that stands on its own
-  int library_line = 0;             ///< where the file names it; 0: it does not
-  /// Read and held within their ranges; the ground of today is level within SceneGround::kLevel.
+  double height = 0.0;                ///< stature [m, 0.5 to 2.5]; 0: the library's own
+  std::string library = "default";    ///< `default`, or a path that stands on its own
+  int library_line = 0;               ///< where the file names it; 0: it does not
   double max_slope = 20.0 * kDegree;  ///< [rad, 0 to 45 degrees]
   double max_climb = 0.25;            ///< highest step up [m, 0 to 1]
   double max_drop = 0.25;             ///< highest step down [m, 0 to 1]

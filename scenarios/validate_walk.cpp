@@ -56,7 +56,7 @@ double lowestAnkle(const Clip& clip, const JointRoles& roles) {
 
 double nearestFloor(const Scene& scene, const Clip& clip, double foot, const std::string& file) {
   const Eigen::Vector3d root = clip.poses.p_WR(0);
-  const std::vector<double> heights = floors(scene, root.x(), root.y());
+  const std::vector<double> heights = SceneGround(scene).floors(root.x(), root.y());
   if (heights.empty()) {
     throw InputError(file, 0, "the walk begins where '" + scene.file.string() + "' has no floor",
                      "a walk within the scene");

@@ -42,6 +42,17 @@ inline TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
   return a;
 }
 
+/// Steps of `rise` and `going` [m] that begin at x = 0 and go up along +x, each a box from the
+/// floor up, 2 m wide about y = 0.
+inline std::vector<SceneObject> stairs(int treads, double rise, double going) {
+  std::vector<SceneObject> steps;
+  for (int i = 0; i < treads; ++i) {
+    const double top = (i + 1) * rise;
+    steps.push_back(makeObject("tread", Box{{going, 2, top}}, {(i + 0.5) * going, 0, 0.5 * top}));
+  }
+  return steps;
+}
+
 inline Obstacle obstacleOf(const SceneObject& object, int index) {
   const bool is_mesh = std::holds_alternative<TriangleMesh>(object.shape);
   return {index, object.shape, object.X_WO, is_mesh ? worldMesh(object) : TriangleMesh{}};

@@ -106,7 +106,7 @@ TEST_F(WalkSteeringTest, WhatTheCoreRefusesTheBodyRefuses) {
     to.heading = std::atan2(way.y(), way.x()) + stream.uniform(-0.6, 0.6);
     const RootPath path({makeBezier(from.position.head<2>(), from.heading, to.position.head<2>(),
                                     to.heading, 0.4)});
-    if (!core.touch(path, 0.0, true, true, room.world, *collision)) continue;
+    if (!core.touch({path, 0.0, true, true, room.ground}, room.world, *collision)) continue;
     if (room.synthesizer.walk(from, to, path, true, buffer).refused != WalkRule::kNone) continue;
     ++refused;
     EXPECT_TRUE(room.world.check(buffer.poses, buffer.states, true, *collision).has_value());

@@ -58,7 +58,7 @@ TEST_F(RunScenario, FloorsOverOneAnotherAreListedUnlessZSaysWhich) {
                     "no floor within 0.30 m"));
   const RunResult result =
       run("scene: scene.yaml\nstart: {at: [0.8, 1.5, 0.1]}\ngoal: {at: [5.2, 1.5]}\n");
-  EXPECT_EQ(result.problem->ground.floor(), 0.0);
+  EXPECT_EQ(result.problem->floor, 0.0);
 }
 
 TEST_F(RunScenario, AWalkMeetsItsGoalAndTouchesNothing) {

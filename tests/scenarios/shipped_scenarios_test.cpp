@@ -74,7 +74,7 @@ TEST_P(ShippedWalk, MeetsItsGoalTouchesNothingAndHoldsTheBars) {
   writeFile(walk, [&](std::ostream& out) { out << result.bvh; });
   ValidateOptions options;
   options.fps = 240.0;
-  options.floor = result.problem->ground.floor();
+  options.floor = result.problem->floor;
   const WalkValidation found = validateWalk(walk, scenario.scene, options);
   for (const ContactSpan& contact : found.contacts) {
     ADD_FAILURE() << contact.part << " touches " << contact.object << " at " << contact.start;
