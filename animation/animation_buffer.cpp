@@ -44,7 +44,7 @@ void AnimationBuffer::markFootprints() {
       }
       if (open[side] < 0) {
         open[side] = static_cast<int>(footprints.size());
-        footprints.push_back({side, foot.from.position, foot.from.heading, i, i});
+        footprints.push_back({side, foot.from.position, foot.from.heading, i, i, {}});
       }
       footprints[open[side]].last_frame = i;
     }

@@ -4,15 +4,29 @@
 #include <array>
 #include <vector>
 
+#include "animation/gait_parameters.h"
 #include "animation/joint_roles.h"
 #include "animation/pose.h"
 
 namespace amble {
 
-/// Where a foot stands: middle of the sole's length on the ground [m, World] and heading [rad].
+/// Where a foot stands: middle of the sole's length on the ground [m, World], heading [rad] and the
+/// normal of the plane that the sole lies in [unit, z > 0].
 struct FootPlace {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   double heading = 0.0;
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+};
+
+/// How a swing departs from the captured one, to clear what lies between its prints.
+struct SwingShape {
+  double lift = 1.0;   ///< times the captured height [> 0]
+  double extra = 0.0;  ///< height added to that [m, >= 0]
+  double rise = 0.5;   ///< shares of the swing over which it is added, and taken away [> 0, < 1]
+  double fall = 0.5;
+  /// Shares of the swing, at its begin and at its end, in which the foot goes up and down only
+  /// [>= 0, together < 0.6].
+  double delay = 0.0, early = 0.0;
 };
 
 /// What a foot is about in a frame.
@@ -21,8 +35,10 @@ struct FootState {
   FootPlace to;    ///< where it goes while it swings; else `from`
   /// 0 to 1: planted, from strike to lift-off; above 1 to 2: swinging, from lift-off to strike.
   double at = 0.0;
-  double strike_roll = 1.0;  ///< how much of the captured heel strike is kept, 0 lands flat [0, 1]
-  double lift_roll = 1.0;    ///< how much of the captured rise of the heel is kept [0, 1]
+  /// How much of the captured heel strike is kept: 0 lands flat, -1 on the ball [-1, 1].
+  double strike_roll = 1.0;
+  double lift_roll = 1.0;  ///< how much of the captured rise of the heel is kept [0, 1]
+  SwingShape swing;        ///< of the swing that the foot is in
 
   bool planted() const { return at <= 1.0; }
 };
@@ -40,6 +56,7 @@ struct FrameState {
   double phase = 0.0;             ///< of the walk cycle [cycles, 0 <= . < 1]
   double step_length = 0.0;       ///< to which the cycles are warped here [m]
   double standing = 0.0;          ///< share of the standing posture, 1 at standing stances [0, 1]
+  double crouch = 0.0;            ///< of the root below its height on the level [m]
   double sway = 0.0;              ///< weight shift to the left beside that of the walk cycle [m]
   std::array<FootState, 2> feet;  ///< by Side
   std::array<bool, 2> planted = {true, true};  ///< by Side: the foot's sole is on the ground
@@ -53,6 +70,8 @@ struct Footprint {
   double heading = 0.0;         ///< of the foot [rad]
   int first_frame = 0;          ///< first and last frame of the buffer in which it is planted
   int last_frame = 0;
+  /// What the step that ends here was asked to be; of a print that the buffer begins with, all 0.
+  GaitParameters gait;
 };
 
 /// Frames at a fixed rate. `poses[i]` is what is validated and exported for frame i.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "animation/rotation.h"
+#include "animation/swing_path.h"
 #include "animation/two_link.h"
 
 namespace amble {
@@ -25,20 +26,17 @@ double rolled(double pitch, double strike_roll, double lift_roll) {
 // A sole before it is a target: its frame over the ground and how it is rolled.
 struct SolePose {
   Eigen::Vector3d position;
-  double heading, pitch, roll;
+  Eigen::Quaterniond q_WS;
+  double pitch, roll;
 };
 
-SolePose solePose(const FootState& state, const FootCycle& cycle) {
-  const double pitch = footPitch(cycle, state.at);
-  if (state.planted()) {
-    return {state.from.position, state.from.heading,
-            rolled(pitch, state.strike_roll, state.lift_roll), 0.0};
-  }
+SolePose swingingSole(const FootState& state, const FootCycle& cycle) {
+  const SwingShape& shape = state.swing;
   const double tau = state.at - 1.0, ease = smoothstep(tau);
   const double share = state.lift_roll + ease * (state.strike_roll - state.lift_roll);
   const Eigen::Vector3d line = state.to.position - state.from.position;
-  Eigen::Vector3d sole = state.from.position + swingProgress(cycle, tau) * line;
-  sole.z() = state.from.position.z() + ease * line.z() + swingPolynomial(cycle.height, tau);
+  Eigen::Vector3d sole = state.from.position + swingAlong(shape, cycle, tau) * line;
+  sole.z() += swingHeight(shape, cycle, tau);
   const double span = line.head<2>().norm();
   if (span > 1e-9) {
     const double sideways = swingPolynomial(cycle.sideways, tau) / span;
@@ -47,18 +45,36 @@ SolePose solePose(const FootState& state, const FootCycle& cycle) {
   const double heading = state.from.heading +
                          ease * wrapAngle(state.to.heading - state.from.heading) +
                          swingPolynomial(cycle.yaw, tau);
-  return {sole, heading, rolled(pitch, share, share), swingPolynomial(cycle.roll, tau)};
+  const Eigen::Vector3d normal = state.from.normal + ease * (state.to.normal - state.from.normal);
+  return {sole, soleFrame(heading, normal), rolled(footPitch(cycle, state.at), share, share),
+          swingPolynomial(cycle.roll, tau)};
+}
+
+SolePose solePose(const FootState& state, const FootCycle& cycle) {
+  if (!state.planted()) return swingingSole(state, cycle);
+  return {state.from.position, soleFrame(state.from.heading, state.from.normal),
+          rolled(footPitch(cycle, state.at), state.strike_roll, state.lift_roll), 0.0};
 }
 
 FootTarget targetOf(const FootShape& shape, const SolePose& sole) {
   FootTarget target;
-  const Eigen::Quaterniond q_WH = aboutZ(sole.heading);
-  target.ankle = sole.position + q_WH * rolledAnkle(shape, sole.pitch);
-  target.q_WF = q_WH * Eigen::Quaterniond(Eigen::AngleAxisd(sole.pitch, Eigen::Vector3d::UnitY())) *
-                Eigen::Quaterniond(Eigen::AngleAxisd(sole.roll, Eigen::Vector3d::UnitX())) *
-                shape.q_SF;
+  target.ankle = sole.position + sole.q_WS * rolledAnkle(shape, sole.pitch);
+  target.q_WF =
+      sole.q_WS * Eigen::Quaterniond(Eigen::AngleAxisd(sole.pitch, Eigen::Vector3d::UnitY())) *
+      Eigen::Quaterniond(Eigen::AngleAxisd(sole.roll, Eigen::Vector3d::UnitX())) * shape.q_SF;
   target.toe_bend = std::max(sole.pitch, 0.0);  // toes stay level while the heel is up
   return target;
+}
+
+// Replaces every value by the mean of those within `half` of it.
+void smoothed(std::vector<double>& values, int half) {
+  const int n = static_cast<int>(values.size());
+  std::vector<double> sums(n + 1, 0.0);
+  for (int i = 0; i < n; ++i) sums[i + 1] = sums[i] + values[i];
+  for (int i = 0; i < n; ++i) {
+    const int first = std::max(0, i - half), last = std::min(n - 1, i + half);
+    values[i] = (sums[last + 1] - sums[first]) / (last + 1 - first);
+  }
 }
 
 }  // namespace
@@ -70,9 +86,10 @@ FootTarget footTarget(const FootState& state, const FootCycle& cycle, const Foot
   const double distance = (target.ankle - hip).norm();
   const double over = (distance - longest) / kSoftReach;
   if (over < -6.0) return target;
-  const Eigen::Vector3d ball =
-      sole.position + shape.ball_x * (aboutZ(sole.heading) * Eigen::Vector3d::UnitX());
-  const double behind = (hip - ball).dot(aboutZ(sole.heading) * Eigen::Vector3d::UnitX());
+  Eigen::Vector3d ahead = sole.q_WS * Eigen::Vector3d::UnitX();
+  ahead.z() = 0.0;
+  const Eigen::Vector3d ball = sole.position + shape.ball_x * ahead;
+  const double behind = (hip - ball).dot(ahead);
   const double freedom = smoothstep(std::clamp(behind / kBehind, 0.0, 1.0));
   // A smooth minimum of what it is and what it may be.
   const double wanted = distance - kSoftReach * std::log1p(std::exp(over));
@@ -93,7 +110,14 @@ FootController::FootController(const Skeleton& skeleton, const JointRoles& roles
       left_R_(restToHeading(skeleton, roles).conjugate() * Eigen::Vector3d::UnitY()) {}
 
 bool FootController::apply(AnimationBuffer& buffer) const {
-  if (!dipHips(buffer)) return false;
+  return dipHips(buffer) && placeLegs(buffer);
+}
+
+bool FootController::applyUneven(AnimationBuffer& buffer) const {
+  return sinkHips(buffer) && placeLegs(buffer);
+}
+
+bool FootController::placeLegs(AnimationBuffer& buffer) const {
   std::vector<JointFrame> joints(skeleton_.size());
   for (int i = 0; i < buffer.size(); ++i) {
     forwardKinematics(skeleton_, buffer.poses[i], joints);
@@ -144,6 +168,31 @@ bool FootController::dipHips(AnimationBuffer& buffer) const {
     const double from_end = std::min(i, n - 1 - i) * buffer.frame_time;
     const double fade = std::max(kShortestFade, dip[i] / kDipSpeed);
     buffer.poses.p_WR(i).z() -= dip[i] * smoothstep(std::min(1.0, from_end / fade));
+  }
+  return true;
+}
+
+// Lowers the root by the least smooth curve over what is missing: the largest of what is missing
+// within kSpread, averaged over as long. The first and last frame stay: they are stances.
+bool FootController::sinkHips(AnimationBuffer& buffer) const {
+  const int n = buffer.size();
+  std::vector<JointFrame> joints(skeleton_.size());
+  std::vector<double> missing(n, 0.0), sunk(n, 0.0);
+  for (int i = 1; i + 1 < n; ++i) {
+    missing[i] = missingHeight(buffer, i, kUnevenReach, joints);
+    if (missing[i] > kUnevenDip) return false;
+  }
+  const int reach = std::max(1, static_cast<int>(std::lround(kSpread / buffer.frame_time)));
+  for (int i = 0; i < n; ++i) {
+    const auto from = missing.begin() + std::max(0, i - reach);
+    const auto to = missing.begin() + std::min(n, i + reach + 1);
+    sunk[i] = *std::max_element(from, to);
+  }
+  for (int pass = 0; pass < 2; ++pass) smoothed(sunk, reach / 2);
+  for (int i = 1; i + 1 < n; ++i) {
+    const double from_end = std::min(i, n - 1 - i) * buffer.frame_time;
+    const double fade = std::max(kShortestFade, sunk[i] / kSinkSpeed);
+    buffer.poses.p_WR(i).z() -= sunk[i] * smoothstep(std::min(1.0, from_end / fade));
   }
   return true;
 }

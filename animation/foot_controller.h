@@ -43,11 +43,20 @@ class FootController : public SubController {
   static constexpr double kShortestFade = 0.03;  // of a dip towards a stance [s]
   static constexpr double kDipSpeed = 0.03;      // by trial [m/s]
   static constexpr double kDeepestDip = 0.04;    // [m]; by trial, deeper looks like a stumble
+  /// On uneven ground: legs stretch to kUnevenReach before the hips dip, at most to kUnevenDip, and
+  /// a dip is spread over kSpread; by trial.
+  static constexpr double kUnevenReach = 0.9975;
+  static constexpr double kUnevenDip = 0.15;  // [m]
+  static constexpr double kSpread = 0.12;     // [s]
+  static constexpr double kSinkSpeed = 0.25;  // from a stance on [m/s]
 
   FootController(const Skeleton& skeleton, const JointRoles& roles,
                  const std::array<FootShape, 2>& shapes, const GaitBlend& blend);
 
   bool apply(AnimationBuffer& buffer) const override;
+  /// The same where feet stand at different heights and legs are bent and stretched more: the hips
+  /// dip deeper, in longer curves.
+  bool applyUneven(AnimationBuffer& buffer) const;
 
   /// How much lower the root has to be for no leg to reach farther than `share`, in a frame [m, >=
   /// 0]. `joints` is scratch.
@@ -59,6 +68,8 @@ class FootController : public SubController {
                        std::span<const JointFrame> joints) const;
   static double heelReach(double at);
   bool dipHips(AnimationBuffer& buffer) const;
+  bool sinkHips(AnimationBuffer& buffer) const;
+  bool placeLegs(AnimationBuffer& buffer) const;
   bool placeLeg(Side side, const FootTarget& target, std::span<const JointFrame> joints,
                 std::span<Eigen::Quaterniond> rotations) const;
 

@@ -64,10 +64,17 @@ FootShape makeFootShape(const Skeleton& skeleton, const JointRoles& roles, Side 
   shape.heel_x = -back + shape.radius - middle;
   shape.ball_x = ball - middle;
   shape.tip_x = ball + tip - shape.radius - middle;
+  shape.half_width = 0.5 * kFootBreadthOfStature * stature;
   shape.q_SF = Eigen::Quaterniond(axes.transpose()).normalized();
   shape.q_FT = Eigen::Quaterniond::Identity();
   shape.lateral_T = axes.col(1);
   return shape;
+}
+
+Eigen::Quaterniond soleFrame(double heading, const Eigen::Vector3d& normal) {
+  const Eigen::Quaterniond turned = aboutZ(heading);
+  if (normal.x() == 0.0 && normal.y() == 0.0) return turned;
+  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * turned;
 }
 
 Eigen::Vector3d rolledAnkle(const FootShape& shape, double pitch) {

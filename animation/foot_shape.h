@@ -21,6 +21,7 @@ struct FootShape {
   double heel_x = 0.0;
   double ball_x = 0.0;
   double tip_x = 0.0;
+  double half_width = 0.0;  ///< of the sole [m]
   Eigen::Quaterniond q_SF =
       Eigen::Quaterniond::Identity();  ///< foot joint in the sole frame while flat
   Eigen::Quaterniond q_FT =
@@ -32,6 +33,8 @@ struct FootShape {
 /// Drillis & Contini (1966): foot length 0.152 of stature; thigh and shank together 0.491.
 inline constexpr double kFootLengthOfStature = 0.152;
 inline constexpr double kLegOfStature = 0.491;
+/// Breadth of the foot: Gordon et al. (1989), 0.101 of 1.756 m, as the body's soles have it.
+inline constexpr double kFootBreadthOfStature = 0.0575;
 /// Height of the toe joint over the sole; chosen so that the ankle of our captures comes to Drillis
 /// & Contini's 0.039 of stature.
 inline constexpr double kBallHeightOfStature = 0.0095;
@@ -47,6 +50,11 @@ FootShape makeFootShape(const Skeleton& skeleton, const JointRoles& roles, Side 
 /// Rest pose's frame in the heading frame (x forward, y left, z up): forward is where the feet
 /// point.
 Eigen::Quaterniond restToHeading(const Skeleton& skeleton, const JointRoles& roles);
+
+/// The sole frame in World, of a foot that heads so and stands on a plane with this normal [need
+/// not be a unit vector, z > 0]: turned about the vertical, then tilted on the shortest way.
+/// Exactly the first where the normal is vertical.
+Eigen::Quaterniond soleFrame(double heading, const Eigen::Vector3d& normal);
 
 /// Where the ankle is over a sole whose frame lies at the origin and that is rolled by `pitch`
 /// [rad, toes down positive]: about heel or ball, in the sole frame [m].

@@ -49,6 +49,7 @@ Footsteps::Footsteps(const FootPlacement& placement, const Stance& from, const S
                      int steps, Side first)
     : placement_(placement), from_(from), to_(to), steps_(steps), first_(first) {
   places_.resize(steps + 2);
+  landings_.resize(steps + 2);
   places_[0] = stancePlace(placement, from, first);
   places_[1] = stancePlace(placement, from, other(first));
   places_[steps] = stancePlace(placement, to, side(steps - 1));
@@ -62,6 +63,14 @@ void Footsteps::place(const std::function<GroundPoint(int)>& path_at) {
     places_[i + 1] =
         footBeside(path_at(i), side(i), placement_.walk_width, placement_.walk_toe_out);
   }
+}
+
+void Footsteps::setStances(const std::array<FootPlace, 2>& from,
+                           const std::array<FootPlace, 2>& to) {
+  places_[0] = from[first_];
+  places_[1] = from[other(first_)];
+  places_[steps_] = to[side(steps_ - 1)];
+  places_[steps_ + 1] = to[side(steps_)];
 }
 
 double Footsteps::strike(int placing) const {
@@ -80,7 +89,9 @@ FootState Footsteps::stateOf(int placing, double progress) const {
   foot.from = place(placing);
   foot.to = foot.from;
   const double begin = strike(placing), end = liftOff(placing);
-  const auto strike_roll = [&](int i) { return to_.standing && i == steps_ ? 0.0 : 1.0; };
+  const auto strike_roll = [&](int i) {
+    return to_.standing && i == steps_ ? 0.0 : landings_[i + 1].strike_roll;
+  };
   foot.strike_roll = placing <= 0 && from_.standing ? 0.0 : strike_roll(placing);
   foot.lift_roll = to_.standing && placing >= steps_ - 1 ? 0.0 : 1.0;
   const bool first = from_.standing && placing == -1;
@@ -91,6 +102,7 @@ FootState Footsteps::stateOf(int placing, double progress) const {
   }
   foot.to = place(placing + 2);
   foot.strike_roll = strike_roll(placing + 2);
+  foot.swing = landings_[placing + 3].swing;
   double tau = (progress - end) / (strike(placing + 2) - end);
   if (first) tau = std::pow(std::max(tau, 0.0), kFirstDelay);
   foot.at = 1.0 + std::clamp(tau, 1e-12, 1.0);

@@ -40,8 +40,18 @@ class Footsteps {
   /// Placings between the first and the last stance; `path_at(i)` is the root path's point midway
   /// between nodes i and i + 1, moved on by `forward`.
   void place(const std::function<GroundPoint(int)>& path_at);
+  /// The feet of both stances, by Side, as they stand on their ground.
+  void setStances(const std::array<FootPlace, 2>& from, const std::array<FootPlace, 2>& to);
   /// All placings, to set heights: -1 first.
   std::vector<FootPlace>& places() { return places_; }
+  const std::vector<FootPlace>& places() const { return places_; }
+  /// How a placing is come to.
+  struct Landing {
+    SwingShape swing;
+    double strike_roll = 1.0;  ///< FootState::strike_roll
+  };
+  /// Of all placings, -1 first; those of placings -1 and 0 are not used.
+  std::vector<Landing>& landings() { return landings_; }
 
   int steps() const { return steps_; }
   Side side(int placing) const;  ///< of placing -1, 0, 1, ... n
@@ -61,6 +71,7 @@ class Footsteps {
   int steps_;
   Side first_;
   std::vector<FootPlace> places_;
+  std::vector<Landing> landings_;
 };
 
 /// Where a foot stands beside a point: half the width to its side, toes out.

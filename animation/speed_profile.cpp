@@ -40,6 +40,13 @@ SpeedProfile::SpeedProfile(const RootPath& path, const SpeedLimits& limits,
   if (refusal_ == Refusal::kNone) time();
 }
 
+// On the straight, on its ground.
+double SpeedProfile::allowedSpeed(double arc) const {
+  const double own = limits_.law.stepLength(limits_.speed);
+  const double speed = limits_.stride ? limits_.speed * limits_.stride(arc) / own : limits_.speed;
+  return limits_.pace ? speed * limits_.pace(arc) : speed;
+}
+
 // Wanted speed at every knot: the plan's, less in turns, with bounded changes; as step length.
 void SpeedProfile::limitSpeed(const RootPath& path) {
   const int count = std::max(8, static_cast<int>(std::ceil(length_ / kSpacing)));
@@ -50,7 +57,8 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
   for (int i = 0; i <= count; ++i) {
     knots_[i].arc = spacing * i;
     const double curvature = std::abs(path.at(knots_[i].arc).curvature);
-    speed[i] = std::min(limits_.speed, limits_.max_turn_rate / std::max(curvature, 1e-9));
+    speed[i] =
+        std::min(allowedSpeed(knots_[i].arc), limits_.max_turn_rate / std::max(curvature, 1e-9));
     const double from_standing = std::min(ends_.from_standing ? knots_[i].arc : length_,
                                           ends_.to_standing ? length_ - knots_[i].arc : length_);
     if (from_standing < 0.5 * limits_.law.stepLength(kFirstSpeed)) {
@@ -67,16 +75,18 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
     speed[i] = std::min(speed[i], std::sqrt(speed[i + 1] * speed[i + 1] + gain));
   }
   constexpr double kTolerance = 1e-6;
-  if ((!ends_.from_standing && speed.front() < limits_.speed * (1.0 - kTolerance)) ||
-      (!ends_.to_standing && speed.back() < limits_.speed * (1.0 - kTolerance))) {
+  const double first = allowedSpeed(0.0), last = allowedSpeed(length_);
+  if ((!ends_.from_standing && speed.front() < first * (1.0 - kTolerance)) ||
+      (!ends_.to_standing && speed.back() < last * (1.0 - kTolerance))) {
     refusal_ = Refusal::kTurnRate;
     return;
   }
-  if (!ends_.from_standing) speed.front() = limits_.speed;
-  if (!ends_.to_standing) speed.back() = limits_.speed;
+  if (!ends_.from_standing) speed.front() = first;
+  if (!ends_.to_standing) speed.back() = last;
   for (int i = 0; i <= count; ++i) {
     knots_[i].speed = speed[i];
-    knots_[i].wanted = limits_.law.stepLength(speed[i]);
+    knots_[i].wanted =
+        limits_.stride ? limits_.stride(knots_[i].arc) : limits_.law.stepLength(speed[i]);
   }
 }
 

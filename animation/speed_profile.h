@@ -6,6 +6,7 @@
 /// step of the walk has just landed.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,10 @@ struct SpeedLimits {
   double speed = 1.2;              ///< on the straight, and at walking stances [m/s]
   double max_turn_rate = 1.0;      ///< [rad/s]
   double frame_time = 1.0 / 60.0;  ///< [s]
+  /// Share of the speed that the ground allows at an arc [0 to 1]; none: all of it, everywhere.
+  std::function<double(double)> pace;
+  /// Step length that is asked for at an arc [m], at the plan's cadence; none: the law's.
+  std::function<double(double)> stride;
 };
 
 struct SpeedProfileEnds {
@@ -56,6 +61,7 @@ class SpeedProfile {
 
  private:
   void limitSpeed(const RootPath& path);
+  double allowedSpeed(double arc) const;
   void chooseSteps();
   void stretch(double delta);
   double countSteps() const;

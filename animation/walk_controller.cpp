@@ -58,6 +58,7 @@ bool WalkController::apply(AnimationBuffer& buffer) const {
       if (state.standing > 0.0) channels += state.standing * (stand_ - channels);
     }
     channels[1] += state.sway;
+    channels[2] -= state.crouch;
     projectChannels(channels, reference_, state.position, state.heading, buffer.poses.p_WR(i),
                     buffer.poses.rotations(i));
   }

@@ -11,6 +11,7 @@
 #include "animation/rotation.h"
 #include "animation/speed_profile.h"
 #include "animation/walk_controller.h"
+#include "animation/walk_steps.h"
 
 namespace amble {
 namespace {
@@ -22,10 +23,7 @@ constexpr double kStandingReach = 0.995;
 constexpr double kLongestLean = 0.03;  // of the root before its feet, beyond the captured [m]
 constexpr double kLeanCost = 0.2;      // metres of lowering that a metre of lean is worth; by trial
 constexpr int kLeanSteps = 12;
-constexpr int kLoweringSteps = 16;  // step lengths for which the root's lowering is prepared
-constexpr double kGroundReach =
-    0.05;  // heights within so much of the path's point are its ground [m]
-
+constexpr int kLoweringSteps = 16;   // step lengths for which the root's lowering is prepared
 constexpr double kBlendTime = 0.12;  // half of the moment over which a blend changes; by trial [s]
 
 // The standing posture is left within this share of the first step, before its foot lands, and
@@ -56,31 +54,20 @@ void checkSettings(const CharacterSettings& s) {
   if (!(s.frame_time >= 1.0 / 240.0 && s.frame_time <= 1.0 / 24.0)) {
     throw std::invalid_argument("frame time: 1/240 to 1/24 s");
   }
+  if (!(s.max_slope >= 0.0 && s.max_slope <= 0.25 * kPi)) {
+    throw std::invalid_argument("steepest slope: 0 to 45 degrees");
+  }
+  if (!(s.max_climb >= 0.0 && s.max_climb <= 1.0 && s.max_drop >= 0.0 && s.max_drop <= 1.0)) {
+    throw std::invalid_argument("highest steps: 0 to 1 m");
+  }
 }
 
 }  // namespace
-
-std::string_view walkRuleName(WalkRule rule) {
-  switch (rule) {
-    case WalkRule::kNone:
-      return "none";
-    case WalkRule::kStepLength:
-      return "step_length";
-    case WalkRule::kTurnRate:
-      return "turn_rate";
-    case WalkRule::kReach:
-      return "reach";
-    case WalkRule::kNoGround:
-      return "no_ground";
-  }
-  return "none";
-}
 
 struct WalkSynthesizer::Impl {
   Impl(const MotionLibrary& library, const Ground& the_ground,
        const CharacterSettings& the_settings)
       : settings(the_settings),
-        ground(the_ground),
         scale((the_settings.height > 0.0 ? the_settings.height : library.stature) /
               library.stature),
         stature(library.stature * scale),
@@ -101,13 +88,20 @@ struct WalkSynthesizer::Impl {
     placement.half_support = 0.5 * doubleSupport(settings.speed, roles.legLength(skeleton, kLeft));
     stand_channels = Eigen::VectorXd::Zero(3 + 3 * skeleton.size());
     stand_channels[2] = stand.root_height * scale;
-    limits = {blend.law(), settings.speed, blend.maxTurnRate(), settings.frame_time};
+    limits.law = blend.law();
+    limits.speed = settings.speed;
+    limits.max_turn_rate = blend.maxTurnRate();
+    limits.frame_time = settings.frame_time;
     // Standing, the root is over the stance's position to the bit; walking, it leads as captured,
     // and leans.
     lead = placement.forward - blend.footForward();
     lead += leanForStep();
     prepareLowering();
     bendStandingKnees();
+    placer = std::make_unique<StepPlacer>(
+        the_ground, shapes, blend,
+        StepPlacer::Settings{
+            placement, limits, {settings.max_slope, settings.max_climb, settings.max_drop}, scale});
   }
 
   // How much lower the root must walk at each step length for the legs to reach: long steps lower
@@ -182,31 +176,6 @@ struct WalkSynthesizer::Impl {
     return lowest;
   }
 
-  // Height of the ground under a whole sole: the highest of heel, ball and tip. None where any has
-  // no ground.
-  std::optional<double> groundUnder(const FootPlace& foot, Side side) const {
-    const FootShape& shape = shapes[side];
-    std::optional<double> highest;
-    for (const double x : {shape.heel_x, shape.ball_x, shape.tip_x}) {
-      const double px = foot.position.x() + x * std::cos(foot.heading);
-      const double py = foot.position.y() + x * std::sin(foot.heading);
-      const auto z = ground.height(px, py, foot.position.z(), kGroundReach);
-      if (!z) return std::nullopt;
-      highest = std::max(highest.value_or(*z), *z);
-    }
-    return highest;
-  }
-
-  bool standOnGround(Footsteps& steps) const {
-    for (int i = -1; i <= steps.steps(); ++i) {
-      FootPlace& place = steps.places()[i + 1];
-      const auto z = groundUnder(place, steps.side(i));
-      if (!z) return false;
-      place.position.z() = *z;
-    }
-    return true;
-  }
-
   // A stance on level ground at its own height.
   FrameState levelStance(const Stance& stance, double arc) const {
     FrameState state;
@@ -221,29 +190,40 @@ struct WalkSynthesizer::Impl {
     return state;
   }
 
-  FrameState stanceState(const Stance& stance, double arc) const {
+  FrameState stanceState(const Stance& stance, const StanceFeet& stood, double arc) const {
     FrameState state = levelStance(stance, arc);
+    state.position.z() = stood.height;
+    if (!stance.standing) state.step_length = stood.placement.step_length;
     for (const Side side : {kLeft, kRight}) {
-      FootState& foot = state.feet[side];
-      if (const auto z = groundUnder(foot.from, side)) {
-        foot.from.position.z() = foot.to.position.z() = *z;
-      }
+      state.feet[side].from = state.feet[side].to = stood.feet[side];
     }
+    if (!stood.level) state.crouch = crouchOf(state);
     return state;
   }
 
-  WalkResult pose(AnimationBuffer& out, int steps, Side leading) const {
+  // How much lower than on the level the root is for the legs to reach a slope or a step [m].
+  double crouchOf(const FrameState& state) const {
+    AnimationBuffer buffer;
+    buffer.poses = PoseArray(skeleton.size());
+    buffer.states.push_back(state);
+    buffer.poses.resize(1);
+    walk->apply(buffer);
+    std::vector<JointFrame> joints(skeleton.size());
+    return feet.missingHeight(buffer, 0, FootController::kUnevenReach, joints);
+  }
+
+  WalkResult pose(AnimationBuffer& out, bool level, int steps, Side leading) const {
     out.frame_time = settings.frame_time;
     if (out.poses.joints() != skeleton.size()) out.poses = PoseArray(skeleton.size());
     out.poses.resize(static_cast<int>(out.states.size()));
     walk->apply(out);
-    if (!feet.apply(out)) return {WalkRule::kReach, steps, leading};
+    if (!(level ? feet.apply(out) : feet.applyUneven(out)))
+      return {WalkRule::kReach, steps, leading};
     out.markFootprints();
     return {WalkRule::kNone, steps, leading};
   }
 
   CharacterSettings settings;
-  const Ground& ground;
   double scale, stature;
   Skeleton skeleton;
   JointRoles roles;
@@ -256,6 +236,7 @@ struct WalkSynthesizer::Impl {
   double lead = 0.0;  // of the walking root over the path's point [m]
   SpeedLimits limits;
   std::unique_ptr<WalkController> walk;
+  std::unique_ptr<StepPlacer> placer;
 };
 
 WalkSynthesizer::WalkSynthesizer(const MotionLibrary& library, const Ground& ground,
@@ -284,24 +265,6 @@ double WalkSynthesizer::shortestWalk() const {
 
 namespace {
 
-// A point of the path, going on straight beyond its ends.
-GroundPoint pathPoint(const RootPath& path, double s, double z) {
-  const RootPath::Sample at = path.at(s);
-  const double beyond = s < 0.0 ? s : std::max(0.0, s - path.length());
-  return {{at.position.x() + beyond * std::cos(at.heading),
-           at.position.y() + beyond * std::sin(at.heading), z},
-          at.heading};
-}
-
-// Which foot steps first: from standing the one on the inside of the first turn, unless parity and
-// the last foot say otherwise.
-Side firstFoot(const Stance& from, const Stance& to, const RootPath& path, int steps,
-               bool any_leading) {
-  if (!from.standing) return other(from.leading);
-  if (!to.standing && !any_leading) return steps % 2 == 1 ? to.leading : other(to.leading);
-  return path.at(0.5 * path.length()).curvature > 1e-6 ? kLeft : kRight;
-}
-
 // Where curves join and bend the other way the turn rate jumps; people lean into a turn over a
 // moment. The mean over that moment, which shrinks towards the ends: there it is 0 and stays so.
 void smoothBlending(std::vector<FrameState>& states, double frame_time) {
@@ -317,40 +280,42 @@ void smoothBlending(std::vector<FrameState>& states, double frame_time) {
   }
 }
 
+// From stance to stance; what is missing in between is for the feet to find.
+void spreadCrouch(std::vector<FrameState>& states) {
+  const double first = states.front().crouch, last = states.back().crouch;
+  const auto n = static_cast<double>(states.size() - 1);
+  for (size_t i = 1; i + 1 < states.size(); ++i) {
+    states[i].crouch = first + smoothstep(static_cast<double>(i) / n) * (last - first);
+  }
+}
+
+// What each footprint but the two of the begin was asked to be.
+void setGait(const std::vector<GaitParameters>& gait, AnimationBuffer& buffer) {
+  size_t next = 0;
+  for (Footprint& print : buffer.footprints) {
+    if (print.first_frame > 0 && next < gait.size()) print.gait = gait[next++];
+  }
+}
+
 }  // namespace
 
 WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const RootPath& path,
-                                 bool any_leading, AnimationBuffer& out) const {
+                                 bool any_leading, AnimationBuffer& out,
+                                 const GaitWishes& wishes) const {
   const Impl& m = *impl_;
-  SpeedProfileEnds ends{from.standing, to.standing, std::nullopt};
-  if (!from.standing && !to.standing && !any_leading)
-    ends.parity = from.leading == to.leading ? 0 : 1;
-  const SpeedProfile profile(path, m.limits, ends);
-  if (profile.refusal() == SpeedProfile::Refusal::kTurnRate) return {WalkRule::kTurnRate, 0, kLeft};
-  if (profile.refusal() == SpeedProfile::Refusal::kStepLength)
-    return {WalkRule::kStepLength, 0, kLeft};
-
-  const int n = profile.steps();
-  const Side first = firstFoot(from, to, path, n, any_leading);
-  Stance end = to;
-  end.leading = n % 2 == 1 ? first : other(first);
-  Footsteps steps(m.placement, from, end, n, first);
-  steps.place([&](int i) {
-    const double s = 0.5 * (profile.arcAtStep(i) + profile.arcAtStep(i + 1)) + m.placement.forward;
-    return pathPoint(path, s, from.position.z());
-  });
-  if (!m.standOnGround(steps)) return {WalkRule::kNoGround, n, end.leading};
-
+  const WalkSteps walk = m.placer->plan(from, to, path, any_leading, wishes);
+  if (walk.refused != WalkRule::kNone) return {walk.refused, walk.steps, walk.end.leading};
+  const int n = walk.steps;
   out.states.clear();
-  out.states.push_back(m.stanceState(from, 0.0));
+  out.states.push_back(m.stanceState(from, walk.from_feet, 0.0));
   // Phase is that of the foot in front: 0 or 0.5 at every node.
-  const double phase_offset = first == kLeft ? 0.5 : 0.0;  // the first step lands `first` in front
-  for (int k = 1; k < profile.frames(); ++k) {
-    const SpeedProfile::Sample at = profile.at(k);
+  const double phase_offset =
+      walk.first == kLeft ? 0.5 : 0.0;  // the first step lands `first` in front
+  for (int k = 1; k < walk.frames(); ++k) {
+    const SpeedProfile::Sample at = walk.at(k);
     const RootPath::Sample on = path.at(at.arc);
     FrameState state;
-    state.position << on.position, from.position.z() + smoothstep(at.arc / path.length()) *
-                                                           (to.position.z() - from.position.z());
+    state.position << on.position, walk.heightAt(at, path.length());
     state.arc = at.arc;
     state.heading = on.heading;
     state.speed = at.speed;
@@ -363,12 +328,15 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
     if (from.standing) state.standing = 1.0 - smoothstep(begin / kStandingShare);
     if (to.standing)
       state.standing = std::max(state.standing, 1.0 - smoothstep(left / kStandingShare));
-    state.feet = steps.at(at.steps);
+    state.feet = walk.feet->at(at.steps);
     out.states.push_back(state);
   }
-  out.states.push_back(m.stanceState(end, path.length()));
+  out.states.push_back(m.stanceState(walk.end, walk.end_feet, path.length()));
+  if (!walk.level) spreadCrouch(out.states);
   smoothBlending(out.states, m.settings.frame_time);
-  return m.pose(out, n, end.leading);
+  const WalkResult result = m.pose(out, walk.level, n, walk.end.leading);
+  if (result.refused == WalkRule::kNone) setGait(walk.gait, out);
+  return result;
 }
 
 WalkResult WalkSynthesizer::turnOnSpot(const Stance& at, double angle, AnimationBuffer& out) const {
@@ -381,7 +349,10 @@ WalkResult WalkSynthesizer::turnOnSpot(const Stance& at, double angle, Animation
   const Side first = angle > 0.0 ? kLeft : kRight;
   Stance end = at;
   end.heading = at.heading + angle;
-
+  const StanceFeet begin_feet = m.placer->stanceFeet(at), end_feet = m.placer->stanceFeet(end);
+  for (const StanceFeet& feet : {begin_feet, end_feet}) {
+    if (feet.refused != WalkRule::kNone) return {feet.refused, n, first};
+  }
   // The foot on the inside opens, the other closes, pair by pair.
   const auto place = [&](int placing) {
     Stance turned = at;
@@ -390,13 +361,16 @@ WalkResult WalkSynthesizer::turnOnSpot(const Stance& at, double angle, Animation
   };
   Footsteps steps(m.placement, at, end, n, first);
   for (int i = 1; i <= n; ++i) steps.places()[i + 1] = place(i);
-  if (!m.standOnGround(steps)) return {WalkRule::kNoGround, n, first};
+  steps.setStances(begin_feet.feet, end_feet.feet);
+  const WalkRule rule = m.placer->standOnGround(steps);
+  if (rule != WalkRule::kNone) return {rule, n, first};
 
   out.states.clear();
-  out.states.push_back(m.stanceState(at, 0.0));
+  out.states.push_back(m.stanceState(at, begin_feet, 0.0));
   for (int k = 1; k < frames; ++k) {
     const double share = static_cast<double>(k) / frames, progress = n * share;
     FrameState state = out.states.front();
+    state.position.z() += smoothstep(share) * (end_feet.height - begin_feet.height);
     state.heading = at.heading + angle * minimumJerk(share);
     state.turn_rate = angle * 30.0 * std::pow(share * (1.0 - share), 2) / (n * step_time);
     state.feet = steps.at(progress);
@@ -410,17 +384,15 @@ WalkResult WalkSynthesizer::turnOnSpot(const Stance& at, double angle, Animation
         (left_swings ? -1.0 : 1.0) * kTurnSway * m.scale * std::pow(std::sin(kPi * into), 2);
     out.states.push_back(state);
   }
-  out.states.push_back(m.stanceState(end, 0.0));
-  return m.pose(out, n, first);
+  out.states.push_back(m.stanceState(end, end_feet, 0.0));
+  return m.pose(out, begin_feet.level && end_feet.level, n, first);
 }
 
 WalkResult WalkSynthesizer::stand(const Stance& at, AnimationBuffer& out) const {
-  out.states.assign(1, impl_->stanceState(at, 0.0));
-  for (const Side side : {kLeft, kRight}) {
-    if (!impl_->groundUnder(out.states[0].feet[side].from, side))
-      return {WalkRule::kNoGround, 0, kLeft};
-  }
-  return impl_->pose(out, 0, kLeft);
+  const StanceFeet feet = impl_->placer->stanceFeet(at);
+  if (feet.refused != WalkRule::kNone) return {feet.refused, 0, kLeft};
+  out.states.assign(1, impl_->stanceState(at, feet, 0.0));
+  return impl_->pose(out, true, 0, kLeft);
 }
 
 }  // namespace amble

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <memory>
-#include <string_view>
 
 #include "animation/animation_buffer.h"
 #include "animation/ground.h"
@@ -18,6 +17,7 @@
 #include "animation/root_path.h"
 #include "animation/rotation.h"
 #include "animation/stance.h"
+#include "animation/walk_rule.h"
 
 namespace amble {
 
@@ -33,18 +33,6 @@ struct CharacterSettings {
   double max_climb = 0.25;
   double max_drop = 0.25;
 };
-
-/// Which rule refused (stage 2, limits, and stage 3, animation). The names are what reports count.
-enum class WalkRule {
-  kNone,        ///< nothing refused
-  kStepLength,  ///< no whole number of steps within the library's stride range fits the length of
-                ///< the path
-  kTurnRate,    ///< turns faster than the library's walks, or, at a walking stance, than the plan's
-                ///< speed allows
-  kReach,       ///< a leg cannot reach its footprint
-  kNoGround,    ///< no ground under a footprint
-};
-std::string_view walkRuleName(WalkRule rule);  ///< "step_length", "turn_rate", ...; "none"
 
 struct WalkResult {
   WalkRule refused = WalkRule::kNone;
@@ -76,7 +64,7 @@ class WalkSynthesizer {
   /// `any_leading` is false it must be to.leading. `out` is overwritten: first frame is stance
   /// `from`, last frame stance `to`. On refusal its content is unspecified.
   WalkResult walk(const Stance& from, const Stance& to, const RootPath& path, bool any_leading,
-                  AnimationBuffer& out) const;
+                  AnimationBuffer& out, const GaitWishes& wishes = {}) const;
 
   /// Turns on the spot by `angle` [rad, left positive, |angle| <= 2 pi] from standing at `at` to
   /// standing, in small steps.

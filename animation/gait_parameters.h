@@ -1,0 +1,29 @@
+/// Stride, lift and climb: the parameters of a step that captured walks are edited by (Shanbhag &
+/// Chandran §3.3; Shanbhag's thesis, §6.2.3).
+#pragma once
+
+#include <functional>
+
+namespace amble {
+
+struct GaitParameters {
+  /// From the other foot's print to this one's along the walk, in plan: S parallel of the thesis'
+  /// eq. 6.8. What both papers call stride is gait analysis' step length [m].
+  double stride = 0.0;
+  /// Highest rise of the sole, at its lowest point, over the line from the foot's last print to
+  /// this one. The papers lift the ankle; but an ankle also rises as the foot rolls off, which is
+  /// no lift that clears anything [m].
+  double lift = 0.0;
+  double climb = 0.0;  ///< of this print over the other foot's: S perpendicular of eq. 6.8 [m]
+};
+
+/// What a walk is asked to be, by arc of its root path [m]; what is not asked is the library's own,
+/// which gives the captured motion back. Climb is the ground's.
+struct GaitWishes {
+  /// GaitParameters::stride, 0.6 to 1.4 of the captured; the cadence stays that of the plan's speed
+  /// [m].
+  std::function<double(double)> stride;
+  std::function<double(double)> lift;  ///< GaitParameters::lift, 0.5 to 3 of the captured [m]
+};
+
+}  // namespace amble
