@@ -22,8 +22,8 @@ struct GaitParameters {
 struct GaitWishes {
   /// GaitParameters::stride, 0.6 to 1.4 of the captured; the cadence stays that of the plan's speed
   /// [m].
-  std::function<double(double)> stride;
-  std::function<double(double)> lift;  ///< GaitParameters::lift, 0.5 to 3 of the captured [m]
+  std::function<double(double)> stride = {};
+  std::function<double(double)> lift = {};  ///< GaitParameters::lift, 0.5 to 3 of the captured [m]
 };
 
 }  // namespace amble

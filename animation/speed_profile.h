@@ -21,9 +21,9 @@ struct SpeedLimits {
   double max_turn_rate = 1.0;      ///< [rad/s]
   double frame_time = 1.0 / 60.0;  ///< [s]
   /// Share of the speed that the ground allows at an arc [0 to 1]; none: all of it, everywhere.
-  std::function<double(double)> pace;
+  std::function<double(double)> pace = {};
   /// Step length that is asked for at an arc [m], at the plan's cadence; none: the law's.
-  std::function<double(double)> stride;
+  std::function<double(double)> stride = {};
 };
 
 struct SpeedProfileEnds {
