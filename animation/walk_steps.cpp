@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "animation/rotation.h"
+
 namespace amble {
 namespace {
 
@@ -333,7 +335,9 @@ void StepPlacer::shapeSwings(WalkSteps& walk, const RootPath& path,
       landing.strike_roll = 1.0 - (height < 0.0 ? 2.0 : 1.0) * flat;
     }
     const Eigen::Vector3d step = places[i + 1].position - places[i].position;
-    const double heading = places[i + 1].heading;
+    // Left and right feet's toeing out cancel.
+    const double heading =
+        places[i].heading + 0.5 * wrapAngle(places[i + 1].heading - places[i].heading);
     walk.gait.push_back({step.x() * std::cos(heading) + step.y() * std::sin(heading),
                          swingLift(landing.swing, cycle), step.z()});
   }

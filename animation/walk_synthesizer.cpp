@@ -250,6 +250,11 @@ WalkSynthesizer::~WalkSynthesizer() = default;
 const CharacterSettings& WalkSynthesizer::settings() const { return impl_->settings; }
 const Skeleton& WalkSynthesizer::skeleton() const { return impl_->skeleton; }
 const JointRoles& WalkSynthesizer::roles() const { return impl_->roles; }
+const std::array<FootShape, 2>& WalkSynthesizer::feet() const { return impl_->shapes; }
+double WalkSynthesizer::capturedStep() const { return impl_->blend.law().capturedStep(); }
+double WalkSynthesizer::capturedLift() const {
+  return 0.5 * (swingLift({}, impl_->blend.foot(kLeft)) + swingLift({}, impl_->blend.foot(kRight)));
+}
 double WalkSynthesizer::stature() const { return impl_->stature; }
 double WalkSynthesizer::ankleHeight() const { return impl_->shapes[kLeft].ankle_height; }
 double WalkSynthesizer::toeHeight() const { return impl_->shapes[kLeft].radius; }

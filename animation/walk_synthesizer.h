@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "animation/animation_buffer.h"
+#include "animation/foot_shape.h"
 #include "animation/ground.h"
 #include "animation/joint_roles.h"
 #include "animation/motion_library.h"
@@ -52,7 +53,10 @@ class WalkSynthesizer {
   const CharacterSettings& settings() const;
   const Skeleton& skeleton() const;  ///< scaled to the height
   const JointRoles& roles() const;
-  double stature() const;       ///< [m]
+  const std::array<FootShape, 2>& feet() const;  ///< by Side
+  double stature() const;                        ///< [m]
+  double capturedStep() const;                   ///< step length of the captured walk, scaled [m]
+  double capturedLift() const;  ///< GaitParameters::lift of the captured walk, scaled [m]
   double ankleHeight() const;   ///< of the ankle over a flat sole [m]
   double toeHeight() const;     ///< of the toe joint over a flat sole [m]
   double stepLength() const;    ///< of the straight walk at the plan's speed [m]

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "animation/rotation.h"
+
 namespace amble {
 namespace {
 
@@ -110,7 +112,9 @@ std::vector<StepReport> measureSteps(const AnimationBuffer& walk, const SoleTrac
     const Footprint* other = before[1 - print.side];
     if (own != nullptr && other != nullptr) {
       const Eigen::Vector3d d = print.position - other->position;
-      step.stride = d.x() * std::cos(print.heading) + d.y() * std::sin(print.heading);
+      // Left and right feet's toeing out cancel.
+      const double heading = other->heading + 0.5 * wrapAngle(print.heading - other->heading);
+      step.stride = d.x() * std::cos(heading) + d.y() * std::sin(heading);
       step.climb = d.z();
       for (int frame = own->last_frame; frame <= print.first_frame; ++frame) {
         step.lift = std::max(step.lift, soles.ballHeight(print.side, frame));
