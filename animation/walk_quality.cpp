@@ -24,6 +24,9 @@ constexpr double kPathEnd = 0.02;           // [m]
 constexpr double kEndHeading = 2.0;         // [degrees]
 constexpr double kAchieved = 0.05;          // speed and turn rate, of what was asked
 constexpr double kDoubleSupport = 0.04;     // from the norm
+constexpr double kStepAchieved = 0.02;      // step length, lift and rise
+constexpr double kSoleTilt = 3.0;           // [degrees]
+constexpr double kUnsupported = 0.3;        // of its length, on stairs
 constexpr double kPace = 0.8;    // of the walk's top speed: slower is starting, stopping or turning
 constexpr double kTurns = 0.15;  // slower is straight: walkers sway by as much [rad/s]
 
@@ -153,6 +156,21 @@ std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
   }
   lines.push_back({"flight", gait.flight, 0.0, "1"});
   return lines;
+}
+
+std::vector<QualityLine> judgeSteps(const std::vector<StepMeasure>& steps) {
+  if (steps.empty()) return {};
+  const GaitParameters miss = largestMiss(steps);
+  double tilt = 0.0, unsupported = 0.0;
+  for (const StepMeasure& step : steps) {
+    tilt = std::max(tilt, step.tilt);
+    unsupported = std::max(unsupported, 1.0 - step.supported);
+  }
+  return {{"step length, achieved against asked", miss.stride, kStepAchieved, "1"},
+          {"lift, achieved against asked", miss.lift, kStepAchieved, "1"},
+          {"rise per step, achieved against asked", miss.climb, kStepAchieved, "1"},
+          {"sole to ground at mid-stance", tilt / kDegree, kSoleTilt, "degrees"},
+          {"unsupported share of a sole", unsupported, kUnsupported, "1"}};
 }
 
 }  // namespace amble

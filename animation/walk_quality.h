@@ -11,6 +11,7 @@
 #include "animation/clip.h"
 #include "animation/ground.h"
 #include "animation/joint_roles.h"
+#include "animation/step_measures.h"
 
 namespace amble {
 
@@ -42,5 +43,8 @@ double doubleSupportNorm(double speed, double leg);
 std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
                                    const AnimationBuffer& walk, const Ground& ground,
                                    const QualityAnchors& anchors = {});
+
+/// Its steps: how far the worst misses what it was asked to be, how its sole lies on the ground.
+std::vector<QualityLine> judgeSteps(const std::vector<StepMeasure>& steps);
 
 }  // namespace amble

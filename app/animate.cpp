@@ -1,10 +1,10 @@
-// amble animate: a walk without a scene, straight or on a circle, over level ground.
+// amble animate: a walk without a scene, straight or on a circle, over level ground, slopes or
+// stairs.
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <memory>
 
 #include "animation/bvh.h"
@@ -14,16 +14,10 @@
 #include "animation/walk_quality.h"
 #include "animation/walk_synthesizer.h"
 #include "app/command.h"
+#include "app/demo_walk.h"
 
 namespace amble {
 namespace {
-
-constexpr double kArc = 30.0 * kDegree;  // of a circle, as one Bezier: off it by 1e-6 of its radius
-// Lengths that are tried for a duration: as far as one walks at full speed in it, and somewhat
-// more, down to what is left when starting and stopping take this long.
-constexpr double kLonger = 0.3;        // [m]
-constexpr double kStartAndStop = 1.6;  // [s]
-constexpr double kLengthStep = 0.05;   // a fifteenth of a step [m]
 
 struct Options {
   double speed = 1.2;     // [m/s]
@@ -34,70 +28,47 @@ struct Options {
   std::string library = "default";
   std::string bvh_units = "m";
   std::string out;
+  std::string stride, lift, incline_deg, stairs;  // as they were written; empty: not asked
   bool quality = false;
 };
 
-// `length` metres of a circle from the origin towards +x, or of a straight line.
-RootPath circlePath(double length, double curvature) {
-  const double turned = length * curvature;
-  const int count = std::max(1, static_cast<int>(std::ceil(std::abs(turned) / kArc)));
-  const double angle = turned / count;
-  const auto at = [&](int i) -> Eigen::Vector2d {
-    const double s = length * i / count, a = angle * i;
-    if (std::abs(turned) < 1e-9) return {s, 0.0};
-    return Eigen::Vector2d(std::sin(a), 1.0 - std::cos(a)) / curvature;
-  };
-  // A quarter's handles are 4/3 tan(angle / 4) radii long; here in chords.
-  const double half = 0.5 * std::abs(angle);
-  const double handle = half < 1e-9 ? 1.0 / 3.0 : 2.0 / 3.0 * std::tan(0.5 * half) / std::sin(half);
-  std::vector<Bezier> curves;
-  for (int i = 0; i < count; ++i) {
-    curves.push_back(makeBezier(at(i), angle * i, at(i + 1), angle * (i + 1), handle));
+// What is asked for must be within what captured walks are edited to (thesis, chapter 6).
+void checkRamp(const std::string& option, const std::optional<Ramp>& asked, double captured,
+               double least, double most) {
+  if (!asked) return;
+  const double low = least * captured, high = most * captured;
+  for (const double value : {asked->from, asked->to}) {
+    if (value >= low - 1e-9 && value <= high + 1e-9) continue;
+    throw InputError(option, 0, fmt::format("is {:g} m", value),
+                     fmt::format("{:.3f} to {:.3f}, {:g} to {:g} of the captured walk's {:.3f}",
+                                 low, high, least, most, captured));
   }
-  return RootPath(std::move(curves));
 }
 
-// Walks `length` metres, from standing to standing.
-WalkResult walkAlong(const WalkSynthesizer& synthesizer, double length, double curvature,
-                     AnimationBuffer& out) {
-  const RootPath path = circlePath(length, curvature);
-  const auto end = path.at(path.length());
-  Stance from, to;
-  to.position.head<2>() = end.position;
-  to.heading = end.heading;
-  return synthesizer.walk(from, to, path, true, out);
-}
-
-// The walk whose duration is nearest to the wanted one: steps are whole, and legs must reach, so
-// not every length is one that can be walked.
-WalkResult walkFor(const WalkSynthesizer& synthesizer, double duration, double curvature,
-                   AnimationBuffer& best) {
-  const double speed = synthesizer.settings().speed;
-  const double longest = std::max(speed * duration + kLonger, synthesizer.shortestWalk());
-  const double shortest = std::max(synthesizer.shortestWalk(), speed * (duration - kStartAndStop));
-  WalkResult result{WalkRule::kStepLength, 0, kLeft};
-  double nearest = std::numeric_limits<double>::infinity();
-  AnimationBuffer walk;
-  for (double length = longest; length >= shortest || length == longest; length -= kLengthStep) {
-    const WalkResult tried = walkAlong(synthesizer, length, curvature, walk);
-    if (tried.refused != WalkRule::kNone) {
-      if (result.refused != WalkRule::kNone) result = tried;
-      continue;
-    }
-    const double off = std::abs((walk.size() - 1) * walk.frame_time - duration);
-    if (off >= nearest) continue;
-    nearest = off;
-    result = tried;
-    std::swap(best, walk);
+DemoRequest requestOf(const Options& options) {
+  DemoRequest request;
+  request.duration = options.duration;
+  request.turn_rate = options.turn_deg * kDegree;
+  if (!options.stride.empty()) request.stride = readRamp(options.stride);
+  if (!options.lift.empty()) request.lift = readRamp(options.lift);
+  if (!options.stairs.empty()) request.stairs = readTwoNumbers(options.stairs);
+  if (!options.incline_deg.empty()) {
+    const Ramp degrees = readRamp(options.incline_deg);
+    request.incline = Ramp{degrees.from * kDegree, degrees.to * kDegree};
   }
-  return result;
+  return request;
 }
 
 // Every measure beside its bar. @return whether all hold
-bool printQuality(const Clip& clip, const JointRoles& roles, const AnimationBuffer& walk,
+bool printQuality(const WalkSynthesizer& synthesizer, const Clip& clip, const AnimationBuffer& walk,
                   const Ground& ground, std::FILE* out) {
   bool all = true;
-  for (const QualityLine& line : judgeWalk(clip, roles, walk, ground)) {
+  const JointRoles& roles = synthesizer.roles();
+  std::vector<QualityLine> lines = judgeWalk(clip, roles, walk, ground);
+  const std::vector<QualityLine> steps =
+      judgeSteps(measureWalkSteps(clip.skeleton, roles, synthesizer.feet(), walk, ground));
+  lines.insert(lines.end(), steps.begin(), steps.end());
+  for (const QualityLine& line : lines) {
     fmt::print(out, "  {:<5} {:<24} {:10.4g} {:10.4g} {}\n", line.holds() ? "ok" : "ABOVE",
                line.measure, line.value, line.bar, line.unit);
     all = all && line.holds();
@@ -107,21 +78,23 @@ bool printQuality(const Clip& clip, const JointRoles& roles, const AnimationBuff
 
 int run(const Options& options) {
   const MotionLibrary library = openMotionLibrary(options.library);
-  const FlatGround ground;
+  const DemoRequest request = requestOf(options);
+  const std::unique_ptr<Ground> ground = demoGround(request, options.speed);
   CharacterSettings settings;
   settings.height = options.height;
   settings.speed = options.speed;
   settings.frame_time = 1.0 / options.fps;
-  const WalkSynthesizer synthesizer(library, ground, settings);
+  const WalkSynthesizer synthesizer(library, *ground, settings);
   const double fastest_deg = synthesizer.maxTurnRate() / kDegree;
   if (std::abs(options.turn_deg) > fastest_deg) {
     throw InputError(
         "--turn", 0, fmt::format("is {:g} degrees/s", options.turn_deg),
         fmt::format("-{0:.1f} to {0:.1f}, the fastest of the library's walks", fastest_deg));
   }
+  checkRamp("--stride", request.stride, synthesizer.capturedStep(), 0.6, 1.4);
+  checkRamp("--lift", request.lift, synthesizer.capturedLift(), 0.5, 3.0);
   AnimationBuffer walk;
-  const double curvature = options.turn_deg * kDegree / options.speed;
-  const WalkResult result = walkFor(synthesizer, options.duration, curvature, walk);
+  const WalkResult result = demoWalk(synthesizer, *ground, request, walk);
   if (result.refused != WalkRule::kNone) {
     fmt::print(stderr, "amble animate: there is no such walk: {} refused\n",
                walkRuleName(result.refused));
@@ -134,7 +107,7 @@ int run(const Options& options) {
   fmt::print(out, "{}: {:.2f} s, {} frames, {} steps, {:.2f} m\n", options.out, clip.duration(),
              clip.frames(), result.steps, walk.states.empty() ? 0.0 : walk.states.back().arc);
   if (!options.quality) return kExitDone;
-  return printQuality(clip, synthesizer.roles(), walk, ground, out) ? kExitDone : kExitNone;
+  return printQuality(synthesizer, clip, walk, *ground, out) ? kExitDone : kExitNone;
 }
 
 }  // namespace
@@ -153,6 +126,19 @@ void addAnimate(CLI::App& app, Command& chosen) {
   command->add_option("--duration", options->duration, "About how long: steps are whole")
       ->check(number(1, 600, "s"))
       ->capture_default_str();
+  command->add_option("--stride", options->stride, "Step length along the ground")
+      ->check(ramp(0.05, 2.0, "m"));
+  command->add_option("--lift", options->lift, "How high feet swing over the line between prints")
+      ->check(ramp(0.005, 0.5, "m"));
+  auto* incline = command->add_option("--incline", options->incline_deg, "Slope, up positive")
+                      ->check(ramp(-45, 45, "degrees"));
+  command
+      ->add_option("--stairs", options->stairs,
+                   "RISE,GO of a flight of stairs; a negative rise goes down")
+      ->check(twoNumbers({-0.5, 0.5}, {0.15, 1.5}, "m"))
+      ->excludes(incline)
+      ->excludes("--stride")
+      ->excludes("--turn");
   command->add_option("--height", options->height, "Stature; default: the library's own")
       ->check(number(0.5, 2.5, "m"));
   command->add_option("--library", options->library, "Motion library: default, or a file")

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace amble {
 
@@ -26,6 +27,18 @@ void addInspect(CLI::App& app, Command& chosen);
 
 /// Accepts a finite decimal number within a range, ends included; CLI11's own lets `nan` through.
 CLI::Validator number(double min, double max, const std::string& unit = "");
+/// A value that may change over a walk: `0.5`, or `0.5..0.9` from its begin to its end.
+struct Ramp {
+  double from = 0.0, to = 0.0;
+
+  double at(double share) const { return from + share * (to - from); }  ///< share [0, 1]
+};
+/// Accepts such a value whose ends are within a range.
+CLI::Validator ramp(double min, double max, const std::string& unit);
+Ramp readRamp(const std::string& text);  ///< @pre ramp() has accepted it
+/// Accepts two numbers with a comma between them, each within its range.
+CLI::Validator twoNumbers(const Ramp& first, const Ramp& second, const std::string& unit);
+std::pair<double, double> readTwoNumbers(const std::string& text);  ///< @pre accepted
 /// Accepts a whole number within a range, ends included.
 CLI::Validator wholeNumber(long min, long max);
 
