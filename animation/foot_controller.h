@@ -47,7 +47,7 @@ class FootController : public SubController {
   /// a dip is spread over kSpread; by trial.
   static constexpr double kUnevenReach = 0.9975;
   static constexpr double kUnevenDip = 0.15;  // [m]
-  static constexpr double kSpread = 0.12;     // [s]
+  static constexpr double kSpread = 0.16;     // [s]
   static constexpr double kSinkSpeed = 0.25;  // from a stance on [m/s]
 
   FootController(const Skeleton& skeleton, const JointRoles& roles,

@@ -21,6 +21,7 @@ constexpr double kHighest = 0.35;
 constexpr int kCellsOfTilted = 6;  // along a tilted sole, in which obstacles are looked for
 // Normals as near to the vertical are vertical: rounding [1].
 constexpr double kVertical = 1e-9;
+constexpr double kSlopeRounding = 1e-3;  // ground as steep as the limit is walked [rad]
 
 std::optional<SurfacePoint> uprightIfVertical(std::optional<SurfacePoint> point) {
   if (point && point->normal.z() > 1.0 - kVertical) point->normal = Eigen::Vector3d::UnitZ();
@@ -152,7 +153,7 @@ Foothold FootholdFinder::at(const FootPlace& place, Side side, double reach) con
     }
   }
   if (found.refusal != Foothold::Refusal::kNone) return found;
-  if (found.place.normal.z() < std::cos(limits_.max_slope)) {
+  if (found.place.normal.z() < std::cos(limits_.max_slope + kSlopeRounding)) {
     found.refusal = Foothold::Refusal::kSlope;
   } else if (obstructed(found.place, foot)) {
     found.refusal = Foothold::Refusal::kEdge;

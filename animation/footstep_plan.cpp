@@ -19,8 +19,9 @@ constexpr double kAsideCost = 0.1;     // of a foot put down beside its line
 constexpr double kTreadTilt = 0.08;
 constexpr std::array<double, 3> kAside = {0.0, 0.04, 0.08};  // outwards of its line [m]
 // Surfaces shorter than this draw a foot towards their middle [m].
-constexpr double kNarrow = 0.3;
-constexpr int kSweeps = 40;  // of evening out
+constexpr double kNarrow = 0.3, kNarrowest = 0.15;
+constexpr double kFinest = 0.001;  // to which their ends are found [m]
+constexpr int kSweeps = 40;        // of evening out
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 Side other(Side side) { return side == kLeft ? kRight : kLeft; }
@@ -246,7 +247,30 @@ class Planner {
     int low = k, high = k;
     while (low > 0 && same(low, low - 1)) --low;
     while (high + 1 < static_cast<int>(line.size()) && same(high, high + 1)) ++high;
-    return {line[low].arc, line[high].arc};
+    std::pair<double, double> arcs = {line[low].arc, line[high].arc};
+    if (arcs.second - arcs.first >= kNarrow) return arcs;
+    // Its ends, finer than the places that were tried.
+    for (double step = 0.5 * kSpacing; step > kFinest; step *= 0.5) {
+      if (standsLike(side, line[k], arcs.first - step)) arcs.first -= step;
+      if (standsLike(side, line[k], arcs.second + step)) arcs.second += step;
+    }
+    return arcs;
+  }
+
+  Foothold holdAt(Side side, const Trial& trial, double arc) const {
+    const GroundPoint point = pathPoint(r_.path, arc, trial.hold.place.position.z());
+    const double aside = trial.aside * kAside.back() / kAsideCost;
+    const FootPlace place =
+        footBeside(point, side, r_.placement.walk_width + 2.0 * aside, r_.placement.walk_toe_out);
+    return holds_.at(place, side, std::max(holds_.limits().max_climb, holds_.limits().max_drop));
+  }
+
+  // Whether a foot stands at an arc as well as in a trial, on the same surface.
+  bool standsLike(Side side, const Trial& trial, double arc) const {
+    const Foothold hold = holdAt(side, trial, arc);
+    return hold.refusal == Foothold::Refusal::kNone &&
+           hold.supported >= trial.hold.supported - 1e-9 &&
+           std::abs(stepHeight(trial.hold.place, hold.place)) < 0.5 * kLeastStep;
   }
 
   void evenOut(FootstepPlan& plan, const std::vector<int>& chain) {
@@ -263,7 +287,7 @@ class Planner {
         const double before = plan.arcs[i + 1], after = plan.arcs[i + 3];
         const double even = before + (after - before) * wanted[i] / (wanted[i] + wanted[i + 1]);
         const auto [low, high] = free[i];
-        const double pull = std::clamp(1.0 - (high - low) / kNarrow, 0.0, 1.0);
+        const double pull = std::clamp((kNarrow - (high - low)) / (kNarrow - kNarrowest), 0.0, 1.0);
         plan.arcs[i + 2] = std::clamp(even + pull * (0.5 * (low + high) - even), low, high);
       }
     }
@@ -278,12 +302,7 @@ class Planner {
   void standAgain(FootstepPlan& plan, int i, int k) {
     const Side side = sideOf(plan, i);
     const Trial& trial = lines_[side][k];
-    const GroundPoint point = pathPoint(r_.path, plan.arcs[i + 2], trial.hold.place.position.z());
-    const double aside = trial.aside * kAside.back() / kAsideCost;
-    const FootPlace place =
-        footBeside(point, side, r_.placement.walk_width + 2.0 * aside, r_.placement.walk_toe_out);
-    const double reach = std::max(holds_.limits().max_climb, holds_.limits().max_drop);
-    const Foothold hold = holds_.at(place, side, reach);
+    const Foothold hold = holdAt(side, trial, plan.arcs[i + 2]);
     const bool stands =
         hold.refusal == Foothold::Refusal::kNone && hold.supported >= trial.hold.supported - 1e-9;
     plan.places[i + 2] = stands ? hold.place : trial.hold.place;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "animation/pose.h"
 #include "animation/rotation.h"
@@ -9,25 +10,27 @@
 namespace amble {
 namespace {
 
-constexpr double kSupport = 0.012;  // ground so far below a sole supports it [m]
-constexpr double kReach = 1.0;      // how far from a sole its ground is looked for [m]
-constexpr double kSmall = 0.02;     // less is compared with this [m]
+constexpr double kSupport = 0.012;       // ground so far below a sole supports it [m]
+constexpr double kReach = 1.0;           // how far from a sole its ground is looked for [m]
+constexpr double kSmall = 0.02;          // less is compared with this [m]
+constexpr double kMiddleOfStance = 0.4;  // FootState::at, between flat foot and heel rise
+// A print whose stance is cut off further from its middle is not measured.
+constexpr double kCutOff = 0.2;
 
 // A foot as it is in a frame.
 struct Sole {
   Eigen::Quaterniond q_WS;
-  Eigen::Vector3d middle;  // of the sole, as if flat [m, World]
-  double lowest = 0.0;     // of heel and ball [m, World]
+  Eigen::Vector3d middle;      // of the sole, as if flat [m, World]
+  Eigen::Vector3d heel, ball;  // undersides [m, World]
 };
 
 Sole soleAt(const JointFrame& foot_joint, const FootShape& foot) {
   Sole sole;
   sole.q_WS = foot_joint.q_WJ * foot.q_SF.conjugate();
   sole.middle = foot_joint.p_WJ - sole.q_WS * Eigen::Vector3d(foot.ankle_x, 0.0, foot.ankle_height);
-  const auto end = [&](double x) {
-    return (sole.middle + sole.q_WS * Eigen::Vector3d(x, 0.0, foot.radius)).z() - foot.radius;
-  };
-  sole.lowest = std::min(end(foot.heel_x), end(foot.ball_x));
+  const Eigen::Vector3d under(0.0, 0.0, foot.radius);
+  sole.heel = sole.middle + sole.q_WS * Eigen::Vector3d(foot.heel_x, 0.0, foot.radius) - under;
+  sole.ball = sole.middle + sole.q_WS * Eigen::Vector3d(foot.ball_x, 0.0, foot.radius) - under;
   return sole;
 }
 
@@ -42,6 +45,19 @@ double supportOf(const Sole& sole, const FootShape& foot, const Ground& ground) 
     standing += z && std::abs(p.z() - *z) <= kSupport ? 1 : 0;
   }
   return static_cast<double>(standing) / kPoints;
+}
+
+// The frame of a print that is nearest to the middle of the foot's stance; a print may be cut off
+// by the buffer's ends.
+int middleOfStance(const AnimationBuffer& walk, const Footprint& print) {
+  int best = print.first_frame;
+  const auto off = [&](int frame) {
+    return std::abs(walk.states[frame].feet[print.side].at - kMiddleOfStance);
+  };
+  for (int frame = print.first_frame; frame <= print.last_frame; ++frame) {
+    if (off(frame) < off(best)) best = frame;
+  }
+  return best;
 }
 
 // Where a print's foot was in the middle of its stance.
@@ -66,7 +82,7 @@ std::vector<StepMeasure> measureWalkSteps(const Skeleton& skeleton, const JointR
     const Side side = print.side;
     StepMeasure step;
     step.side = side;
-    step.frame = (print.first_frame + print.last_frame) / 2;
+    step.frame = middleOfStance(walk, print);
     const Sole sole = soleOf(step.frame, side);
     const auto surface = ground.surface(sole.middle.x(), sole.middle.y(), sole.middle.z(), kReach);
     if (surface) {
@@ -75,7 +91,8 @@ std::vector<StepMeasure> measureWalkSteps(const Skeleton& skeleton, const JointR
     }
     step.supported = supportOf(sole, feet[side], ground);
     step.asked = print.gait;
-    if (before[kLeft] && before[kRight]) {
+    const double at = walk.states[step.frame].feet[side].at;
+    if (before[kLeft] && before[kRight] && std::abs(at - kMiddleOfStance) < kCutOff) {
       const Stood &own = *before[side], &other = *before[side == kLeft ? kRight : kLeft];
       const auto heading = [](const Sole& s) {
         const Eigen::Vector3d ahead = s.q_WS * Eigen::Vector3d::UnitX();
@@ -86,14 +103,19 @@ std::vector<StepMeasure> measureWalkSteps(const Skeleton& skeleton, const JointR
       const Eigen::Vector3d d = sole.middle - other.sole.middle;
       step.achieved.stride = d.x() * std::cos(along) + d.y() * std::sin(along);
       step.achieved.climb = d.z();
-      const Eigen::Vector3d line = sole.middle - own.sole.middle;
-      const double span = line.head<2>().squaredNorm();
-      for (int frame = own.last + 1; frame < print.first_frame && span > 0.0; ++frame) {
+      // Heel and ball, each over its own line from print to print.
+      const auto over = [](const Eigen::Vector3d& end, const Eigen::Vector3d& begin,
+                           const Eigen::Vector3d& land) {
+        const Eigen::Vector3d line = land - begin;
+        const double span = line.head<2>().squaredNorm();
+        const double share = span > 1e-9 ? (end - begin).head<2>().dot(line.head<2>()) / span : 0.0;
+        return (end - begin).z() - share * line.z();
+      };
+      for (int frame = own.last + 1; frame < print.first_frame; ++frame) {
         const Sole swinging = soleOf(frame, side);
-        const double share =
-            (swinging.middle - own.sole.middle).head<2>().dot(line.head<2>()) / span;
-        const double on_line = own.sole.middle.z() + share * line.z();
-        step.achieved.lift = std::max(step.achieved.lift, swinging.lowest - on_line);
+        const double lift = std::min(over(swinging.heel, own.sole.heel, sole.heel),
+                                     over(swinging.ball, own.sole.ball, sole.ball));
+        step.achieved.lift = std::max(step.achieved.lift, lift);
       }
       steps.push_back(step);
     }

@@ -18,8 +18,11 @@ namespace amble {
 double swingAlong(const SwingShape& shape, const FootCycle& cycle, double tau);
 /// Height of the sole over the line from print to print [m].
 double swingHeight(const SwingShape& shape, const FootCycle& cycle, double tau);
-/// The highest of these heights: the swing's lift [m].
-double swingLift(const SwingShape& shape, const FootCycle& cycle);
+/// The highest that the middle of the sole comes, its roll about the ankle included: the swing's
+/// lift [m].
+double swingLift(const SwingShape& shape, const FootCycle& cycle, const FootShape& foot);
+/// The factor of the captured height that gives a lift [m].
+double liftFactor(double lift, const FootCycle& cycle, const FootShape& foot);
 
 /// How to swing over what is there. Const: threads share it.
 class SwingClearance {

@@ -76,6 +76,7 @@ double WalkSteps::heightAt(const SpeedProfile::Sample& at, double length) const 
 StepPlacer::StepPlacer(const Ground& ground, const std::array<FootShape, 2>& shapes,
                        const GaitBlend& blend, const Settings& settings)
     : ground_(ground),
+      shapes_(shapes),
       blend_(blend),
       s_(settings),
       holds_(ground, shapes, settings.footholds),
@@ -319,10 +320,11 @@ void StepPlacer::shapeSwings(WalkSteps& walk, const RootPath& path,
   walk.gait.clear();
   for (int i = 1; i <= walk.steps; ++i) {
     const FootCycle& cycle = blend_.foot(feet.side(i));
+    const FootShape& foot = shapes_[feet.side(i)];
     Footsteps::Landing& landing = feet.landings()[i + 1];
     if (wishes.lift) {
       const double arc = path.length() * (i - 0.5) / walk.steps;
-      landing.swing.lift = wishes.lift(arc) / swingLift({}, cycle);
+      landing.swing.lift = liftFactor(wishes.lift(arc), cycle, foot);
     }
     if (!clearance_.clear(places[i - 1], places[i + 1], feet.side(i), cycle, landing.swing)) {
       walk.refused = WalkRule::kStepHeight;
@@ -339,7 +341,7 @@ void StepPlacer::shapeSwings(WalkSteps& walk, const RootPath& path,
     const double heading =
         places[i].heading + 0.5 * wrapAngle(places[i + 1].heading - places[i].heading);
     walk.gait.push_back({step.x() * std::cos(heading) + step.y() * std::sin(heading),
-                         swingLift(landing.swing, cycle), step.z()});
+                         swingLift(landing.swing, cycle, foot), step.z()});
   }
 }
 

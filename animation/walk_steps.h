@@ -95,6 +95,7 @@ class StepPlacer {
   void finish(WalkSteps& walk) const;
 
   const Ground& ground_;
+  const std::array<FootShape, 2>& shapes_;
   const GaitBlend& blend_;
   Settings s_;
   FootholdFinder holds_;

@@ -253,7 +253,10 @@ const JointRoles& WalkSynthesizer::roles() const { return impl_->roles; }
 const std::array<FootShape, 2>& WalkSynthesizer::feet() const { return impl_->shapes; }
 double WalkSynthesizer::capturedStep() const { return impl_->blend.law().capturedStep(); }
 double WalkSynthesizer::capturedLift() const {
-  return 0.5 * (swingLift({}, impl_->blend.foot(kLeft)) + swingLift({}, impl_->blend.foot(kRight)));
+  const auto lift = [this](Side side) {
+    return swingLift({}, impl_->blend.foot(side), impl_->shapes[side]);
+  };
+  return 0.5 * (lift(kLeft) + lift(kRight));
 }
 double WalkSynthesizer::stature() const { return impl_->stature; }
 double WalkSynthesizer::ankleHeight() const { return impl_->shapes[kLeft].ankle_height; }
