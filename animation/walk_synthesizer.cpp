@@ -144,6 +144,19 @@ struct WalkSynthesizer::Impl {
   double loweringAt(double step_length, double with_lead) const {
     if (!(step_length > 0.0)) return 0.0;
     const WalkController plain(blend, reference, stand_channels, {with_lead, {}, 1.0});
+    AnimationBuffer buffer = steadyWalk(step_length, 0.0);
+    plain.apply(buffer);
+    std::vector<JointFrame> joints(skeleton.size());
+    double lowest = 0.0;
+    for (int i = 0; i < buffer.size(); ++i) {
+      lowest = std::max(lowest, feet.missingHeight(buffer, i, kStraightReach, joints) /
+                                    WalkController::loweringShare(buffer.states[i].phase));
+    }
+    return lowest;
+  }
+
+  // States of a few steps straight on, each so much higher than the one before.
+  AnimationBuffer steadyWalk(double step_length, double rise) const {
     FootPlacement p = placement;
     p.step_length = step_length;
     const Stance from{Eigen::Vector3d::Zero(), 0.0, false, kLeft};
@@ -154,26 +167,27 @@ struct WalkSynthesizer::Impl {
     steps.place([&](int i) {
       return GroundPoint{{(i + 0.5) * step_length + p.forward, 0.0, 0.0}, 0.0};
     });
+    if (rise != 0.0) {
+      for (FootPlace& place : steps.places()) {
+        place.position.z() = rise / step_length * (place.position.x() - p.forward);
+        place.normal = Eigen::Vector3d(-rise, 0.0, step_length).normalized();
+      }
+    }
     AnimationBuffer buffer;
     buffer.poses = PoseArray(skeleton.size());
     for (int k = 0; k <= kSteps * kFramesPerStep; ++k) {
       const double progress = static_cast<double>(k) / kFramesPerStep;
+      if (rise != 0.0 && (k == 0 || k == kSteps * kFramesPerStep)) continue;
       FrameState state;
       state.position.x() = progress * step_length;
+      state.position.z() = progress * rise;
       state.phase = std::fmod(0.5 * progress, 1.0);
       state.step_length = step_length;
       state.feet = steps.at(progress);
       buffer.states.push_back(state);
     }
     buffer.poses.resize(static_cast<int>(buffer.states.size()));
-    plain.apply(buffer);
-    std::vector<JointFrame> joints(skeleton.size());
-    double lowest = 0.0;
-    for (int i = 0; i < buffer.size(); ++i) {
-      lowest = std::max(lowest, feet.missingHeight(buffer, i, kStraightReach, joints) /
-                                    WalkController::loweringShare(buffer.states[i].phase));
-    }
-    return lowest;
+    return buffer;
   }
 
   // A stance on level ground at its own height.
@@ -197,19 +211,28 @@ struct WalkSynthesizer::Impl {
     for (const Side side : {kLeft, kRight}) {
       state.feet[side].from = state.feet[side].to = stood.feet[side];
     }
-    if (!stood.level) state.crouch = crouchOf(state);
+    if (!stood.level) state.crouch = crouchOf(stance, stood, state);
     return state;
   }
 
-  // How much lower than on the level the root is for the legs to reach a slope or a step [m].
-  double crouchOf(const FrameState& state) const {
+  // How much lower than on the level the root is for the legs to reach [m]: standing where it
+  // stands, walking on as it does on a slope like this.
+  double crouchOf(const Stance& stance, const StanceFeet& stood, const FrameState& state) const {
     AnimationBuffer buffer;
     buffer.poses = PoseArray(skeleton.size());
+    if (!stance.standing && stood.rise != 0.0) {
+      buffer = steadyWalk(stood.placement.step_length, stood.rise);
+    }
     buffer.states.push_back(state);
-    buffer.poses.resize(1);
+    buffer.poses.resize(static_cast<int>(buffer.states.size()));
     walk->apply(buffer);
     std::vector<JointFrame> joints(skeleton.size());
-    return feet.missingHeight(buffer, 0, FootController::kUnevenReach, joints);
+    double crouch = 0.0;
+    for (int i = 0; i < buffer.size(); ++i) {
+      crouch =
+          std::max(crouch, feet.missingHeight(buffer, i, FootController::kUnevenReach, joints));
+    }
+    return crouch;
   }
 
   WalkResult pose(AnimationBuffer& out, bool level, int steps, Side leading) const {
