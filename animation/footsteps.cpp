@@ -50,6 +50,7 @@ Footsteps::Footsteps(const FootPlacement& placement, const Stance& from, const S
     : placement_(placement), from_(from), to_(to), steps_(steps), first_(first) {
   places_.resize(steps + 2);
   landings_.resize(steps + 2);
+  half_supports_.assign(steps + 1, placement.half_support);
   places_[0] = stancePlace(placement, from, first);
   places_[1] = stancePlace(placement, from, other(first));
   places_[steps] = stancePlace(placement, to, side(steps - 1));
@@ -73,14 +74,22 @@ void Footsteps::setStances(const std::array<FootPlace, 2>& from,
   places_[steps_ + 1] = to[side(steps_)];
 }
 
+void Footsteps::setSupports(std::vector<double> half_supports) {
+  half_supports_ = std::move(half_supports);
+}
+
+double Footsteps::halfSupport(int node) const {
+  return half_supports_[std::clamp(node, 0, steps_)];
+}
+
 double Footsteps::strike(int placing) const {
   if (placing == steps_ && to_.standing) return steps_ - kLastStrike;
-  return placing - placement_.half_support;
+  return placing - halfSupport(placing);
 }
 
 double Footsteps::liftOff(int placing) const {
   if (placing == -1 && from_.standing) return kFirstLift;
-  return placing + 1 + placement_.half_support;
+  return placing + 1 + halfSupport(placing + 1);
 }
 
 // State of the foot whose last placing is `placing`.

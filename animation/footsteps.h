@@ -42,6 +42,10 @@ class Footsteps {
   void place(const std::function<GroundPoint(int)>& path_at);
   /// The feet of both stances, by Side, as they stand on their ground.
   void setStances(const std::array<FootPlace, 2>& from, const std::array<FootPlace, 2>& to);
+  /// Half of the double support around each node 0 to `steps` [steps]; without it that of the
+  /// placement. Where the walk begins or ends walking, the first two and the last two are those of
+  /// the stances. @pre as many as nodes
+  void setSupports(std::vector<double> half_supports);
   /// All placings, to set heights: -1 first.
   std::vector<FootPlace>& places() { return places_; }
   const std::vector<FootPlace>& places() const { return places_; }
@@ -62,6 +66,7 @@ class Footsteps {
 
  private:
   const FootPlace& place(int placing) const { return places_[placing + 1]; }
+  double halfSupport(int node) const;
   double strike(int placing) const;
   double liftOff(int placing) const;
   FootState stateOf(int placing, double progress) const;
@@ -72,6 +77,7 @@ class Footsteps {
   Side first_;
   std::vector<FootPlace> places_;
   std::vector<Landing> landings_;
+  std::vector<double> half_supports_;  // by node
 };
 
 /// Where a foot stands beside a point: half the width to its side, toes out.

@@ -97,7 +97,9 @@ StanceFeet StepPlacer::stanceFeet(const Stance& stance) const {
   if (!stance.standing) {
     const double pace = slopePace(slopeUnder(stance));
     if (pace < 1.0) {
-      result.placement.step_length = blend_.law().stepLength(s_.limits.speed * pace);
+      const double speed = s_.limits.speed * pace;
+      result.placement.step_length = blend_.law().stepLength(speed);
+      result.placement.half_support = 0.5 * doubleSupport(speed, s_.leg_length);
     }
   }
   const auto places = Footsteps::atStance(result.placement, stance);
@@ -184,7 +186,9 @@ WalkSteps StepPlacer::plan(const Stance& from, const Stance& to, const RootPath&
     }
     adapted(walk, path, any_leading, wishes, limits);
   }
-  if (walk.refused == WalkRule::kNone) finish(walk);
+  if (walk.refused != WalkRule::kNone) return walk;
+  if (limits.pace || limits.stride || walk.timing) support(walk);
+  finish(walk);
   return walk;
 }
 
@@ -343,6 +347,26 @@ void StepPlacer::shapeSwings(WalkSteps& walk, const RootPath& path,
     walk.gait.push_back({step.x() * std::cos(heading) + step.y() * std::sin(heading),
                          swingLift(landing.swing, cycle, foot), step.z()});
   }
+}
+
+// Double supports by the speed at each node. Short steps up and down are as quick as the long ones
+// of a walk on the level, and their double support is that walk's.
+void StepPlacer::support(WalkSteps& walk) const {
+  const std::vector<FootPlace>& places = walk.feet->places();
+  std::vector<double> halves(walk.steps + 1, s_.placement.half_support);
+  for (int k = 1, node = 1; k < walk.frames() && node < walk.steps; ++k) {
+    const SpeedProfile::Sample at = walk.at(k), before = walk.at(k - 1);
+    if (at.steps < node) continue;
+    const double cadence = (at.steps - before.steps) / s_.limits.frame_time;
+    const bool climbs = std::abs(stepHeight(places[node], places[node + 1])) > kNaturalStep;
+    const double speed = climbs ? std::max(at.speed, cadence * s_.placement.step_length) : at.speed;
+    halves[node++] = 0.5 * doubleSupport(speed, s_.leg_length);
+  }
+  if (!walk.from.standing) halves[0] = halves[1] = walk.from_feet.placement.half_support;
+  if (!walk.end.standing) {
+    halves[walk.steps] = halves[walk.steps - 1] = walk.end_feet.placement.half_support;
+  }
+  walk.feet->setSupports(std::move(halves));
 }
 
 void StepPlacer::finish(WalkSteps& walk) const {

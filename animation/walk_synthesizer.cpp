@@ -207,6 +207,7 @@ struct WalkSynthesizer::Impl {
   FrameState stanceState(const Stance& stance, const StanceFeet& stood, double arc) const {
     FrameState state = levelStance(stance, arc);
     state.position.z() = stood.height;
+    state.feet = Footsteps::atStance(stood.placement, stance);
     if (!stance.standing) state.step_length = stood.placement.step_length;
     for (const Side side : {kLeft, kRight}) {
       state.feet[side].from = state.feet[side].to = stood.feet[side];
