@@ -56,23 +56,25 @@ struct Way {
 };
 
 /// The frame at which the point leaves the ground on that way (backwards: at which it has come
-/// down).
-int leaves(const Eigen::VectorXd& height, const Eigen::VectorXd& speed, const Way& way) {
+/// down). Heights count from where it stands at the way's start: no two stands are equally high.
+int leaves(const Eigen::VectorXd& heights, const Eigen::VectorXd& speed, const Way& way) {
+  const double ground = heights[way.from];
+  const auto height = [&](int i) { return heights[i] - ground; };
   double highest = 0.0;
   for (int i = way.from; i != way.to + way.step; i += way.step) {
-    highest = std::max(highest, height[i]);
+    highest = std::max(highest, height(i));
   }
   int risen = way.from;
-  while (risen != way.to && height[risen] < kRisen * highest) risen += way.step;
-  const int last = static_cast<int>(height.size()) - 1;
+  while (risen != way.to && height(risen) < kRisen * highest) risen += way.step;
+  const int last = static_cast<int>(heights.size()) - 1;
   int sharpest = risen;
   double most = 0.0;
   for (int i = way.from; i != risen; i += way.step) {
     if (i == 0 || i == last) continue;
-    const double slope = way.step * (height[i + 1] - height[i - 1]);
-    const double curvature = height[i + 1] - 2.0 * height[i] + height[i - 1];
+    const double slope = way.step * (heights[i + 1] - heights[i - 1]);
+    const double curvature = heights[i + 1] - 2.0 * heights[i] + heights[i - 1];
     // Johansen's rules 3 and 4; a point that sinks counts where it has come up again.
-    if (slope < 0.0 || height[i] < 0.0 || curvature <= most) continue;
+    if (slope < 0.0 || height(i) < 0.0 || curvature <= most) continue;
     most = curvature;
     sharpest = i;
   }

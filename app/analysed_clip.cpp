@@ -1,0 +1,51 @@
+#include "app/analysed_clip.h"
+
+#include <atomic>
+
+#include "animation/error.h"
+#include "animation/good_frames.h"
+#include "animation/level_capture.h"
+#include "planner/parallel.h"
+
+namespace amble {
+
+AnalysedClip analyseFile(const std::filesystem::path& file, const ClipReading& how) {
+  AnalysedClip result;
+  result.file = file;
+  result.motion = readMotion(file, how.read);
+  Clip& clip = result.motion.clip;
+  if (clip.frames() == 0) throw InputError(file.string(), 0, "holds no frames", "a motion");
+  result.file_frames = clip.frames();
+  if (how.as_is) {
+    result.floor = fitFloor(clip, result.motion.roles);
+  } else {
+    const GoodFrames good = goodFrames(clip);
+    result.first_frame = good.first;
+    clip = levelled(trimmed(clip, good.first, good.last), result.motion.roles, &result.floor);
+  }
+  result.analysis = analyseClip(clip, result.motion.roles);
+  clip.poses.clear();
+  clip.joint_positions.clear();
+  return result;
+}
+
+std::vector<AnalysedClip> analyseFiles(const std::vector<std::filesystem::path>& files,
+                                       const ClipReading& how, int threads,
+                                       const std::function<bool(int done)>& done) {
+  std::vector<AnalysedClip> results(files.size());
+  std::atomic<int> finished{0};
+  std::atomic<bool> stopped{false};
+  parallelFor(static_cast<int>(files.size()), threads, [&](int i, int) {
+    if (stopped) return;
+    try {
+      results[i] = analyseFile(files[i], how);
+    } catch (const InputError& error) {
+      results[i].file = files[i];
+      results[i].error = error.what();
+    }
+    if (!done(++finished)) stopped = true;
+  });
+  return results;
+}
+
+}  // namespace amble
