@@ -39,6 +39,12 @@ double WalkController::lowering(double step_length) const {
   return table[i] + t * (table[i + 1] - table[i]);
 }
 
+double WalkController::height(double phase, double step_length) const {
+  Eigen::VectorXd channels(stand_.size());
+  blend_.evaluate(phase, 0.0, step_length, channels);
+  return channels[2] - lowering(step_length) * loweringShare(phase);
+}
+
 double WalkController::loweringShare(double phase) {
   constexpr double kLeast =
       0.5;  // by trial: less and the hips bob, more and the standing knee bends

@@ -33,6 +33,8 @@ class WalkController : public SubController {
   /// against a reference that lies near both.
   bool apply(AnimationBuffer& buffer) const override;
   double lowering(double step_length) const;  ///< in the middle of the double support [m]
+  /// Of the root on the level, walking straight in steps so long, at a phase [m].
+  double height(double phase, double step_length) const;
   /// Share of the lowering at a phase: whole in the double support, where the legs are spread,
   /// least over the standing leg [0, 1].
   static double loweringShare(double phase);

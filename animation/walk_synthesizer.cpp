@@ -23,7 +23,10 @@ constexpr double kStandingReach = 0.995;
 constexpr double kLongestLean = 0.03;  // of the root before its feet, beyond the captured [m]
 constexpr double kLeanCost = 0.2;      // metres of lowering that a metre of lean is worth; by trial
 constexpr int kLeanSteps = 12;
-constexpr int kLoweringSteps = 16;   // step lengths for which the root's lowering is prepared
+constexpr int kLoweringSteps = 16;  // step lengths for which the root's lowering is prepared
+// Real walkers' hips rise by 15 to 45 mm a step; of a captured subject [m].
+constexpr double kMostRise = 0.042;
+
 constexpr double kBlendTime = 0.12;  // half of the moment over which a blend changes; by trial [s]
 
 // The standing posture is left within this share of the first step, before its foot lands, and
@@ -236,6 +239,22 @@ struct WalkSynthesizer::Impl {
     return crouch;
   }
 
+  // Long steps would throw the hips up and down: what they do is scaled to what hips do, from the
+  // lowest on, over knees that stay bent.
+  double longStepCrouch(const FrameState& state) const {
+    constexpr int kPhases = 24;
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+    for (int i = 0; i < kPhases; ++i) {
+      const double height = walk->height(static_cast<double>(i) / kPhases, state.step_length);
+      lowest = std::min(lowest, height);
+      highest = std::max(highest, height);
+    }
+    const double excess = 1.0 - kMostRise * scale / (highest - lowest);
+    if (!(excess > 0.0)) return 0.0;
+    return excess * (walk->height(state.phase, state.step_length) - lowest) *
+           (1.0 - state.standing);
+  }
+
   WalkResult pose(AnimationBuffer& out, bool level, int steps, Side leading) const {
     out.frame_time = settings.frame_time;
     if (out.poses.joints() != skeleton.size()) out.poses = PoseArray(skeleton.size());
@@ -317,7 +336,7 @@ void spreadCrouch(std::vector<FrameState>& states) {
   const double first = states.front().crouch, last = states.back().crouch;
   const auto n = static_cast<double>(states.size() - 1);
   for (size_t i = 1; i + 1 < states.size(); ++i) {
-    states[i].crouch = first + smoothstep(static_cast<double>(i) / n) * (last - first);
+    states[i].crouch += first + smoothstep(static_cast<double>(i) / n) * (last - first);
   }
 }
 
@@ -361,6 +380,7 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
     if (to.standing)
       state.standing = std::max(state.standing, 1.0 - smoothstep(left / kStandingShare));
     state.feet = walk.feet->at(at.steps);
+    if (wishes.stride) state.crouch = m.longStepCrouch(state);
     out.states.push_back(state);
   }
   out.states.push_back(m.stanceState(walk.end, walk.end_feet, path.length()));
