@@ -178,14 +178,17 @@ class Machine {
 
 void summarise(ClipClass& result) {
   const int frames = static_cast<int>(result.frames.size());
+  std::array<int, kMotionTypes> count = {};
   result.segments.clear();
-  result.share.fill(0.0);
   for (int i = 0; i < frames; ++i) {
     const MotionType type = result.frames[i];
     if (result.segments.empty() || result.segments.back().type != type)
       result.segments.push_back({type, i, i});
     result.segments.back().last = i;
-    result.share[static_cast<size_t>(type)] += 1.0 / frames;
+    ++count[static_cast<size_t>(type)];
+  }
+  for (size_t i = 0; frames > 0 && i < count.size(); ++i) {
+    result.share[i] = static_cast<double>(count[i]) / frames;
   }
   if (result.segments.size() == 1) result.type = result.segments[0].type;
   if (result.segments.size() > 1) result.type = MotionType::kOther;

@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kSameLeg = 0.005;  // legs of one subject, relative: skeletons are written rounded
-constexpr double kFewestSteps = 4;  // whole steps that a frequency is read off
+constexpr size_t kFewestSteps = 2;  // a whole cycle, which a frequency is read off
 
 const char* sideName(Side side) { return side == kLeft ? "left" : "right"; }
 

@@ -83,6 +83,11 @@ std::vector<fs::path> outputNames(const std::string& option, const std::string& 
                        "clips whose names differ");
     }
   }
+  for (const fs::path& name : names) {
+    std::error_code failed;
+    if (name.has_parent_path()) fs::create_directories(name.parent_path(), failed);
+    if (failed) throw InputError(name.string(), 0, failed.message(), "a folder that can be made");
+  }
   return names;
 }
 

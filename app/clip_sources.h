@@ -14,7 +14,7 @@ std::vector<std::filesystem::path> findClips(const std::vector<std::string>& pat
 
 /// One file a clip: `pattern` with {stem} replaced by the clip's name without its ending; or
 /// STEM.`extension` in `pattern` where that is a folder or ends in a slash; or, for a single clip,
-/// `pattern` itself.
+/// `pattern` itself. Folders of these names are made.
 /// @param option  for messages, such as "--plot"
 /// @throws InputError where two clips would get the same file, or several a file without {stem}
 std::vector<std::filesystem::path> outputNames(const std::string& option,

@@ -1,4 +1,4 @@
-// amble library build|show: prepared motion libraries from captures.
+// amble library build|show|find: prepared motion libraries from captures.
 
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 #include "animation/motion_library.h"
 #include "app/command.h"
 #include "app/findings.h"
+#include "app/library_find.h"
 
 namespace amble {
 namespace {
@@ -71,6 +72,7 @@ void addLibrary(CLI::App& app, Command& chosen) {
   library->require_subcommand(1);
   addBuild(*library, chosen);
   addShow(*library, chosen);
+  addLibraryFind(*library, chosen);
 }
 
 }  // namespace amble

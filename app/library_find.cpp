@@ -1,0 +1,187 @@
+#include "app/library_find.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "animation/motion_library.h"
+#include "app/analysed_clip.h"
+#include "app/clip_sources.h"
+#include "app/progress.h"
+#include "app/stop.h"
+
+namespace amble {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::vector<std::string> paths;
+  std::string type, at_least = "75%";
+  bool json = false;
+  int threads = 0;
+};
+
+/// A clip, or a motion of a library, and how much of it is of the type that is looked for.
+struct Found {
+  std::string name;
+  MotionType largest = MotionType::kUnknown;
+  double share = 0.0;                   // [0, 1]
+  std::vector<MotionSegment> segments;  // of that type, in frames of the file
+};
+
+/// "75%" or "0.75"; nothing where it is neither.
+std::optional<double> shareOf(const std::string& text) {
+  const bool percent = text.ends_with('%');
+  double value = 0.0;
+  const char* const end = text.data() + text.size() - (percent ? 1 : 0);
+  const auto parsed = std::from_chars(text.data(), end, value);
+  if (parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
+  if (percent) value /= 100.0;
+  if (!(value >= 0.0 && value <= 1.0)) return std::nullopt;
+  return value;
+}
+
+MotionType typeNamed(const std::string& name) {
+  int i = 0;
+  while (motionTypeName(static_cast<MotionType>(i)) != name) ++i;
+  return static_cast<MotionType>(i);
+}
+
+Found foundIn(const AnalysedClip& clip, MotionType type) {
+  Found found{
+      clip.file.string(), clip.analysis.kind.largest(), clip.analysis.kind.shareOf(type), {}};
+  for (MotionSegment segment : clip.analysis.kind.segments) {
+    if (segment.type != type) continue;
+    segment.first += clip.first_frame;
+    segment.last += clip.first_frame;
+    found.segments.push_back(segment);
+  }
+  return found;
+}
+
+/// A library's motions are cut from clips so that each is of one type.
+std::vector<Found> foundIn(const MotionLibrary& library, MotionType type) {
+  std::vector<Found> all;
+  for (const Motion& motion : library.motions) {
+    const MotionType own = motion.kind == MotionKind::kWalk      ? MotionType::kWalk
+                           : motion.kind == MotionKind::kPosture ? MotionType::kStand
+                                                                 : MotionType::kUnknown;
+    const std::string name =
+        fmt::format("{}: {} ({} {}-{})", library.file.string(), motion.name, motion.source.clip,
+                    motion.source.frames[0], motion.source.frames[1]);
+    all.push_back({name, own, own == type ? 1.0 : 0.0, {}});
+  }
+  return all;
+}
+
+bool isLibrary(const std::string& path) { return path == "default" || path.ends_with(".yaml"); }
+
+/// What there is at the paths, clips in parallel. @param wrong  set where a clip cannot be read
+std::vector<Found> search(const Options& options, MotionType type, bool& wrong) {
+  std::vector<Found> all;
+  std::vector<std::string> clip_paths;
+  for (const std::string& path : options.paths) {
+    if (!isLibrary(path)) {
+      clip_paths.push_back(path);
+      continue;
+    }
+    const std::vector<Found> motions = foundIn(openMotionLibrary(path), type);
+    all.insert(all.end(), motions.begin(), motions.end());
+  }
+  const std::vector<std::filesystem::path> files = findClips(clip_paths);
+  Progress progress(files.size() > 1);
+  const auto done = [&](int count) {
+    progress.update(fmt::format("{} of {} clips", count, files.size()),
+                    static_cast<double>(count) / static_cast<double>(files.size()));
+    return !stopFlag();
+  };
+  const std::vector<AnalysedClip> clips = analyseFiles(files, {}, options.threads, done);
+  progress.clear();
+  if (stopFlag()) return {};
+  for (const AnalysedClip& clip : clips) {
+    if (clip.good()) {
+      all.push_back(foundIn(clip, type));
+    } else {
+      wrong = true;
+      fmt::print(stderr, "{}\n", clip.error);
+    }
+  }
+  return all;
+}
+
+std::string segmentsText(const Found& found) {
+  std::string text;
+  for (const MotionSegment& segment : found.segments) {
+    text += fmt::format("{}{}-{}", text.empty() ? "  frames " : ", ", segment.first, segment.last);
+  }
+  return text;
+}
+
+void print(const std::vector<Found>& all, const std::string& type, bool json) {
+  if (!json) {
+    for (const Found& found : all) {
+      std::cout << fmt::format("{:>3.0f} % {}  {}{}\n", 100.0 * found.share, type, found.name,
+                               segmentsText(found));
+    }
+    return;
+  }
+  Json list = Json::array();
+  for (const Found& found : all) {
+    Json segments = Json::array();
+    for (const MotionSegment& segment : found.segments) {
+      segments.push_back({{"first_frame", segment.first}, {"last_frame", segment.last}});
+    }
+    list.push_back({{"name", found.name},
+                    {"type", type},
+                    {"share", found.share},
+                    {"largest", motionTypeName(found.largest)},
+                    {"segments", segments}});
+  }
+  std::cout << list.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+int run(const Options& options) {
+  bool wrong = false;
+  std::vector<Found> all = search(options, typeNamed(options.type), wrong);
+  if (stopFlag()) return kExitStopped;
+  const double least = *shareOf(options.at_least);
+  std::erase_if(all, [&](const Found& found) { return found.share < least - 1e-12; });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Found& a, const Found& b) { return a.share > b.share; });
+  print(all, options.type, options.json);
+  if (wrong) return kExitWrong;
+  return all.empty() ? kExitNone : kExitDone;
+}
+
+}  // namespace
+
+void addLibraryFind(CLI::App& library, Command& chosen) {
+  const auto options = std::make_shared<Options>();
+  options->paths = {"default"};
+  options->threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+  CLI::App* command = library.add_subcommand(
+      "find", "Find clips and motions that are mostly standing, walking, running or jumping");
+  command->add_option("PATH", options->paths,
+                      "Clips, folders of them, libraries; default: default");
+  command->add_option("--type", options->type, "stand, walk, run, jump or unknown")
+      ->required()
+      ->check(CLI::IsMember({"stand", "walk", "run", "jump", "unknown"}));
+  const auto check = [](const std::string& text) -> std::string {
+    return shareOf(text) ? "" : fmt::format("is '{}'; expected 0% to 100%, or 0 to 1", text);
+  };
+  command->add_option("--at-least", options->at_least, "Share of the clip's frames of that type")
+      ->check(CLI::Validator(check, "[0% to 100%]"))
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "Threads; changes no result")
+      ->check(wholeNumber(1, 64));
+  command->add_flag("--json", options->json, "Print results for machines");
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace amble
