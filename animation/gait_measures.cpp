@@ -32,6 +32,14 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
+/// Standard deviation over mean.
+double variation(const std::vector<double>& values) {
+  const double middle = mean(values);
+  double squares = 0.0;
+  for (const double value : values) squares += (value - middle) * (value - middle);
+  return middle > 0.0 ? std::sqrt(squares / static_cast<double>(values.size())) / middle : 0.0;
+}
+
 double asymmetry(const std::array<std::vector<double>, 2>& values) {
   if (values[kLeft].empty() || values[kRight].empty()) return 0.0;
   const double left = mean(values[kLeft]), right = mean(values[kRight]);
@@ -205,6 +213,7 @@ void measureSteps(const std::vector<Eigen::Vector3d>& pelvis,
   }
   result.step_length = mean(all_lengths);
   result.step_time = mean(all_times);
+  result.step_time_variation = variation(all_times);
   result.step_width = mean(widths);
   result.lift = mean(lifts);
   result.stride_length = mean(strides);

@@ -44,9 +44,9 @@ struct StepMeasures {
   double rise = 0.0;  ///< of the footprint over the other one [m]
   double stride = 0.0;  ///< between this footprint and the same foot's before [m]; 0 where not seen
   double speed = 0.0;   ///< of the pelvis, smoothed as for the clip, over the step [m/s]
-  double turn_rate = 0.0;      ///< of the pelvis' heading, mean, left positive [rad/s]
-  double toe_clearance = 0.0;  ///< least height of the swinging toe over its standing, in the
-                               ///< middle of its swing [m]; 0 where not seen
+  double turn_rate = 0.0;       ///< of the pelvis' heading, mean, left positive [rad/s]
+  double toe_clearance = 0.0;   ///< least height of the swinging toe over its standing, in the
+                                ///< middle of its swing [m]; 0 where not seen
   double double_support = 0.0;  ///< share of the step with both feet planted [0, 1]
 };
 
@@ -71,19 +71,20 @@ struct GaitMeasures {
   /// Of the walking span: whole strides between the first and the last strike seen of one foot;
   /// else from first to last strike of either; else the clip. So standing before and after does not
   /// count.
-  double begin = 0.0, end = 0.0;  ///< the span [frames]
-  double double_support = 0.0;    ///< share of the span with both feet planted
-  double flight = 0.0;            ///< share with neither
-  double speed = 0.0;             ///< of the pelvis, smoothed over 0.5 s, along its way [m/s]
-  double turn_rate = 0.0;         ///< of the pelvis' heading, mean, left positive [rad/s]
-  double peak_turn_rate = 0.0;    ///< over any 0.5 s, whole clip [rad/s, >= 0]
-  double cadence = 0.0;           ///< steps a minute
-  double step_length = 0.0;       ///< mean [m]
-  double step_time = 0.0;         ///< mean [s]
-  double step_width = 0.0;        ///< mean [m]
-  double stride_length = 0.0;     ///< mean over steps that show it [m]
-  double lift = 0.0;              ///< mean [m]
-  double toe_clearance = 0.0;     ///< mean over steps that show it [m]
+  double begin = 0.0, end = 0.0;     ///< the span [frames]
+  double double_support = 0.0;       ///< share of the span with both feet planted
+  double flight = 0.0;               ///< share with neither
+  double speed = 0.0;                ///< of the pelvis, smoothed over 0.5 s, along its way [m/s]
+  double turn_rate = 0.0;            ///< of the pelvis' heading, mean, left positive [rad/s]
+  double peak_turn_rate = 0.0;       ///< over any 0.5 s, whole clip [rad/s, >= 0]
+  double cadence = 0.0;              ///< steps a minute
+  double step_length = 0.0;          ///< mean [m]
+  double step_time = 0.0;            ///< mean [s]
+  double step_time_variation = 0.0;  ///< standard deviation of step times over their mean [1]
+  double step_width = 0.0;           ///< mean [m]
+  double stride_length = 0.0;        ///< mean over steps that show it [m]
+  double lift = 0.0;                 ///< mean [m]
+  double toe_clearance = 0.0;        ///< mean over steps that show it [m]
   double length_asymmetry =
       0.0;                      ///< |left - right| over the mean of both, of mean step lengths [1]
   double time_asymmetry = 0.0;  ///< the same of step times [1]

@@ -14,7 +14,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kSameLeg = 0.005;  // legs of one subject, relative: skeletons are written rounded
-constexpr size_t kFewestSteps = 2;  // a whole cycle, which a frequency is read off
+// Walks that say how frequency goes with speed: all of the clip, a whole cycle at least, steps of
+// one time (as the captures' MANIFEST calls a walk steady).
+constexpr double kAllWalk = 0.9;
+constexpr size_t kFewestSteps = 2;
+constexpr double kSteady = 0.15;
 
 const char* sideName(Side side) { return side == kLeft ? "left" : "right"; }
 
@@ -114,6 +118,7 @@ void addGait(const AnalysedClip& clip, Findings& out) {
                       {"step_length", gait.step_length},
                       {"step_width", gait.step_width},
                       {"step_time", gait.step_time},
+                      {"step_time_variation", gait.step_time_variation},
                       {"stride_length", gait.stride_length},
                       {"lift", gait.lift},
                       {"toe_clearance", gait.toe_clearance},
@@ -241,9 +246,9 @@ std::vector<SubjectLaw> subjectLaws(const std::vector<AnalysedClip>& clips) {
     const GaitMeasures& gait = clips[i].analysis.gait;
     law.clips.push_back(i);
     law.leg_length = clips[law.clips.front()].analysis.gait.leg_length;
-    const bool walks = clips[i].analysis.kind.largest() == MotionType::kWalk &&
+    const bool walks = clips[i].analysis.kind.shareOf(MotionType::kWalk) >= kAllWalk &&
                        gait.cycle_frequency > 0.0 && gait.normalised_speed > 0.0 &&
-                       gait.steps.size() >= kFewestSteps;
+                       gait.steps.size() >= kFewestSteps && gait.step_time_variation < kSteady;
     if (walks) law.walks.push_back({gait.normalised_speed, gait.cycle_frequency});
   }
   for (SubjectLaw& law : laws) {

@@ -19,7 +19,7 @@ struct SubjectLaw {
 };
 
 /// In order of the subjects' first clips. Clips are one subject's where their skeletons have the
-/// same joints and leg lengths within half a percent. A walk counts with a whole cycle or more.
+/// same joints and leg lengths within half a percent. Only steady walks count.
 std::vector<SubjectLaw> subjectLaws(const std::vector<AnalysedClip>& clips);
 
 /// Facts and data of one clip. @param law  of its subject
