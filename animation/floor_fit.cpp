@@ -33,22 +33,6 @@ std::vector<Eigen::Vector3d> standingAnkles(const FootPaths& paths,
   return standing;
 }
 
-// Joint of the other side for every joint; a middle joint is its own.
-std::vector<int> mirrorJoints(const Skeleton& skeleton, const JointRoles& roles) {
-  std::vector<int> mirror(skeleton.size());
-  for (int i = 0; i < skeleton.size(); ++i) mirror[i] = i;
-  const auto pair = [&](int a, int b) {
-    if (a >= 0 && b >= 0) mirror[a] = b, mirror[b] = a;
-  };
-  const auto& [left_leg, right_leg] = roles.legs;
-  const auto& [left_arm, right_arm] = roles.arms;
-  pair(left_leg.up_leg, right_leg.up_leg), pair(left_leg.leg, right_leg.leg);
-  pair(left_leg.foot, right_leg.foot), pair(left_leg.toe, right_leg.toe);
-  pair(left_arm.shoulder, right_arm.shoulder), pair(left_arm.arm, right_arm.arm);
-  pair(left_arm.fore_arm, right_arm.fore_arm), pair(left_arm.hand, right_arm.hand);
-  return mirror;
-}
-
 }  // namespace
 
 FloorFit fitFloor(const Clip& clip, const JointRoles& roles) {
@@ -94,27 +78,6 @@ Clip levelClip(const Clip& clip, const FloorFit& floor, double ankle_height) {
     q_WR = turn * q_WR;
   }
   return level;
-}
-
-Clip mirrorClip(const Clip& clip, const JointRoles& roles) {
-  // A joint's rotation mirrored in its rest frame's left-right plane; the root's rotation is A^-1
-  // .. A of its rest frame's.
-  const Eigen::Quaterniond A = restToHeading(clip.skeleton, roles);  // rest frame in heading frame
-  const Eigen::Vector3d left = A.conjugate() * Eigen::Vector3d::UnitY();
-  const auto reflect = [](const Eigen::Quaterniond& q, const Eigen::Vector3d& n) {
-    const Eigen::Vector3d v = 2.0 * q.vec().dot(n) * n - q.vec();
-    return Eigen::Quaterniond(q.w(), v.x(), v.y(), v.z());
-  };
-  const std::vector<int> mirror = mirrorJoints(clip.skeleton, roles);
-  Clip mirrored = clip;
-  for (int i = 0; i < clip.frames(); ++i) {
-    mirrored.poses.p_WR(i).y() *= -1.0;
-    const auto from = clip.poses.rotations(i);
-    auto to = mirrored.poses.rotations(i);
-    to[0] = reflect(from[0] * A.conjugate(), Eigen::Vector3d::UnitY()) * A;
-    for (int j = 1; j < clip.skeleton.size(); ++j) to[j] = reflect(from[mirror[j]], left);
-  }
-  return mirrored;
 }
 
 }  // namespace amble

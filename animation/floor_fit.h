@@ -29,8 +29,4 @@ FloorFit fitFloor(const FootPaths& paths, const std::array<double, 2>& legs, dou
 /// `ankle_height` above z = 0 [m].
 Clip levelClip(const Clip& clip, const FloorFit& floor, double ankle_height);
 
-/// The clip seen in a mirror: left is right. World is mirrored in the plane y = 0, then joints are
-/// renamed by role.
-Clip mirrorClip(const Clip& clip, const JointRoles& roles);
-
 }  // namespace amble

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "animation/error.h"
 #include "animation/rotation.h"
@@ -25,21 +26,18 @@ struct Swing {
   Plant from, to;
 };
 
-Swing swingWithin(const GaitTrack& track, Side side, double begin, double end,
-                  const std::string& clip) {
+std::optional<Swing> swingWithin(const GaitTrack& track, Side side, double begin, double end) {
   const std::vector<Plant>& plants = track.plants(side);
   for (size_t i = 0; i + 1 < plants.size(); ++i) {
-    if (plants[i].lift_off >= begin && plants[i].lift_off < end) return {plants[i], plants[i + 1]};
+    if (plants[i].lift_off >= begin && plants[i].lift_off < end) return {{plants[i], plants[i + 1]}};
   }
   // Its lift-off lies a little before the cycle: take the swing that ends within.
   for (size_t i = 0; i + 1 < plants.size(); ++i) {
     if (plants[i + 1].strike >= begin && plants[i + 1].strike < end) {
-      return {plants[i], plants[i + 1]};
+      return {{plants[i], plants[i + 1]}};
     }
   }
-  throw InputError(
-      clip, 0, "no whole swing of the " + std::string(side == kLeft ? "left" : "right") + " foot",
-      "each foot planted before and after the cycle");
+  return std::nullopt;
 }
 
 // What a captured swing is at one time, relative to its two footprints.
@@ -172,7 +170,14 @@ void clearGround(const FootShape& shape, FootCycle& foot) {
 
 FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape, double begin,
                        double end, const std::string& clip) {
-  const Swing swing = swingWithin(track, side, begin, end, clip);
+  const std::optional<Swing> found = swingWithin(track, side, begin, end);
+  if (!found) {
+    throw InputError(clip, 0,
+                     "no whole swing of the " + std::string(side == kLeft ? "left" : "right") +
+                         " foot",
+                     "each foot planted before and after the cycle");
+  }
+  const Swing& swing = *found;
   const SwingView view(track, side, shape, swing);
   // A swing begins and ends where the captured foot is by then: its slip belongs to the stance,
   // which ours does not have.
@@ -205,6 +210,34 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
   foot.pitch = pitchSamples(view);
   clearGround(shape, foot);
   return foot;
+}
+
+bool hasSwing(const GaitTrack& track, Side side, double begin, double end) {
+  return swingWithin(track, side, begin, end).has_value();
+}
+
+FootCycle meanFoot(const std::vector<FootCycle>& feet) {
+  const double share = 1.0 / static_cast<double>(feet.size());
+  const auto wrapped = [](double phase) { return phase - std::floor(phase); };
+  FootCycle mean;
+  mean.pitch.assign(feet.front().pitch.size(), 0.0);
+  double strike = 0.0, lift_off = 0.0;  // beyond the first foot's
+  for (const FootCycle& foot : feet) {
+    strike += share * (wrapped(foot.strike - feet.front().strike + 0.5) - 0.5);
+    lift_off += share * (wrapped(foot.lift_off - feet.front().lift_off + 0.5) - 0.5);
+    mean.slip += share * foot.slip;
+    for (int k = 0; k < 4; ++k) {
+      mean.progress[k] += share * foot.progress[k];
+      mean.height[k] += share * foot.height[k];
+      mean.sideways[k] += share * foot.sideways[k];
+      mean.roll[k] += share * foot.roll[k];
+      mean.yaw[k] += share * foot.yaw[k];
+    }
+    for (size_t i = 0; i < mean.pitch.size(); ++i) mean.pitch[i] += share * foot.pitch[i];
+  }
+  mean.strike = wrapped(feet.front().strike + strike);
+  mean.lift_off = wrapped(feet.front().lift_off + lift_off);
+  return mean;
 }
 
 FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Vector2d& path_point,

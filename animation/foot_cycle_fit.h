@@ -11,10 +11,17 @@
 
 namespace amble {
 
+/// Whether there is a swing of the foot that begins or ends within the frames [begin, end), with a
+/// plant before and after it.
+bool hasSwing(const GaitTrack& track, Side side, double begin, double end);
+
 /// The swing of one foot that begins within the frames [begin, end), and the stances around it.
 /// @throws InputError naming `clip` where there is none.
 FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape, double begin,
                        double end, const std::string& clip);
+
+/// Mean of the feet of several cycles; phases by the shorter way around the cycle. @pre one or more
+FootCycle meanFoot(const std::vector<FootCycle>& feet);
 
 /// Where a walk puts its feet.
 struct FootPlacing {

@@ -3,50 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "animation/foot_plants.h"
+#include "animation/motion_measures.h"
 #include "animation/rotation.h"
 
 namespace amble {
 namespace {
 
-// A heel has landed when its ankle is slower than this share of the walk's speed, a toe has left
-// when it is faster. By trial on lab walks; only the shape of the swing is cut there, the timing of
-// steps is set by speed.
-constexpr double kStrikeShare = 0.8;
-constexpr double kLiftShare = 0.6;
-constexpr double kShortestPlant = 0.2;  // [s]
-
-// Times at which `speed` crosses `level`, downwards or upwards, in fractions of frames.
-std::vector<double> crossings(const std::vector<double>& speed, double level, bool down) {
-  std::vector<double> times;
-  for (size_t i = 0; i + 1 < speed.size(); ++i) {
-    const bool before = speed[i] > level, after = speed[i + 1] > level;
-    if (before == after || before != down) continue;
-    times.push_back(static_cast<double>(i) + (speed[i] - level) / (speed[i] - speed[i + 1]));
-  }
-  return times;
-}
-
-std::vector<double> speeds(const std::vector<Eigen::Vector3d>& points, double frame_time) {
-  std::vector<double> speed(points.size(), 0.0);
-  for (size_t i = 1; i + 1 < points.size(); ++i) {
-    speed[i] = (points[i + 1] - points[i - 1]).norm() / (2.0 * frame_time);
-  }
-  if (points.size() > 2) speed.front() = speed[1], speed.back() = speed[points.size() - 2];
-  return speed;
-}
-
-// Speed of walking: the median of the root's over frames in which it moves.
-double walkingSpeed(const Clip& clip) {
-  std::vector<Eigen::Vector3d> root;
-  for (int i = 0; i < clip.frames(); ++i) root.push_back(clip.poses.p_WR(i));
-  std::vector<double> moving;
-  for (const double v : speeds(root, clip.frame_time)) {
-    if (v > 0.3) moving.push_back(v);
-  }
-  if (moving.empty()) return 0.0;
-  std::nth_element(moving.begin(), moving.begin() + moving.size() / 2, moving.end());
-  return moving[moving.size() / 2];
-}
+constexpr double kMidStance = 0.45;  // of a stance: the sole is flat there
 
 }  // namespace
 
@@ -55,11 +19,9 @@ GaitTrack::GaitTrack(const Clip& level, const JointRoles& roles,
     : clip_(level),
       roles_(roles),
       feet_(feet),
-      root_to_heading_(restToHeading(level.skeleton, roles).conjugate()),
       joints_(level.skeleton.size()) {
   pose_.rotations.resize(level.skeleton.size());
-  findPlants(kLeft);
-  findPlants(kRight);
+  findPlants();
 }
 
 void GaitTrack::poseAt(double frame, Pose& pose) const {
@@ -74,12 +36,7 @@ const std::vector<JointFrame>& GaitTrack::jointsAt(double frame) const {
   return joints_;
 }
 
-double GaitTrack::headingAt(double frame) const {
-  poseAt(frame, pose_);
-  const Eigen::Vector3d forward =
-      pose_.rotations[0] * (root_to_heading_ * Eigen::Vector3d::UnitX());
-  return std::atan2(forward.y(), forward.x());
-}
+double GaitTrack::headingAt(double frame) const { return pelvisHeading(jointsAt(frame), roles_); }
 
 Eigen::Quaterniond GaitTrack::sole(Side side, double frame,
                                    const Eigen::Quaterniond& correction) const {
@@ -92,7 +49,7 @@ Eigen::Vector3d GaitTrack::ankle(Side side, double frame) const {
 }
 
 GaitTrack::FlatFoot GaitTrack::flatFoot(Side side, const Plant& plant) const {
-  const double middle = plant.strike + 0.45 * (plant.lift_off - plant.strike);
+  const double middle = plant.strike + kMidStance * (plant.lift_off - plant.strike);
   const Eigen::Quaterniond q_WS = sole(side, middle, Eigen::Quaterniond::Identity());
   const Eigen::Vector3d forward = q_WS * Eigen::Vector3d::UnitX();
   FlatFoot flat;
@@ -102,22 +59,29 @@ GaitTrack::FlatFoot GaitTrack::flatFoot(Side side, const Plant& plant) const {
   return flat;
 }
 
-void GaitTrack::findPlants(Side side) {
-  std::vector<Eigen::Vector3d> ankle, toe;
-  for (int i = 0; i < clip_.frames(); ++i) {
-    const std::vector<JointFrame>& joints = jointsAt(i);
-    ankle.push_back(joints[roles_.legs[side].foot].p_WJ);
-    toe.push_back(joints[roles_.legs[side].toe].p_WJ);
+// A plant that touches the clip's ends began before it or goes on after it: it is taken to last as
+// long as the others, where its middle, at which the foot is flat, lies within the clip.
+void GaitTrack::findPlants() {
+  const FootPlants found = detectPlants(clip_, roles_);
+  const int last = clip_.frames() - 1;
+  std::vector<double> durations;
+  for (const Side side : {kLeft, kRight}) {
+    for (const FootPlant& p : found.plants[side]) {
+      if (p.first > 0 && p.last < last) durations.push_back(p.lift_off - p.strike);
+    }
   }
-  const double speed = walkingSpeed(clip_);
-  if (!(speed > 0.0)) return;  // nobody walks: what crosses zero is noise
-  const auto strikes = crossings(speeds(ankle, clip_.frame_time), kStrikeShare * speed, true);
-  const auto lifts = crossings(speeds(toe, clip_.frame_time), kLiftShare * speed, false);
-  for (const double strike : strikes) {
-    const auto lift = std::upper_bound(lifts.begin(), lifts.end(), strike);
-    if (lift == lifts.end() || (*lift - strike) * clip_.frame_time < kShortestPlant) continue;
-    if (!plants_[side].empty() && plants_[side].back().lift_off == *lift) continue;
-    plants_[side].push_back({strike, *lift});
+  if (durations.empty()) return;
+  std::nth_element(durations.begin(), durations.begin() + durations.size() / 2, durations.end());
+  const double usual = durations[durations.size() / 2];
+  for (const Side side : {kLeft, kRight}) {
+    for (const FootPlant& p : found.plants[side]) {
+      Plant plant{p.strike, p.lift_off};
+      if (p.first == 0 && p.last == last) continue;
+      if (p.first == 0) plant.strike = std::min(plant.strike, plant.lift_off - usual);
+      if (p.last == last) plant.lift_off = std::max(plant.lift_off, plant.strike + usual);
+      const double middle = plant.strike + kMidStance * (plant.lift_off - plant.strike);
+      if (middle >= 0.0 && middle <= last) plants_[side].push_back(plant);
+    }
   }
 }
 

@@ -12,7 +12,8 @@
 
 namespace amble {
 
-/// A foot on the ground: from strike to lift-off, in fractions of frames.
+/// A foot on the ground: from strike to lift-off, in fractions of frames. One that the clip cuts off is
+/// as long as the others.
 struct Plant {
   double strike;
   double lift_off;
@@ -48,12 +49,11 @@ class GaitTrack {
   Eigen::Vector3d ankle(Side side, double frame) const;
 
  private:
-  void findPlants(Side side);
+  void findPlants();
 
   const Clip& clip_;
   JointRoles roles_;
   std::array<FootShape, 2> feet_;
-  Eigen::Quaterniond root_to_heading_;  // heading frame in the root joint's frame
   std::array<std::vector<Plant>, 2> plants_;
   mutable Pose pose_;
   mutable std::vector<JointFrame> joints_;

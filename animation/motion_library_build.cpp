@@ -3,6 +3,7 @@
 #include "animation/bvh.h"
 #include "animation/error.h"
 #include "animation/floor_fit.h"
+#include "animation/mirror_clip.h"
 #include "animation/motion_library.h"
 #include "animation/rotation.h"
 #include "animation/strict_yaml.h"

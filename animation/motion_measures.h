@@ -40,6 +40,9 @@ double kneeBackwardsShare(const Clip& clip, const JointRoles& roles);
 /// Largest change of a bone's length over the clip: of moving joints only [m].
 double boneLengthChange(const Clip& clip);
 
+/// Which way the pelvis faces: across the line between the hip joints [rad].
+double pelvisHeading(std::span<const JointFrame> joints, const JointRoles& roles);
+
 /// Heading of the pelvis at each frame, across the line of the hip joints, without jumps [rad].
 std::vector<double> pelvisHeadings(const Clip& clip, const JointRoles& roles);
 

@@ -4,96 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "animation/cycle_finder.h"
 #include "animation/error.h"
 #include "animation/foot_cycle_fit.h"
+#include "animation/gait_measures.h"
 #include "animation/gait_track.h"
 #include "animation/rotation.h"
 
 namespace amble {
 namespace {
 
-constexpr int kSamples = 64;             // of a cycle, to fit the series to
-constexpr double kShortestPeriod = 0.7;  // of two steps of a walk [s]
-constexpr double kLongestPeriod = 1.8;   // [s]
-
-// A stretch from one double support to the next but one, in fractions of the clip's frames.
-struct Stretch {
-  double begin, middle, end;  // middles of the double supports
-  Side leading;               // in front at begin
-  double closure, turn;       // [m], [rad]
-};
-
-// Middles of the double supports in which `leading` has just struck and the other foot is about to
-// leave.
-std::vector<double> doubleSupports(const GaitTrack& track, Side leading) {
-  std::vector<double> middles;
-  const Side trailing = leading == kLeft ? kRight : kLeft;
-  for (const Plant& front : track.plants(leading)) {
-    for (const Plant& rear : track.plants(trailing)) {
-      if (rear.strike < front.strike && rear.lift_off > front.strike - 2.0 &&
-          rear.lift_off < front.lift_off) {
-        middles.push_back(0.5 * (front.strike + rear.lift_off));
-        break;
-      }
-    }
-  }
-  return middles;
-}
-
-// Root mean square distance of the joints at two times, each seen from the root's place and
-// heading.
-double closureOf(const GaitTrack& track, double a, double b) {
-  const auto seen = [&](double frame) {
-    const Eigen::Quaterniond back = aboutZ(-track.headingAt(frame));
-    std::vector<JointFrame> joints = track.jointsAt(frame);
-    const Eigen::Vector3d root = joints[0].p_WJ;
-    for (JointFrame& j : joints) {
-      j.p_WJ = back * Eigen::Vector3d(j.p_WJ.x() - root.x(), j.p_WJ.y() - root.y(), j.p_WJ.z());
-    }
-    return joints;
-  };
-  const auto ja = seen(a), jb = seen(b);
-  double squares = 0.0;
-  for (size_t i = 0; i < ja.size(); ++i) squares += (ja[i].p_WJ - jb[i].p_WJ).squaredNorm();
-  return std::sqrt(squares / static_cast<double>(ja.size()));
-}
-
-std::vector<Stretch> stretches(const GaitTrack& track, const CycleOptions& options) {
-  const double frame_time = track.clip().frame_time;
-  std::vector<Stretch> found;
-  for (const Side leading : {kLeft, kRight}) {
-    const auto own = doubleSupports(track, leading);
-    const auto other = doubleSupports(track, leading == kLeft ? kRight : kLeft);
-    for (size_t i = 0; i + 1 < own.size(); ++i) {
-      const double period = (own[i + 1] - own[i]) * frame_time;
-      const auto middle = std::upper_bound(other.begin(), other.end(), own[i]);
-      if (period < kShortestPeriod || period > kLongestPeriod || middle == other.end() ||
-          *middle >= own[i + 1]) {
-        continue;
-      }
-      if (options.frames &&
-          (own[i] < options.frames->first || own[i + 1] > options.frames->second)) {
-        continue;
-      }
-      found.push_back({own[i], *middle, own[i + 1], leading, closureOf(track, own[i], own[i + 1]),
-                       wrapAngle(track.headingAt(own[i + 1]) - track.headingAt(own[i]))});
-    }
-  }
-  return found;
-}
-
-Stretch mostCyclic(const GaitTrack& track, const CycleOptions& options) {
-  const std::vector<Stretch> found = stretches(track, options);
-  if (found.empty()) {
-    throw InputError(options.clip, 0, "no whole cycle of a walk was found",
-                     "two steps in a row, each foot planted before and after");
-  }
-  const auto cost = [&](const Stretch& s) {
-    return options.turning ? s.closure / std::max(std::abs(s.turn), 1e-3) : s.closure;
-  };
-  return *std::min_element(found.begin(), found.end(),
-                           [&](const Stretch& a, const Stretch& b) { return cost(a) < cost(b); });
-}
+constexpr int kSamples = 64;  // of a cycle, to fit the series to; even
+constexpr int kFewestHarmonics = 4;
+constexpr int kMostHarmonics = 6;  // eight carry the shaking of captures
+constexpr double kSmallResidual = 0.5 * kDegree;
 
 // The fitted line or circle: the path's point and heading at phase 0, and how they go on.
 struct FittedPath {
@@ -186,15 +110,65 @@ double residualOf(const FourierSeries& series, const Eigen::MatrixXd& samples,
   return std::sqrt(squares / static_cast<double>(samples.cols() * (series.channels() - 3)));
 }
 
-FourierSeries fitSeries(const Eigen::MatrixXd& samples, Side leading, int harmonics,
-                        double& residual) {
-  std::vector<double> phases;
-  for (int i = 0; i < kSamples; ++i) {
-    phases.push_back(static_cast<double>(i) / kSamples + (leading == kLeft ? 0.0 : 0.5));
+// Mean of the stretches' samples: column i is phase i / kSamples, whichever foot led.
+Eigen::MatrixXd meanSamples(const GaitTrack& track, const std::vector<Stretch>& stretches,
+                            const std::vector<FittedPath>& paths,
+                            const std::vector<Eigen::Quaterniond>& reference) {
+  Eigen::MatrixXd mean;
+  for (size_t k = 0; k < stretches.size(); ++k) {
+    const Eigen::MatrixXd one = closedSamples(track, stretches[k], paths[k], reference);
+    if (mean.size() == 0) mean = Eigen::MatrixXd::Zero(one.rows(), one.cols());
+    const int late = stretches[k].leading == kLeft ? 0 : kSamples / 2;
+    for (int i = 0; i < kSamples; ++i) mean.col((i + late) % kSamples) += one.col(i);
   }
-  FourierSeries series = fitFourier(samples, phases, harmonics);
-  residual = residualOf(series, samples, phases);
-  return series;
+  return mean / static_cast<double>(stretches.size());
+}
+
+// With as many harmonics as asked, or as few as leave out little enough.
+void fitSeries(const Eigen::MatrixXd& samples, int harmonics, WalkCycle& cycle) {
+  std::vector<double> phases;
+  for (int i = 0; i < kSamples; ++i) phases.push_back(static_cast<double>(i) / kSamples);
+  const int first = harmonics > 0 ? harmonics : kFewestHarmonics;
+  const int last = harmonics > 0 ? harmonics : kMostHarmonics;
+  for (int h = first; h <= last; ++h) {
+    cycle.series = fitFourier(samples, phases, h);
+    cycle.residual = residualOf(cycle.series, samples, phases);
+    if (cycle.residual <= kSmallResidual) return;
+  }
+}
+
+// Feet of the stretches, averaged; phases as if the left foot had led.
+void fitFeet(const GaitTrack& track, const std::vector<Stretch>& stretches,
+             const std::array<FootShape, 2>& shapes, const std::string& clip, WalkCycle& cycle) {
+  for (const Side side : {kLeft, kRight}) {
+    std::vector<FootCycle> feet;
+    for (const Stretch& s : stretches) {
+      feet.push_back(fitFootCycle(track, side, shapes[side], s.begin, s.end, clip));
+      if (s.leading == kLeft) continue;
+      feet.back().strike = std::fmod(feet.back().strike + 0.5, 1.0);
+      feet.back().lift_off = std::fmod(feet.back().lift_off + 0.5, 1.0);
+    }
+    cycle.feet[side] = meanFoot(feet);
+  }
+}
+
+void fitPlacing(const GaitTrack& track, const std::vector<Stretch>& stretches,
+                const std::vector<FittedPath>& paths, WalkCycle& cycle) {
+  const double share = 1.0 / static_cast<double>(stretches.size());
+  for (size_t k = 0; k < stretches.size(); ++k) {
+    const Stretch& s = stretches[k];
+    const FootPlacing placing =
+        measurePlacing(track, s.begin, paths[k].start, paths[k].heading, s.leading);
+    cycle.step_width += share * placing.width;
+    cycle.foot_forward += share * placing.forward;
+    for (int side = 0; side < 2; ++side) cycle.toe_out[side] += share * placing.toe_out[side];
+    cycle.slide = std::max(cycle.slide, placing.slide);
+  }
+}
+
+CaptureQuality measureCapture(const Clip& level, const JointRoles& roles) {
+  const GaitMeasures gait = measureGait(level, roles, detectPlants(level, roles));
+  return {gait.toe_skate, gait.root_acceleration, gait.joint_jerk, gait.pops};
 }
 
 }  // namespace
@@ -204,29 +178,28 @@ WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
                            const std::vector<Eigen::Quaterniond>& reference,
                            const CycleOptions& options, std::pair<int, int>* used_frames) {
   const GaitTrack track(level, roles, feet);
-  const Stretch s = mostCyclic(track, options);
-  const FittedPath path = fitPath(track, s, options.turning);
+  const std::vector<Stretch> stretches = findStretches(track, options);
+  std::vector<FittedPath> paths;
   WalkCycle cycle;
-  cycle.period = (s.end - s.begin) * level.frame_time;
-  cycle.speed = path.length / cycle.period;
-  cycle.turn_rate = path.turn / cycle.period;
-  cycle.closure = s.closure;
-  cycle.series = fitSeries(closedSamples(track, s, path, reference), s.leading, options.harmonics,
-                           cycle.residual);
-  for (const Side side : {kLeft, kRight}) {
-    cycle.feet[side] = fitFootCycle(track, side, feet[side], s.begin, s.end, options.clip);
-    if (s.leading == kRight) {
-      cycle.feet[side].strike = std::fmod(cycle.feet[side].strike + 0.5, 1.0);
-      cycle.feet[side].lift_off = std::fmod(cycle.feet[side].lift_off + 0.5, 1.0);
-    }
+  cycle.cycles = static_cast<int>(stretches.size());
+  double first = level.frames(), last = 0.0, length = 0.0, turn = 0.0;
+  for (const Stretch& s : stretches) {
+    paths.push_back(fitPath(track, s, options.turning));
+    cycle.period += (s.end - s.begin) * level.frame_time / cycle.cycles;
+    length += paths.back().length / cycle.cycles;
+    turn += paths.back().turn / cycle.cycles;
+    cycle.closure = std::max(cycle.closure, s.closure);
+    first = std::min(first, s.begin);
+    last = std::max(last, s.end);
   }
-  const FootPlacing placing = measurePlacing(track, s.begin, path.start, path.heading, s.leading);
-  cycle.step_width = placing.width;
-  cycle.foot_forward = placing.forward;
-  cycle.toe_out = placing.toe_out;
-  cycle.slide = placing.slide;
+  cycle.speed = length / cycle.period;
+  cycle.turn_rate = turn / cycle.period;
+  fitSeries(meanSamples(track, stretches, paths, reference), options.harmonics, cycle);
+  fitFeet(track, stretches, feet, options.clip, cycle);
+  fitPlacing(track, stretches, paths, cycle);
+  cycle.capture = measureCapture(level, roles);
   if (used_frames != nullptr) {
-    *used_frames = {static_cast<int>(std::lround(s.begin)), static_cast<int>(std::lround(s.end))};
+    *used_frames = {static_cast<int>(std::lround(first)), static_cast<int>(std::lround(last))};
   }
   return cycle;
 }

@@ -43,12 +43,22 @@ struct FootCycle {
   static constexpr int kSwingSamples = 16;
 };
 
+/// QUALITY.md's measures of the clip that a cycle was cut from: its anchors.
+struct CaptureQuality {
+  double toe_skate = 0.0;          ///< [m/s]
+  double root_acceleration = 0.0;  ///< [m/s^2]
+  double joint_jerk = 0.0;         ///< [m/s^3]
+  double pops = 0.0;               ///< [1]
+};
+
 struct WalkCycle {
   double speed = 0.0;      ///< along the fitted line or circle [m/s]
   double turn_rate = 0.0;  ///< [rad/s], left positive
   double period = 0.0;     ///< of a cycle, two steps [s]
-  double closure =
-      0.0;  ///< measured error of the cycle: rms distance of joints between its ends [m]
+  int cycles = 0;  ///< of the capture that were averaged
+  /// Measured error of the cycle, the largest of those averaged: rms distance of joints between its
+  /// ends [m].
+  double closure = 0.0;
   double residual = 0.0;  ///< rms of what the low-pass leaves out, over joints' angles [rad]
   double slide = 0.0;     ///< largest distance a standing ankle moves in the capture, the anchor of
                           ///< foot skate [m]
@@ -56,6 +66,7 @@ struct WalkCycle {
   /// left, height over the ground [m]) - the paper's eps is the negative of it - then the rotation
   /// vector [rad] of the root against the heading and of each further joint, each against the
   /// library's reference rotation: q = q_reference * exp(v).
+  CaptureQuality capture;
   FourierSeries series;
   std::array<FootCycle, 2> feet;  ///< by Side
   double step_width = 0.0;        ///< between the lines of left and right footprints [m]
@@ -86,12 +97,12 @@ struct Posture {
 struct CycleOptions {
   std::string clip;      ///< for messages
   bool turning = false;  ///< look for a turn: the cycle with the least closure for its turn rate
-  int harmonics = 8;     ///< of the low-pass [1, 12]
+  int harmonics = 0;     ///< of the low-pass [1, 12]; 0: as few as leave little out
   std::optional<std::pair<int, int>> frames;  ///< look only within these frames of the clip
 };
 
-/// Finds the most cyclic stretch of a levelled clip, fits a line or circle, takes the errors around
-/// it and their Fourier series. Fit: of all lines (circles) the one on which the cycle closes, that
+/// Finds the steady cycles of a levelled clip, fits a line or circle to each, averages the errors
+/// around it over the cycles and takes their Fourier series. Fit: of all lines (circles) the one on which the cycle closes, that
 /// is, whose ends are a whole cycle's ends; least squares over a single cycle would lean with the
 /// sway. @param reference  the library's reference rotations, root against heading first
 /// @throws InputError naming the clip where no whole cycle is found.

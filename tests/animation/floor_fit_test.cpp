@@ -1,4 +1,5 @@
 #include "animation/floor_fit.h"
+#include "animation/mirror_clip.h"
 
 #include <gtest/gtest.h>
 

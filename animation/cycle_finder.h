@@ -1,0 +1,26 @@
+/// Where a clip walks in whole, steady cycles: what Pettré (§4.1) leaves to the user.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "animation/gait_track.h"
+#include "animation/walk_cycle.h"
+
+namespace amble {
+
+/// A cycle, from one double support to the next but one, in fractions of the clip's frames.
+struct Stretch {
+  double begin, middle, end;  ///< middles of the double supports
+  Side leading;               ///< in front at begin
+  double closure;  ///< rms distance of the joints between the ends, seen from the root [m]
+  double turn;     ///< of the pelvis [rad], left positive
+  double speed;    ///< from end to end [m/s]
+};
+
+/// The most cyclic stretch first, then those that walk like it: as fast, turning as much, nearly
+/// as closed. Stretches that begin with either foot count; those of neighbouring steps overlap.
+/// @throws InputError naming the clip, with the reason, where nothing can be cut from it.
+std::vector<Stretch> findStretches(const GaitTrack& track, const CycleOptions& options);
+
+}  // namespace amble
