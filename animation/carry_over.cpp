@@ -33,6 +33,10 @@ double legOf(const Skeleton& skeleton, const JointRoles& roles) {
   return 0.5 * (roles.legLength(skeleton, kLeft) + roles.legLength(skeleton, kRight));
 }
 
+ReferencePose restPose(const Skeleton& skeleton, const JointRoles& roles) {
+  return {std::vector<Eigen::Quaterniond>(skeleton.size(), restToHeading(skeleton, roles))};
+}
+
 bool isUpright(const Skeleton& skeleton, const JointRoles& roles, const ReferencePose& pose) {
   const std::vector<JointFrame> frames = posed(skeleton, pose.q_HJ);
   const double leg = legOf(skeleton, roles);
@@ -42,11 +46,12 @@ bool isUpright(const Skeleton& skeleton, const JointRoles& roles, const Referenc
     return across.y() > kUprightWidth * across.norm();
   };
   if (!squarely(roles.legs[kLeft].up_leg, roles.legs[kRight].up_leg)) return false;
-  if (!squarely(roles.arms[kLeft].arm, roles.arms[kRight].arm)) return false;
+  const int left = roles.arms[kLeft].arm, right = roles.arms[kRight].arm;
+  if (left >= 0 && right >= 0 && !squarely(left, right)) return false;
   for (const LegJoints& l : roles.legs) {
     if (height(l.up_leg) - height(l.foot) < kUprightLegs * leg) return false;
   }
-  return height(roles.head) - height(roles.hips) > kUprightTrunk * leg;
+  return roles.head < 0 || height(roles.head) - height(roles.hips) > kUprightTrunk * leg;
 }
 
 // Quaternions that lie near each other: their mean is their sum.
@@ -72,10 +77,12 @@ ReferencePose meanPose(const Clip& clip, const JointRoles& roles) {
     const Eigen::Quaterniond back = aboutZ(-pelvisHeading(frames, roles));
     for (int j = 0; j < joints; ++j) mean[j].add(back * frames[j].q_WJ);
     for (const LegJoints& leg : roles.legs) {
-      const auto still = [&](int j) { return (frames[j].p_WJ - before[j].p_WJ).norm() < slow; };
+      const auto still = [&](int j) {
+        return j < 0 || (frames[j].p_WJ - before[j].p_WJ).norm() < slow;
+      };
       if (i == 0 || !still(leg.foot) || !still(leg.toe)) continue;
       standing[leg.foot].add(back * frames[leg.foot].q_WJ);
-      standing[leg.toe].add(back * frames[leg.toe].q_WJ);
+      if (leg.toe >= 0) standing[leg.toe].add(back * frames[leg.toe].q_WJ);
     }
     std::swap(frames, before);
   }
@@ -114,7 +121,7 @@ struct Following {
 
 class Matching {
  public:
-  Matching(const Rig& from, const Rig& to)
+  Matching(const UprightRig& from, const UprightRig& to)
       : from_(from),
         to_(to),
         there_(posed(from.skeleton, from.reference.q_HJ)),
@@ -143,7 +150,7 @@ class Matching {
   }
 
  private:
-  Eigen::Vector3d boneOf(const Rig& rig, const std::vector<JointFrame>& frames,
+  Eigen::Vector3d boneOf(const UprightRig& rig, const std::vector<JointFrame>& frames,
                          const BoneRole& bone) const {
     const int joint = roleJoint(rig.roles, bone.joint), next = roleJoint(rig.roles, bone.next);
     if (joint < 0 || next < 0) return Eigen::Vector3d::Zero();
@@ -158,6 +165,7 @@ class Matching {
   }
   double yawOf(const BoneRole& bone) const {
     const Eigen::Vector3d b = boneOf(to_, here_, bone), a = boneOf(from_, there_, bone);
+    if (a.norm() < 1e-6 || b.norm() < 1e-6) return 0.0;
     return std::atan2(a.y(), a.x()) - std::atan2(b.y(), b.x());
   }
 
@@ -169,8 +177,8 @@ class Matching {
                                     to_.reference.q_HJ[joint]};
   }
 
-  const Rig& from_;
-  const Rig& to_;
+  const UprightRig& from_;
+  const UprightRig& to_;
   std::vector<JointFrame> there_, here_;
 };
 
@@ -181,22 +189,30 @@ Eigen::Vector3d middleOfHips(const std::vector<JointFrame>& frames, const JointR
 }  // namespace
 
 ReferencePose referenceOf(const Clip& clip, const JointRoles& roles) {
-  ReferencePose rest;
-  rest.q_HJ.assign(clip.skeleton.size(), restToHeading(clip.skeleton, roles));
+  const ReferencePose rest = restPose(clip.skeleton, roles);
   return isUpright(clip.skeleton, roles, rest) ? rest : meanPose(clip, roles);
 }
 
-ReferencePose referenceOf(const Skeleton& skeleton, const Posture& posture) {
+ReferencePose referenceOf(const Skeleton& skeleton, const JointRoles& roles,
+                          const std::vector<Eigen::Quaterniond>& stand) {
+  const ReferencePose rest = restPose(skeleton, roles);
+  if (isUpright(skeleton, roles, rest)) return rest;
   ReferencePose pose;
   for (int j = 0; j < skeleton.size(); ++j) {
     const int parent = skeleton.joint(j).parent;
-    pose.q_HJ.push_back(parent < 0 ? posture.rotations[j]
-                                   : pose.q_HJ[parent] * posture.rotations[j]);
+    pose.q_HJ.push_back(parent < 0 ? stand[j] : pose.q_HJ[parent] * stand[j]);
   }
   return pose;
 }
 
-Clip carriedOver(const Clip& clip, const Rig& from, const Rig& to) {
+std::array<Eigen::Vector3d, 2> kneeAxes(const JointRoles& roles, const ReferencePose& reference) {
+  const auto axis = [&](Side side) -> Eigen::Vector3d {
+    return reference.q_HJ[roles.legs[side].up_leg].conjugate() * Eigen::Vector3d::UnitY();
+  };
+  return {axis(kLeft), axis(kRight)};
+}
+
+Clip carriedOver(const Clip& clip, const UprightRig& from, const UprightRig& to) {
   const std::vector<Following> following = Matching(from, to).match();
   const double ratio = legOf(to.skeleton, to.roles) / legOf(from.skeleton, from.roles);
   const int joints = to.skeleton.size();

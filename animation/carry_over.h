@@ -6,11 +6,11 @@
 /// lengths. Joints without a role keep their rotation of the target's reference.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "animation/clip.h"
 #include "animation/joint_roles.h"
-#include "animation/walk_cycle.h"
 
 namespace amble {
 
@@ -22,11 +22,14 @@ struct ReferencePose {
 /// The rig's rest pose where somebody stands in it; else (rigs whose joints all point along their
 /// bones) the mean pose of the clip, feet from the times at which they stand. @pre clip in World
 ReferencePose referenceOf(const Clip& clip, const JointRoles& roles);
-/// A posture's.
-ReferencePose referenceOf(const Skeleton& skeleton, const Posture& posture);
+/// The rest pose where somebody stands in it, else that of a standing posture.
+ReferencePose referenceOf(const Skeleton& skeleton, const JointRoles& roles,
+                          const std::vector<Eigen::Quaterniond>& stand);
+/// Axes about which the knees bend, in the thighs' joint frames, by Side: left in the reference.
+std::array<Eigen::Vector3d, 2> kneeAxes(const JointRoles& roles, const ReferencePose& reference);
 
-/// A rig with its roles and reference.
-struct Rig {
+/// A rig with its roles and reference; a view.
+struct UprightRig {
   const Skeleton& skeleton;
   const JointRoles& roles;
   const ReferencePose& reference;
@@ -35,6 +38,6 @@ struct Rig {
 /// The clip, of rig `from`, on the skeleton of rig `to`. Feet come out at the height that the
 /// target's proportions give: fit the floor again. @pre roles as guessJointRoles requires them, and
 /// toes; no moving joints but the root
-Clip carriedOver(const Clip& clip, const Rig& from, const Rig& to);
+Clip carriedOver(const Clip& clip, const UprightRig& from, const UprightRig& to);
 
 }  // namespace amble

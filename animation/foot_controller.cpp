@@ -102,12 +102,13 @@ FootTarget footTarget(const FootState& state, const FootCycle& cycle, const Foot
 }
 
 FootController::FootController(const Skeleton& skeleton, const JointRoles& roles,
-                               const std::array<FootShape, 2>& shapes, const GaitBlend& blend)
+                               const std::array<FootShape, 2>& shapes, const GaitBlend& blend,
+                               const std::array<Eigen::Vector3d, 2>& knee_axes)
     : skeleton_(skeleton),
       roles_(roles),
       shapes_(shapes),
       blend_(blend),
-      left_R_(restToHeading(skeleton, roles).conjugate() * Eigen::Vector3d::UnitY()) {}
+      knee_axes_(knee_axes) {}
 
 bool FootController::apply(AnimationBuffer& buffer) const {
   return dipHips(buffer) && placeLegs(buffer);
@@ -202,7 +203,7 @@ bool FootController::placeLeg(Side side, const FootTarget& target,
                               std::span<Eigen::Quaterniond> rotations) const {
   const LegJoints& leg = roles_.legs[side];
   const TwoLink links{joints[leg.up_leg].p_WJ, joints[leg.leg].p_WJ, joints[leg.foot].p_WJ,
-                      joints[leg.up_leg].q_WJ * left_R_};
+                      joints[leg.up_leg].q_WJ * knee_axes_[side]};
   const double length = (links.knee - links.hip).norm() + (links.ankle - links.knee).norm();
   if ((target.ankle - links.hip).norm() > kLongestReach * length) return false;
   const auto solved = solveTwoLink(links, target.ankle);

@@ -50,8 +50,10 @@ class FootController : public SubController {
   static constexpr double kSpread = 0.16;     // [s]
   static constexpr double kSinkSpeed = 0.25;  // from a stance on [m/s]
 
+  /// @param knee_axes  about which knees bend, in the thighs' joint frames, by Side: kneeAxes
   FootController(const Skeleton& skeleton, const JointRoles& roles,
-                 const std::array<FootShape, 2>& shapes, const GaitBlend& blend);
+                 const std::array<FootShape, 2>& shapes, const GaitBlend& blend,
+                 const std::array<Eigen::Vector3d, 2>& knee_axes);
 
   bool apply(AnimationBuffer& buffer) const override;
   /// The same where feet stand at different heights and legs are bent and stretched more: the hips
@@ -77,8 +79,7 @@ class FootController : public SubController {
   JointRoles roles_;
   std::array<FootShape, 2> shapes_;
   const GaitBlend& blend_;
-  Eigen::Vector3d left_R_;  // a walker's left in the rest pose's frame, to which all joints' frames
-                            // are parallel
+  std::array<Eigen::Vector3d, 2> knee_axes_;
 };
 
 }  // namespace amble

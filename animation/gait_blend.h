@@ -1,9 +1,13 @@
-/// Walk cycles blended to a turn rate and warped to a step length (Pettré §4.2, eq. 3).
+/// Walk cycles blended to a speed and a turn rate and warped to a step length (Pettré §4.2, eq. 3).
 ///
-/// Straight walks, left turns and right turns of the library are each averaged into one cycle;
-/// which is which is told by each cycle's own measured turn rate. (The paper has left turns
-/// negative; ours are positive.) Weights grow with the turn rate up to that of the captured turns
-/// and are held there: nothing is extrapolated, the speed drops instead.
+/// Walks that go alike are averaged into one captured pace: straight ones of the same speed, left
+/// and right turns of the same rate. The straight walk is mixed of the two paces next to the plan's
+/// speed, once: the walker keeps his carriage where he slows for a turn or a stop, and only the
+/// step is warped. A turn adds what the captured turns do otherwise than that walk at their step.
+/// Which is which is told by each cycle's own measured turn rate. (The paper has left turns
+/// negative; ours are positive.) Beyond the captured paces nothing is extrapolated but the step:
+/// the slowest and the fastest walk are warped, turns are held at the fastest captured rate, the
+/// speed drops instead.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,9 +22,9 @@ namespace amble {
 class GaitBlend {
  public:
   /// For a character `scale` times the captured subject: lengths grow with scale, speeds and turn
-  /// rates by Froude's law with its root and the inverse of it. @throws std::invalid_argument
-  /// without a straight walk.
-  GaitBlend(const MotionLibrary& library, double scale);
+  /// rates by Froude's law with its root and the inverse of it. The walker is
+  /// to walk at `speed` [m/s]. @throws std::invalid_argument without a straight walk.
+  GaitBlend(const MotionLibrary& library, double scale, double speed = 1.2);
 
   const StrideLaw& law() const { return law_; }
   /// Fastest turn of the library's walks; what there is without turns in the library is `kNoTurns`
@@ -34,22 +38,34 @@ class GaitBlend {
 
   /// Channels of WalkCycle::series at a phase [cycles], blended for a turn rate [rad/s] and warped
   /// to a step length [m]. Amplitudes are proportional to step length, that of the root's height to
-  /// its square as an inverted pendulum's; means stay.
+  /// its square as an inverted pendulum's; means stay. Not for two threads at a time on one
+  /// `channels`; allocates nothing once that has its size.
   void evaluate(double phase, double turn_rate, double step_length,
                 Eigen::VectorXd& channels) const;
 
+  /// Walks whose speeds, or turn rates, differ by less than this share are one pace.
+  static constexpr double kSamePace = 0.15;
+
  private:
-  struct Mean {
-    Eigen::MatrixXd
-        coefficients;  // rows: channels; columns: alpha_0, beta_0 = 0, alpha_1, beta_1, ...
-    double turn_rate = 0.0;
-    int count = 0;
+  struct Pace {
+    Eigen::MatrixXd coefficients;  ///< rows: channels; columns: alpha_0, beta_0 = 0, alpha_1, ...
+    double speed = 0.0;            ///< [m/s]
+    double turn_rate = 0.0;        ///< [rad/s]
+    double step = 0.0;             ///< planted [m]
   };
-  void add(Mean& mean, const WalkCycle& cycle, int harmonics, double scale);
-  void averageFeet(const std::vector<const WalkCycle*>& straight, double scale);
+  using Cycles = std::vector<const WalkCycle*>;
+
+  static Pace meanPace(const Cycles& cycles, int harmonics, double scale);
+  void fitLaw(const std::vector<Pace>& paces);
+  void mixStraight(const std::vector<Pace>& paces, const std::vector<Cycles>& cycles, double scale,
+                   double speed);
+  void addTurns(const std::vector<Cycles>& turns, int harmonics, double scale);
+  void add(const Pace& pace, double weight, double step, const double* basis,
+           Eigen::VectorXd& channels) const;
 
   StrideLaw law_;
-  Mean straight_, left_, right_;
+  Pace straight_;                           // at the plan's speed
+  std::array<std::vector<Pace>, 2> turns_;  // left, right, by rate: what they add to the straight
   double max_turn_rate_ = 0.0, step_width_ = 0.0, foot_forward_ = 0.0, toe_out_ = 0.0;
   std::array<FootCycle, 2> feet_;
 };

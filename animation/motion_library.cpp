@@ -53,13 +53,25 @@ Eigen::MatrixXd readMatrix(const YamlNode& node, int rows, int columns, const st
   return matrix;
 }
 
+CaptureQuality readCapture(const YamlNode& node) {
+  node.requireKeys({"toe_skate", "root_acceleration", "joint_jerk", "pops"});
+  CaptureQuality quality;
+  quality.toe_skate = node.at("toe_skate").asDouble(0.0, 100.0, "speed [m/s]");
+  quality.root_acceleration = node.at("root_acceleration").asDouble(0.0, 1e4, "[m/s^2]");
+  quality.joint_jerk = node.at("joint_jerk").asDouble(0.0, 1e6, "[m/s^3]");
+  quality.pops = node.at("pops").asDouble(0.0, 1e9, "a ratio");
+  return quality;
+}
+
 WalkCycle readCycle(const YamlNode& node, int joints) {
-  node.requireKeys({"speed", "turn_rate", "period", "closure", "residual", "slide", "step_width",
+  node.requireKeys({"speed", "turn_rate", "period", "cycles", "closure", "capture", "residual", "slide", "step_width",
                     "foot_forward", "toe_out", "left", "right", "harmonics", "alpha", "beta"});
   WalkCycle cycle;
   cycle.speed = node.at("speed").asPositive("speed [m/s]", 5.0);
   cycle.turn_rate = node.at("turn_rate").asDouble(-360, 360, "turn rate [degrees/s]") * kDegree;
   cycle.period = node.at("period").asDouble(0.2, 5.0, "period [s]");
+  cycle.cycles = node.at("cycles").asInt(1, 1000, "cycles");
+  cycle.capture = readCapture(node.at("capture"));
   cycle.closure = node.at("closure").asDouble(0.0, 10.0, "closure [m]");
   cycle.residual = node.at("residual").asDouble(0.0, 360.0, "residual [degrees]") * kDegree;
   cycle.slide = node.at("slide").asDouble(0.0, 10.0, "slide [m]");

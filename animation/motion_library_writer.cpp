@@ -65,12 +65,17 @@ void writeCycle(std::ostream& out, const WalkCycle& cycle) {
       << "      speed: " << number(cycle.speed) << "\n"
       << "      turn_rate: " << number(cycle.turn_rate / kDegree) << "\n"
       << "      period: " << number(cycle.period) << "\n"
+      << "      cycles: " << cycle.cycles << "\n"
       << "      closure: " << number(cycle.closure) << "\n"
       << "      residual: " << number(cycle.residual / kDegree) << "\n"
       << "      slide: " << number(cycle.slide) << "\n"
       << "      step_width: " << number(cycle.step_width) << "\n"
       << "      foot_forward: " << number(cycle.foot_forward) << "\n"
-      << "      toe_out: " << list(cycle.toe_out, kDegree) << "\n";
+      << "      toe_out: " << list(cycle.toe_out, kDegree) << "\n"
+      << "      capture: {toe_skate: " << number(cycle.capture.toe_skate)
+      << ", root_acceleration: " << number(cycle.capture.root_acceleration)
+      << ", joint_jerk: " << number(cycle.capture.joint_jerk)
+      << ", pops: " << number(cycle.capture.pops) << "}\n";
   writeFoot(out, "left", cycle.feet[kLeft]);
   writeFoot(out, "right", cycle.feet[kRight]);
   out << "      harmonics: " << cycle.series.harmonics() << "\n";

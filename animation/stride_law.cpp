@@ -7,14 +7,14 @@ namespace amble {
 
 double StrideLaw::stepLength(double speed) const {
   const double ratio = speed / speed_;
-  const double slow = std::pow(kSlowestCadence, 1.0 / (1.0 - kStepPower));
-  return step_ * (ratio >= slow ? std::pow(ratio, kStepPower) : ratio / kSlowestCadence);
+  const double slow = std::pow(kSlowestCadence, 1.0 / (1.0 - power_));
+  return step_ * (ratio >= slow ? std::pow(ratio, power_) : ratio / kSlowestCadence);
 }
 
 double StrideLaw::speed(double step_length) const {
   const double ratio = step_length / step_;
-  const double slow = std::pow(kSlowestCadence, kStepPower / (1.0 - kStepPower));
-  return speed_ * (ratio >= slow ? std::pow(ratio, 1.0 / kStepPower) : ratio * kSlowestCadence);
+  const double slow = std::pow(kSlowestCadence, power_ / (1.0 - power_));
+  return speed_ * (ratio >= slow ? std::pow(ratio, 1.0 / power_) : ratio * kSlowestCadence);
 }
 
 double doubleSupport(double speed, double leg_length) {

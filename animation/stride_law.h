@@ -3,9 +3,9 @@
 
 namespace amble {
 
-/// Step length grows with speed to the power 0.42 and cadence with the rest (Grieve & Gear 1966),
-/// through the captured walk's own speed and step length: the constants differ from subject to
-/// subject (Inman's law, Glardon eq. 4, is 5 % high on ours). Below `kSlowestCadence` of the
+/// Step length grows with a power of speed, 0.42 (Grieve & Gear 1966) unless the subject's own walks
+/// say otherwise, and cadence with the rest, through a captured walk's own speed and step length:
+/// the constants differ from subject to subject (Inman's law, Glardon eq. 4, is 5 % high on ours). Below `kSlowestCadence` of the
 /// captured cadence people take shorter steps rather than slower ones.
 class StrideLaw {
  public:
@@ -17,8 +17,9 @@ class StrideLaw {
   static constexpr double kLongestStep = 1.4;
 
   StrideLaw() = default;
-  /// Of the captured walk: speed [m/s, > 0] and step length [m, > 0].
-  StrideLaw(double speed, double step_length) : speed_(speed), step_(step_length) {}
+  /// Of the captured walk: speed [m/s, > 0] and step length [m, > 0]; power (0, 1).
+  StrideLaw(double speed, double step_length, double power = kStepPower)
+      : speed_(speed), step_(step_length), power_(power) {}
 
   double capturedStep() const { return step_; }  ///< [m]
   double stepLength(double speed) const;         ///< [m]; inverse of speed()
@@ -27,6 +28,7 @@ class StrideLaw {
  private:
   double speed_ = 1.0;
   double step_ = 0.65;
+  double power_ = kStepPower;
 };
 
 /// Share of time with both feet planted, at a speed, for a leg length [m]: norms of Schwartz,

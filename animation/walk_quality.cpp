@@ -27,6 +27,7 @@ constexpr double kDoubleSupport = 0.04;     // from the norm
 constexpr double kStepAchieved = 0.02;      // step length, lift and rise
 constexpr double kSoleTilt = 3.0;           // [degrees]
 constexpr double kUnsupported = 0.3;        // of its length, on stairs
+constexpr double kFlip = 10.0;   // more pops than this is a joint that flips over: no anchor
 constexpr double kPace = 0.8;    // of the walk's top speed: slower is starting, stopping or turning
 constexpr double kTurns = 0.15;  // slower is straight: walkers sway by as much [rad/s]
 
@@ -117,6 +118,29 @@ double doubleSupportNorm(double speed, double leg) {
     return kShare[i - 1] + t * (kShare[i] - kShare[i - 1]);
   }
   return kShare.back();
+}
+
+QualityAnchors anchorsOf(const MotionLibrary& library, double scale, double speed) {
+  QualityAnchors anchors;
+  std::vector<std::pair<double, double>> jerk;  // speed, jerk of the straight walks
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kWalk) continue;
+    const CaptureQuality& capture = motion.cycle.capture;
+    anchors.root_acceleration = std::max(anchors.root_acceleration, capture.root_acceleration);
+    if (capture.pops < kFlip) anchors.pops = std::max(anchors.pops, capture.pops);
+    if (motion.turning) continue;
+    jerk.emplace_back(motion.cycle.speed * std::sqrt(scale), capture.joint_jerk / std::sqrt(scale));
+  }
+  std::sort(jerk.begin(), jerk.end());
+  if (jerk.empty()) return anchors;
+  anchors.joint_jerk = speed <= jerk.front().first ? jerk.front().second : jerk.back().second;
+  for (size_t i = 1; i < jerk.size(); ++i) {
+    const auto& [v0, j0] = jerk[i - 1];
+    const auto& [v1, j1] = jerk[i];
+    if (speed < v0 || speed >= v1) continue;
+    anchors.joint_jerk = j0 + (speed - v0) / (v1 - v0) * (j1 - j0);
+  }
+  return anchors;
 }
 
 std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,

@@ -11,18 +11,22 @@
 #include "animation/clip.h"
 #include "animation/ground.h"
 #include "animation/joint_roles.h"
+#include "animation/motion_library.h"
 #include "animation/step_measures.h"
 
 namespace amble {
 
-/// Of the captures behind a library, the largest of each: measured by measureGait. The defaults are
-/// those of the library `default` (ACCAD Female1 B03, B09 and B12); another library's walks are
-/// judged by them too.
+/// What the captures measure that a walk is made from, by measureGait.
 struct QualityAnchors {
-  double root_acceleration = 11.8;  ///< [m/s²]
-  double joint_jerk = 116.1;        ///< [m/s³]
-  double pops = 4.87;               ///< [1]
+  double root_acceleration = 0.0;  ///< the largest of all walks of the library [m/s²]
+  double joint_jerk = 0.0;  ///< of the straight walks at the walk's speed, between those captured
+                            ///< [m/s³]
+  double pops = 0.0;        ///< the largest of all walks but those whose joints flip over [1]
 };
+
+/// Of a library's walks, for a character `scale` times the captured subject who walks at `speed`
+/// [m/s]. Lengths grow with scale, times with its root (Froude).
+QualityAnchors anchorsOf(const MotionLibrary& library, double scale, double speed);
 
 /// One measure beside its bar.
 struct QualityLine {
@@ -42,7 +46,7 @@ double doubleSupportNorm(double speed, double leg);
 /// @param clip  the walk as it is exported: its frames are the buffer's. @pre walk.size() > 0
 std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
                                    const AnimationBuffer& walk, const Ground& ground,
-                                   const QualityAnchors& anchors = {});
+                                   const QualityAnchors& anchors);
 
 /// Its steps: how far the worst misses what it was asked to be, how its sole lies on the ground.
 std::vector<QualityLine> judgeSteps(const std::vector<StepMeasure>& steps);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "animation/carry_over.h"
 #include "animation/foot_controller.h"
 #include "animation/footsteps.h"
 #include "animation/gait_blend.h"
@@ -79,8 +80,9 @@ struct WalkSynthesizer::Impl {
         shapes{makeFootShape(skeleton, roles, kLeft, stature),
                makeFootShape(skeleton, roles, kRight, stature)},
         reference(library.stand().rotations),
-        blend(library, scale),
-        feet(skeleton, roles, shapes, blend) {
+        blend(library, scale, the_settings.speed),
+        feet(skeleton, roles, shapes, blend,
+             kneeAxes(roles, referenceOf(skeleton, roles, library.stand().rotations))) {
     const Posture& stand = library.stand();
     placement.walk_width = blend.stepWidth();
     placement.stand_width = stand.step_width * scale;

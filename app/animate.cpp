@@ -61,10 +61,10 @@ DemoRequest requestOf(const Options& options) {
 
 // Every measure beside its bar. @return whether all hold
 bool printQuality(const WalkSynthesizer& synthesizer, const Clip& clip, const AnimationBuffer& walk,
-                  const Ground& ground, std::FILE* out) {
+                  const Ground& ground, const QualityAnchors& anchors, std::FILE* out) {
   bool all = true;
   const JointRoles& roles = synthesizer.roles();
-  std::vector<QualityLine> lines = judgeWalk(clip, roles, walk, ground);
+  std::vector<QualityLine> lines = judgeWalk(clip, roles, walk, ground, anchors);
   const std::vector<QualityLine> steps =
       judgeSteps(measureWalkSteps(clip.skeleton, roles, synthesizer.feet(), walk, ground));
   lines.insert(lines.end(), steps.begin(), steps.end());
@@ -107,7 +107,10 @@ int run(const Options& options) {
   fmt::print(out, "{}: {:.2f} s, {} frames, {} steps, {:.2f} m\n", options.out, clip.duration(),
              clip.frames(), result.steps, walk.states.empty() ? 0.0 : walk.states.back().arc);
   if (!options.quality) return kExitDone;
-  return printQuality(synthesizer, clip, walk, *ground, out) ? kExitDone : kExitNone;
+  const QualityAnchors anchors = anchorsOf(library, synthesizer.stature() / library.stature,
+                                           synthesizer.settings().speed);
+  return printQuality(synthesizer, clip, walk, *ground, anchors, out) ? kExitDone
+                                                                             : kExitNone;
 }
 
 }  // namespace

@@ -189,7 +189,10 @@ void exportAndCheck(const RunOptions& options, RunResult& result) {
   reportFeet(problem, walk, exported.poses, report);
   const Clip clip = {
       problem.scenario.name, problem.synthesizer.skeleton(), walk.frame_time, exported.poses, {}};
-  report.quality = judgeWalk(clip, problem.synthesizer.roles(), walk, problem.ground);
+  const QualityAnchors anchors =
+      anchorsOf(problem.library, problem.synthesizer.stature() / problem.library.stature,
+                problem.synthesizer.settings().speed);
+  report.quality = judgeWalk(clip, problem.synthesizer.roles(), walk, problem.ground, anchors);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include "animation/floor_fit.h"
-#include "animation/mirror_clip.h"
 
 #include <gtest/gtest.h>
 
@@ -62,36 +61,6 @@ TEST(FloorFit, AStraightWalkSaysNothingOfTheTiltAcrossIt) {
   const Eigen::Quaterniond across(Eigen::AngleAxisd(3.0 * kDegree, Eigen::Vector3d::UnitX()));
   const FloorFit fit = fitFloor(moved(rig.walk(Puppet()), across, {0, 0, 0}), rig.roles);
   EXPECT_LT(std::abs(fit.normal.y()), 0.75 * std::sin(3.0 * kDegree));  // held towards level
-}
-
-TEST(MirrorClip, AMirroredClipsJointsAreTheMirrorImageOfTheOtherSides) {
-  const Rig rig;  // its legs are alike
-  const Clip clip = rig.walk(onACircle()), mirrored = mirrorClip(clip, rig.roles);
-  for (int frame = 0; frame < clip.frames(); frame += 37) {
-    const auto joints = jointFrames(clip, frame), images = jointFrames(mirrored, frame);
-    for (int j = 0; j < clip.skeleton.size(); ++j) {
-      const int other = j == 0 || j == 9 ? j : j <= 4 ? j + 4 : j - 4;
-      const Eigen::Vector3d& p = joints[other].p_WJ;
-      EXPECT_LT((images[j].p_WJ - Eigen::Vector3d(p.x(), -p.y(), p.z())).norm(), 1e-12);
-    }
-  }
-}
-
-TEST(MirrorClip, TwiceMirroredIsTheClipItself) {
-  Generator generator(81);
-  const Rig rig;
-  Clip clip = rig.walk(onACircle());
-  for (int frame = 0; frame < clip.frames(); ++frame) {
-    for (Eigen::Quaterniond& q : clip.poses.rotations(frame)) q = randomRotation(generator);
-  }
-  const Clip twice = mirrorClip(mirrorClip(clip, rig.roles), rig.roles);
-  for (int frame = 0; frame < clip.frames(); frame += 50) {
-    EXPECT_LT((twice.poses.p_WR(frame) - clip.poses.p_WR(frame)).norm(), 1e-15);
-    for (int j = 0; j < clip.skeleton.size(); ++j) {
-      EXPECT_LT(twice.poses.rotations(frame)[j].angularDistance(clip.poses.rotations(frame)[j]),
-                1e-7);
-    }
-  }
 }
 
 TEST(FloorFit, WithoutStandingFeetTheFloorIsLevelUnderTheLowestAnkle) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "animation/carry_over.h"
 #include "animation/rotation.h"
 #include "animation/walk_controller.h"
 #include "tests/animation/random_clip.h"
@@ -14,7 +15,9 @@ struct Standing {
   MotionLibrary library = openMotionLibrary("default");
   std::array<FootShape, 2> shapes = library.feet();
   GaitBlend blend{library, 1.0};
-  FootController feet{library.skeleton, library.roles, shapes, blend};
+  FootController feet{library.skeleton, library.roles, shapes, blend,
+                      kneeAxes(library.roles, referenceOf(library.skeleton, library.roles,
+                                                          library.stand().rotations))};
 
   /// `frames` frames of the standing posture with its root at a height, feet 16 cm apart.
   AnimationBuffer buffer(int frames, double root_height) const {

@@ -44,24 +44,68 @@ TEST(GaitBlend, ALibraryWithoutAStraightWalkIsRefused) {
   EXPECT_THROW(GaitBlend(turns, 1.0), std::invalid_argument);
 }
 
-TEST(GaitBlend, StraightOnAtTheCapturedStepItIsTheMeanOfTheStraightWalks) {
-  const GaitBlend blend(library(), 1.0);
-  for (double phase = 0.0; phase < 1.0; phase += 0.07) {
-    const auto mean = meanOf(phase, [](const Motion& m) { return !m.turning; });
-    EXPECT_LT((valueOf(blend, phase, 0.0, blend.law().capturedStep()) - mean).norm(), 1e-12);
+/// Mean planted step of those walks.
+template <typename Which>
+double stepOf(Which which) {
+  double sum = 0.0;
+  int count = 0;
+  for (const Motion& motion : library().motions) {
+    if (motion.kind != MotionKind::kWalk || !which(motion)) continue;
+    sum += motion.cycle.plantedStepLength();
+    ++count;
+  }
+  return sum / count;
+}
+
+/// Extreme of a number over the library's walks that `which` chooses.
+template <typename Which, typename Number>
+double largestOf(Which which, Number number) {
+  double largest = -1e9;
+  for (const Motion& motion : library().motions) {
+    if (motion.kind == MotionKind::kWalk && which(motion)) {
+      largest = std::max(largest, number(motion.cycle));
+    }
+  }
+  return largest;
+}
+
+TEST(GaitBlend, AtACapturedPaceAndBeyondItIsTheMeanOfItsWalks) {
+  const auto straight = [](const Motion& m) { return !m.turning; };
+  const double fastest = largestOf(straight, [](const WalkCycle& c) { return c.speed; });
+  const double slowest = -largestOf(straight, [](const WalkCycle& c) { return -c.speed; });
+  for (const auto& [pace, speed] : {std::pair(slowest, 0.5 * slowest), {fastest, 1.1 * fastest}}) {
+    const auto ofPace = [&](const Motion& m) {
+      return !m.turning && std::abs(m.cycle.speed / pace - 1.0) < 0.5 * GaitBlend::kSamePace;
+    };
+    const GaitBlend blend(library(), 1.0, speed);
+    for (double phase = 0.0; phase < 1.0; phase += 0.07) {
+      const auto value = valueOf(blend, phase, 0.0, stepOf(ofPace));
+      EXPECT_LT((value - meanOf(phase, ofPace)).norm(), 1e-12) << speed;
+    }
   }
 }
 
 TEST(GaitBlend, AtACapturedTurnRateAndBeyondItIsTheMeanOfThoseTurns) {
   const GaitBlend blend(library(), 1.0);
   for (const double sign : {1.0, -1.0}) {
-    const auto mean =
-        meanOf(0.3, [&](const Motion& m) { return m.turning && m.cycle.turn_rate * sign > 0.0; });
+    const double fastest = largestOf([](const Motion& m) { return m.turning; },
+                                     [&](const WalkCycle& c) { return sign * c.turn_rate; });
+    const auto ofRate = [&](const Motion& m) {
+      return m.turning && sign * m.cycle.turn_rate > fastest / (1.0 + 0.5 * GaitBlend::kSamePace);
+    };
     for (const double rate : {1.01, 2.0}) {  // left and right differ by 1e-4: nothing extrapolates
       const auto value =
-          valueOf(blend, 0.3, sign * rate * blend.maxTurnRate(), blend.law().capturedStep());
-      EXPECT_LT((value - mean).norm(), 1e-12);
+          valueOf(blend, 0.3, sign * rate * blend.maxTurnRate(), stepOf(ofRate));
+      EXPECT_LT((value - meanOf(0.3, ofRate)).norm(), 1e-12);
     }
+  }
+}
+
+TEST(GaitBlend, BetweenTwoPacesItIsContinuousInSpeed) {
+  for (double speed = 0.9; speed < 2.1; speed += 0.01) {
+    const GaitBlend a(library(), 1.0, speed), b(library(), 1.0, speed + 1e-6);
+    EXPECT_LT((valueOf(a, 0.3, 0.2, 0.6) - valueOf(b, 0.3, 0.2, 0.6)).norm(), 1e-4) << speed;
+    EXPECT_NEAR(a.stepWidth(), b.stepWidth(), 1e-5);
   }
 }
 
@@ -69,8 +113,8 @@ TEST(GaitBlend, BetweenStraightAndTurnWeightsGrowWithTheTurnRate) {
   const GaitBlend blend(library(), 1.0);
   const double step = blend.law().capturedStep();
   const Eigen::VectorXd straight = valueOf(blend, 0.6, 0.0, step);
-  const Eigen::VectorXd half = valueOf(blend, 0.6, 0.4, step) - straight;
-  const Eigen::VectorXd whole = valueOf(blend, 0.6, 0.8, step) - straight;
+  const Eigen::VectorXd half = valueOf(blend, 0.6, 0.3, step) - straight;
+  const Eigen::VectorXd whole = valueOf(blend, 0.6, 0.6, step) - straight;
   EXPECT_LT((2.0 * half - whole).norm(), 1e-12);
   EXPECT_GT(whole.norm(), 1e-3);
 }
@@ -98,7 +142,7 @@ TEST(GaitBlend, AmplitudesGrowWithTheStepHeightsWithItsSquareAndMeansStay) {
 }
 
 TEST(GaitBlend, ScaleEnlargesLengthsAndSlowsByFroudesLaw) {
-  const GaitBlend one(library(), 1.0), tall(library(), 1.21);
+  const GaitBlend one(library(), 1.0, 1.2), tall(library(), 1.21, 1.1 * 1.2);
   EXPECT_NEAR(tall.stepWidth(), 1.21 * one.stepWidth(), 1e-12);
   EXPECT_NEAR(tall.footForward(), 1.21 * one.footForward(), 1e-12);
   EXPECT_NEAR(tall.toeOut(), one.toeOut(), 1e-15);

@@ -211,27 +211,5 @@ TEST(GaitMeasuresOfCaptures, AreQualitysFiguresForRealClips) {
   EXPECT_NEAR(median(support), 0.17, 0.04);
 }
 
-/// The anchors by which walks are judged are measured, not chosen.
-TEST(GaitMeasuresOfCaptures, AnchorsAreTheLargestOfTheCapturesBehindTheLibrary) {
-  AMBLE_NEEDS_CAPTURES();
-  QualityAnchors largest{0.0, 0.0, 0.0};
-  for (const Capture& capture : captures()) {
-    const bool behind = capture.path == "accad_female1/Female1_B03_Walk1.bvh" ||
-                        capture.path == "accad_female1/Female1_B09_WalkTurnLeft90.bvh" ||
-                        capture.path == "accad_female1/Female1_B12_WalkTurnRight90.bvh";
-    if (!behind) continue;
-    JointRoles roles;
-    const Clip clip = levelled(capture, roles);
-    largest.root_acceleration = std::max(largest.root_acceleration, rootAcceleration(clip));
-    largest.joint_jerk = std::max(largest.joint_jerk, jointJerk(clip));
-    largest.pops = std::max(largest.pops, pops(clip));
-  }
-  const QualityAnchors anchors;
-  EXPECT_NEAR(anchors.root_acceleration, largest.root_acceleration,
-              0.01 * largest.root_acceleration);
-  EXPECT_NEAR(anchors.joint_jerk, largest.joint_jerk, 0.01 * largest.joint_jerk);
-  EXPECT_NEAR(anchors.pops, largest.pops, 0.01 * largest.pops);
-}
-
 }  // namespace
 }  // namespace amble

@@ -26,6 +26,39 @@ TEST(DoubleSupportNorm, NeverGrowsWithSpeed) {
   EXPECT_EQ(doubleSupportNorm(9.0, 0.8), 0.14);
 }
 
+TEST(QualityAnchors, AtACapturedSpeedTheJerkIsThatOfTheCapture) {
+  const MotionLibrary library = openMotionLibrary("default");
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kWalk || motion.turning || motion.source.mirrored) continue;
+    const double jerk = motion.cycle.capture.joint_jerk;
+    EXPECT_NEAR(anchorsOf(library, 1.0, motion.cycle.speed).joint_jerk, jerk, 0.01 * jerk);
+  }
+}
+
+TEST(QualityAnchors, BetweenAndBeyondTheCapturesNothingIsExtrapolated) {
+  const MotionLibrary library = openMotionLibrary("default");
+  double least = 1e9, most = 0.0;
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kWalk || motion.turning) continue;
+    least = std::min(least, motion.cycle.capture.joint_jerk);
+    most = std::max(most, motion.cycle.capture.joint_jerk);
+  }
+  for (double speed = 0.3; speed < 3.0; speed += 0.1) {
+    const double jerk = anchorsOf(library, 1.0, speed).joint_jerk;
+    EXPECT_GE(jerk, least);
+    EXPECT_LE(jerk, most);
+  }
+}
+
+// Lengths times s, times of its root: accelerations stay, jerk is over the root.
+TEST(QualityAnchors, ScaleFollowsFroude) {
+  const MotionLibrary library = openMotionLibrary("default");
+  const QualityAnchors one = anchorsOf(library, 1.0, 1.3);
+  const QualityAnchors tall = anchorsOf(library, 1.21, 1.1 * 1.3);
+  EXPECT_NEAR(tall.joint_jerk, one.joint_jerk / 1.1, 1e-9 * one.joint_jerk);
+  EXPECT_EQ(tall.root_acceleration, one.root_acceleration);
+}
+
 /// Six metres straight ahead, from standing to standing.
 class JudgeWalk : public testing::Test {
  protected:
@@ -36,8 +69,12 @@ class JudgeWalk : public testing::Test {
     EXPECT_EQ(synthesizer_.walk(from, to, path, true, walk_).refused, WalkRule::kNone);
     clip_ = {"walk", synthesizer_.skeleton(), walk_.frame_time, walk_.poses, {}};
   }
+  std::vector<QualityLine> judged() const {
+    return judgeWalk(clip_, synthesizer_.roles(), walk_, ground_,
+                     anchorsOf(library_, 1.0, synthesizer_.settings().speed));
+  }
   QualityLine line(const std::string& measure) const {
-    for (const QualityLine& each : judgeWalk(clip_, synthesizer_.roles(), walk_, ground_)) {
+    for (const QualityLine& each : judged()) {
       if (each.measure == measure) return each;
     }
     ADD_FAILURE() << "no line '" << measure << "'";
@@ -52,7 +89,7 @@ class JudgeWalk : public testing::Test {
 };
 
 TEST_F(JudgeWalk, AStraightWalkHoldsEveryBar) {
-  const auto lines = judgeWalk(clip_, synthesizer_.roles(), walk_, ground_);
+  const auto lines = judged();
   EXPECT_GE(lines.size(), 14u);
   for (const QualityLine& each : lines) {
     EXPECT_TRUE(each.holds()) << each.measure << " is " << each.value << " " << each.unit
@@ -89,7 +126,7 @@ TEST_F(JudgeWalk, ASunkenFrameIsPenetration) {
 TEST_F(JudgeWalk, StandingHasNoSpeedToJudge) {
   ASSERT_EQ(synthesizer_.stand({}, walk_).refused, WalkRule::kNone);
   clip_.poses = walk_.poses;
-  for (const QualityLine& each : judgeWalk(clip_, synthesizer_.roles(), walk_, ground_)) {
+  for (const QualityLine& each : judged()) {
     EXPECT_TRUE(each.holds()) << each.measure;
     EXPECT_NE(each.measure, "speed, achieved against asked");
   }
