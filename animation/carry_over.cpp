@@ -129,7 +129,8 @@ class Matching {
 
   std::vector<Following> match() const {
     std::vector<Following> following(to_.skeleton.size());
-    for (const std::string& role : roleNames()) follow(following, role, Eigen::Quaterniond::Identity());
+    for (const std::string& role : roleNames())
+      follow(following, role, Eigen::Quaterniond::Identity());
     std::vector<std::pair<std::string, Eigen::Quaterniond>> swings;
     for (const BoneRole& bone : boneRoles()) {
       Eigen::Quaterniond swing = Eigen::Quaterniond::Identity();
@@ -173,8 +174,8 @@ class Matching {
               const Eigen::Quaterniond& swing) const {
     const int source = roleJoint(from_.roles, role), joint = roleJoint(to_.roles, role);
     if (source < 0 || joint < 0) return;
-    following[joint] = {source, from_.reference.q_HJ[source].conjugate() * swing *
-                                    to_.reference.q_HJ[joint]};
+    following[joint] = {
+        source, from_.reference.q_HJ[source].conjugate() * swing * to_.reference.q_HJ[joint]};
   }
 
   const UprightRig& from_;
@@ -237,7 +238,8 @@ Clip carriedOver(const Clip& clip, const UprightRig& from, const UprightRig& to)
     }
     carried.poses.p_WR(i).setZero();
     forwardKinematics(to.skeleton, carried.poses[i], frames);
-    carried.poses.p_WR(i) = ratio * middleOfHips(source, from.roles) - middleOfHips(frames, to.roles);
+    carried.poses.p_WR(i) =
+        ratio * middleOfHips(source, from.roles) - middleOfHips(frames, to.roles);
   }
   return carried;
 }

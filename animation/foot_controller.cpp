@@ -104,11 +104,7 @@ FootTarget footTarget(const FootState& state, const FootCycle& cycle, const Foot
 FootController::FootController(const Skeleton& skeleton, const JointRoles& roles,
                                const std::array<FootShape, 2>& shapes, const GaitBlend& blend,
                                const std::array<Eigen::Vector3d, 2>& knee_axes)
-    : skeleton_(skeleton),
-      roles_(roles),
-      shapes_(shapes),
-      blend_(blend),
-      knee_axes_(knee_axes) {}
+    : skeleton_(skeleton), roles_(roles), shapes_(shapes), blend_(blend), knee_axes_(knee_axes) {}
 
 bool FootController::apply(AnimationBuffer& buffer) const {
   return dipHips(buffer) && placeLegs(buffer);

@@ -29,7 +29,8 @@ struct Swing {
 std::optional<Swing> swingWithin(const GaitTrack& track, Side side, double begin, double end) {
   const std::vector<Plant>& plants = track.plants(side);
   for (size_t i = 0; i + 1 < plants.size(); ++i) {
-    if (plants[i].lift_off >= begin && plants[i].lift_off < end) return {{plants[i], plants[i + 1]}};
+    if (plants[i].lift_off >= begin && plants[i].lift_off < end)
+      return {{plants[i], plants[i + 1]}};
   }
   // Its lift-off lies a little before the cycle: take the swing that ends within.
   for (size_t i = 0; i + 1 < plants.size(); ++i) {
@@ -172,10 +173,9 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
                        double end, const std::string& clip) {
   const std::optional<Swing> found = swingWithin(track, side, begin, end);
   if (!found) {
-    throw InputError(clip, 0,
-                     "no whole swing of the " + std::string(side == kLeft ? "left" : "right") +
-                         " foot",
-                     "each foot planted before and after the cycle");
+    throw InputError(
+        clip, 0, "no whole swing of the " + std::string(side == kLeft ? "left" : "right") + " foot",
+        "each foot planted before and after the cycle");
   }
   const Swing& swing = *found;
   const SwingView view(track, side, shape, swing);

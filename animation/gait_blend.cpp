@@ -65,6 +65,10 @@ Eigen::MatrixXd warped(Eigen::MatrixXd coefficients, double warp) {
   return coefficients;
 }
 
+// Rates change quickly where a curve begins: shares without a kink do not show as a jerk of the
+// head.
+double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
+
 FootCycle scaledFoot(FootCycle foot, double scale) {
   foot.slip *= scale;
   for (double& c : foot.height) c *= scale;
@@ -151,15 +155,17 @@ void GaitBlend::fitLaw(const std::vector<Pace>& paces) {
 // Channels, feet and their prints at the plan's speed. Cycles are mixed at its step.
 void GaitBlend::mixStraight(const std::vector<Pace>& paces, const std::vector<Cycles>& cycles,
                             double scale, double speed) {
-  const Between where = between(paces.size(), [&](size_t i) { return paces[i].speed; }, speed);
+  const Between where = between(
+      paces.size(), [&](size_t i) { return paces[i].speed; }, speed);
   const size_t high = std::min(where.low + 1, paces.size() - 1);
   straight_.speed = speed;
   straight_.step = law_.stepLength(speed);
   straight_.coefficients =
       Eigen::MatrixXd::Zero(paces[0].coefficients.rows(), paces[0].coefficients.cols());
-  for (const auto& [index, share] : {std::pair(where.low, 1.0 - where.share), {high, where.share}}) {
-    straight_.coefficients += share * warped(paces[index].coefficients,
-                                             straight_.step / paces[index].step);
+  for (const auto& [index, share] :
+       {std::pair(where.low, 1.0 - where.share), {high, where.share}}) {
+    straight_.coefficients +=
+        share * warped(paces[index].coefficients, straight_.step / paces[index].step);
     const double each = share / static_cast<double>(cycles[index].size());
     for (const WalkCycle* cycle : cycles[index]) {
       step_width_ += each * cycle->step_width * scale;
@@ -191,11 +197,12 @@ void GaitBlend::add(const Pace& pace, double weight, double step, const double* 
   if (weight <= 0.0) return;
   const double warp = step / pace.step;
   const Eigen::Index columns = pace.coefficients.cols();
-  std::array<double, 2 * kMaxHarmonics + 2> warped;
-  for (Eigen::Index k = 0; k < columns; ++k) warped[k] = weight * basis[k] * (k < 2 ? 1.0 : warp);
+  std::array<double, 2 * kMaxHarmonics + 2> amplitudes = {};
+  for (Eigen::Index k = 0; k < columns; ++k)
+    amplitudes[k] = weight * basis[k] * (k < 2 ? 1.0 : warp);
   const double height = channels[2];
   channels.noalias() +=
-      pace.coefficients * Eigen::Map<const Eigen::VectorXd>(warped.data(), columns);
+      pace.coefficients * Eigen::Map<const Eigen::VectorXd>(amplitudes.data(), columns);
   const double mean = weight * pace.coefficients(2, 0);  // height: warped once, here once more
   channels[2] = height + mean + warp * (channels[2] - height - mean);
 }
@@ -211,14 +218,13 @@ void GaitBlend::evaluate(double phase, double turn_rate, double step_length,
   const double rate = std::abs(turn_rate);
   const auto rateOf = [&](size_t i) { return std::abs(turns[i].turn_rate); };
   if (rate <= rateOf(0)) {
-    add(turns[0], rate / rateOf(0), step_length, basis.data(), channels);
+    add(turns[0], smoothstep(rate / rateOf(0)), step_length, basis.data(), channels);
     return;
   }
   const Between turn = between(turns.size(), rateOf, rate);
-  add(turns[turn.low], 1.0 - turn.share, step_length, basis.data(), channels);
-  if (turn.share > 0.0) {
-    add(turns[turn.low + 1], turn.share, step_length, basis.data(), channels);
-  }
+  const double share = smoothstep(turn.share);
+  add(turns[turn.low], 1.0 - share, step_length, basis.data(), channels);
+  if (share > 0.0) add(turns[turn.low + 1], share, step_length, basis.data(), channels);
 }
 
 }  // namespace amble

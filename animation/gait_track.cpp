@@ -16,10 +16,7 @@ constexpr double kMidStance = 0.45;  // of a stance: the sole is flat there
 
 GaitTrack::GaitTrack(const Clip& level, const JointRoles& roles,
                      const std::array<FootShape, 2>& feet)
-    : clip_(level),
-      roles_(roles),
-      feet_(feet),
-      joints_(level.skeleton.size()) {
+    : clip_(level), roles_(roles), feet_(feet), joints_(level.skeleton.size()) {
   pose_.rotations.resize(level.skeleton.size());
   findPlants();
 }

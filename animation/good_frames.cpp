@@ -6,11 +6,11 @@
 namespace amble {
 namespace {
 
-constexpr double kStart = 0.25;       // where bad starts are looked for [s]
-constexpr int kFewestFrames = 12;     // of it, in slow captures
-constexpr double kLeap = 5.5;         // times the 99th percentile of the rest: no person does that
-constexpr double kSlide = 2.0;        // times the median: still on the way out of a reference pose
-constexpr double kFrozen = 1e-9;      // [rad]: the same numbers again
+constexpr double kStart = 0.25;    // where bad starts are looked for [s]
+constexpr int kFewestFrames = 12;  // of it, in slow captures
+constexpr double kLeap = 5.5;      // times the 99th percentile of the rest: no person does that
+constexpr double kSlide = 2.0;     // times the median: still on the way out of a reference pose
+constexpr double kFrozen = 1e-9;   // [rad]: the same numbers again
 
 // Mean angle of the joints between frame i and the next [rad]: a change of the whole pose, which a
 // single wrist that flips over is not.

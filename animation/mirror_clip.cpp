@@ -7,11 +7,10 @@
 namespace amble {
 namespace {
 
-// Every rotation and offset mirrored in the plane y = 0: a rig whose left side is the other's right.
+// Every rotation and offset mirrored in the plane y = 0: a rig whose left side is the other's
+// right.
 Eigen::Vector3d mirrored(const Eigen::Vector3d& p) { return {p.x(), -p.y(), p.z()}; }
-Eigen::Quaterniond mirrored(const Eigen::Quaterniond& q) {
-  return {q.w(), -q.x(), q.y(), -q.z()};
-}
+Eigen::Quaterniond mirrored(const Eigen::Quaterniond& q) { return {q.w(), -q.x(), q.y(), -q.z()}; }
 
 Skeleton mirrored(const Skeleton& skeleton) {
   std::vector<Joint> joints = skeleton.joints();

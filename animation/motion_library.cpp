@@ -64,8 +64,9 @@ CaptureQuality readCapture(const YamlNode& node) {
 }
 
 WalkCycle readCycle(const YamlNode& node, int joints) {
-  node.requireKeys({"speed", "turn_rate", "period", "cycles", "closure", "capture", "residual", "slide", "step_width",
-                    "foot_forward", "toe_out", "left", "right", "harmonics", "alpha", "beta"});
+  node.requireKeys({"speed", "turn_rate", "period", "cycles", "closure", "capture", "residual",
+                    "slide", "step_width", "foot_forward", "toe_out", "left", "right", "harmonics",
+                    "alpha", "beta"});
   WalkCycle cycle;
   cycle.speed = node.at("speed").asPositive("speed [m/s]", 5.0);
   cycle.turn_rate = node.at("turn_rate").asDouble(-360, 360, "turn rate [degrees/s]") * kDegree;

@@ -36,9 +36,8 @@ std::string sourceOf(const RecipeMotion& recipe, const std::string& key, const Y
 }
 
 RecipeMotion readRecipeMotion(const YamlNode& node, const YamlNode& root) {
-  node.requireKeys(
-      {"name", "kind", "turning", "clip", "frames", "mirror", "harmonics", "unit", "licence",
-       "credit"});
+  node.requireKeys({"name", "kind", "turning", "clip", "frames", "mirror", "harmonics", "unit",
+                    "licence", "credit"});
   RecipeMotion recipe;
   recipe.motion.name = node.at("name").asString();
   recipe.motion.kind = node.at("kind").asEnum<MotionKind>(
@@ -147,8 +146,8 @@ class LibraryBuilder {
     const ReferencePose from = referenceOf(clip, roles);
     const ReferencePose to = referenceOf(library_.skeleton, library_.roles, stand->rotations);
     const double ratio = library_.stature / statureOf(clip.skeleton, roles);
-    Clip carried = carriedOver(clip, {clip.skeleton, roles, from},
-                               {library_.skeleton, library_.roles, to});
+    Clip carried =
+        carriedOver(clip, {clip.skeleton, roles, from}, {library_.skeleton, library_.roles, to});
     carried.frame_time *= std::sqrt(ratio);
     return levelled(carried, library_.roles);
   }

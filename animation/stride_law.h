@@ -3,10 +3,11 @@
 
 namespace amble {
 
-/// Step length grows with a power of speed, 0.42 (Grieve & Gear 1966) unless the subject's own walks
-/// say otherwise, and cadence with the rest, through a captured walk's own speed and step length:
-/// the constants differ from subject to subject (Inman's law, Glardon eq. 4, is 5 % high on ours). Below `kSlowestCadence` of the
-/// captured cadence people take shorter steps rather than slower ones.
+/// Step length grows with a power of speed, 0.42 (Grieve & Gear 1966) unless the subject's own
+/// walks say otherwise, and cadence with the rest, through a captured walk's own speed and step
+/// length: the constants differ from subject to subject (Inman's law, Glardon eq. 4, is 5 % high on
+/// ours). Below `kSlowestCadence` of the captured cadence people take shorter steps rather than
+/// slower ones.
 class StrideLaw {
  public:
   static constexpr double kStepPower = 0.42;

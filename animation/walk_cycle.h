@@ -55,7 +55,7 @@ struct WalkCycle {
   double speed = 0.0;      ///< along the fitted line or circle [m/s]
   double turn_rate = 0.0;  ///< [rad/s], left positive
   double period = 0.0;     ///< of a cycle, two steps [s]
-  int cycles = 0;  ///< of the capture that were averaged
+  int cycles = 0;          ///< of the capture that were averaged
   /// Measured error of the cycle, the largest of those averaged: rms distance of joints between its
   /// ends [m].
   double closure = 0.0;
@@ -102,9 +102,10 @@ struct CycleOptions {
 };
 
 /// Finds the steady cycles of a levelled clip, fits a line or circle to each, averages the errors
-/// around it over the cycles and takes their Fourier series. Fit: of all lines (circles) the one on which the cycle closes, that
-/// is, whose ends are a whole cycle's ends; least squares over a single cycle would lean with the
-/// sway. @param reference  the library's reference rotations, root against heading first
+/// around it over the cycles and takes their Fourier series. Fit: of all lines (circles) the one on
+/// which the cycle closes, that is, whose ends are a whole cycle's ends; least squares over a
+/// single cycle would lean with the sway. @param reference  the library's reference rotations, root
+/// against heading first
 /// @throws InputError naming the clip where no whole cycle is found.
 WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
                            const std::array<FootShape, 2>& feet,

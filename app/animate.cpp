@@ -107,10 +107,9 @@ int run(const Options& options) {
   fmt::print(out, "{}: {:.2f} s, {} frames, {} steps, {:.2f} m\n", options.out, clip.duration(),
              clip.frames(), result.steps, walk.states.empty() ? 0.0 : walk.states.back().arc);
   if (!options.quality) return kExitDone;
-  const QualityAnchors anchors = anchorsOf(library, synthesizer.stature() / library.stature,
-                                           synthesizer.settings().speed);
-  return printQuality(synthesizer, clip, walk, *ground, anchors, out) ? kExitDone
-                                                                             : kExitNone;
+  const QualityAnchors anchors =
+      anchorsOf(library, synthesizer.stature() / library.stature, synthesizer.settings().speed);
+  return printQuality(synthesizer, clip, walk, *ground, anchors, out) ? kExitDone : kExitNone;
 }
 
 }  // namespace

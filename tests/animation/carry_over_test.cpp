@@ -85,8 +85,8 @@ TEST(CarryOver, CapturesOfOtherRigsKeepTheirHeadingTheirHeightAndTheirFeet) {
     const Clip& clip = source.motion.clip;
     const JointRoles& roles = source.motion.roles;
     const ReferencePose from = referenceOf(clip, roles);
-    const Clip other = carriedOver(clip, {clip.skeleton, roles, from},
-                                   {skeleton, target.motion.roles, to});
+    const Clip other =
+        carriedOver(clip, {clip.skeleton, roles, from}, {skeleton, target.motion.roles, to});
     const double ratio = statureOf(skeleton, target.motion.roles) / statureOf(clip.skeleton, roles);
     std::vector<JointFrame> a(clip.skeleton.size()), b(skeleton.size());
     for (int i = 0; i < clip.frames(); i += 10) {

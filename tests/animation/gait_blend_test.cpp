@@ -94,8 +94,7 @@ TEST(GaitBlend, AtACapturedTurnRateAndBeyondItIsTheMeanOfThoseTurns) {
       return m.turning && sign * m.cycle.turn_rate > fastest / (1.0 + 0.5 * GaitBlend::kSamePace);
     };
     for (const double rate : {1.01, 2.0}) {  // left and right differ by 1e-4: nothing extrapolates
-      const auto value =
-          valueOf(blend, 0.3, sign * rate * blend.maxTurnRate(), stepOf(ofRate));
+      const auto value = valueOf(blend, 0.3, sign * rate * blend.maxTurnRate(), stepOf(ofRate));
       EXPECT_LT((value - meanOf(0.3, ofRate)).norm(), 1e-12);
     }
   }

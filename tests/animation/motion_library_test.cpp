@@ -124,16 +124,16 @@ TEST_F(MotionLibraryFile, RefusesALibraryWithoutItsPosture) {
 }
 
 TEST_F(MotionLibraryFile, RefusesALibraryWithoutAStraightWalk) {
-  const size_t first = text_.find("  - name: walk-straight\n");
-  const size_t turns = text_.find("  - name: walk-left\n");
+  const size_t first = text_.find("  - name: walk-slow\n");
+  const size_t turns = text_.find("  - name: turn-right-slow\n");
   ASSERT_LT(first, turns);
   text_.erase(first, turns - first);
   EXPECT_NE(std::string(error().what()).find("no straight walk"), std::string::npos);
 }
 
 TEST_F(MotionLibraryFile, RefusesTwoMotionsOfOneName) {
-  replace("- name: walk-straight-mirrored", "- name: walk-straight");
-  expectRefused("walk-straight is there twice");
+  replace("- name: walk-slow-mirrored", "- name: walk-slow");
+  expectRefused("walk-slow is there twice");
 }
 
 TEST_F(MotionLibraryFile, RefusesNumbersOutOfRange) {
