@@ -188,6 +188,9 @@ void GaitBlend::addTurns(const std::vector<Cycles>& turns, int harmonics, double
   for (const Cycles& cycles : turns) {
     Pace turn = meanPace(cycles, harmonics, scale);
     turn.coefficients -= warped(straight_.coefficients, turn.step / straight_.step);
+    const Eigen::Index kept =
+        std::min<Eigen::Index>(2 * kTurnHarmonics + 2, turn.coefficients.cols());
+    turn.coefficients.rightCols(turn.coefficients.cols() - kept).setZero();
     turns_[turn.turn_rate > 0.0 ? 0 : 1].push_back(std::move(turn));
   }
 }

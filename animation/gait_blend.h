@@ -3,7 +3,8 @@
 /// Walks that go alike are averaged into one captured pace: straight ones of the same speed, left
 /// and right turns of the same rate. The straight walk is mixed of the two paces next to the plan's
 /// speed, once: the walker keeps his carriage where he slows for a turn or a stop, and only the
-/// step is warped. A turn adds what the captured turns do otherwise than that walk at their step.
+/// step is warped. A turn adds what the captured turns do otherwise than that walk at their step, in
+/// its mean and lowest harmonics.
 /// Which is which is told by each cycle's own measured turn rate. (The paper has left turns
 /// negative; ours are positive.) Beyond the captured paces nothing is extrapolated but the step:
 /// the slowest and the fastest walk are warped, turns are held at the fastest captured rate, the
@@ -45,6 +46,9 @@ class GaitBlend {
 
   /// Walks whose speeds, or turn rates, differ by less than this share are one pace.
   static constexpr double kSamePace = 0.15;
+  /// Harmonics of what turns add: beyond, two walks differ by what their captures shake, and a fast
+  /// walk would make much of it.
+  static constexpr int kTurnHarmonics = 3;
 
  private:
   struct Pace {

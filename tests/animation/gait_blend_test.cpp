@@ -85,17 +85,27 @@ TEST(GaitBlend, AtACapturedPaceAndBeyondItIsTheMeanOfItsWalks) {
   }
 }
 
-TEST(GaitBlend, AtACapturedTurnRateAndBeyondItIsTheMeanOfThoseTurns) {
+TEST(GaitBlend, AtACapturedTurnRateAndBeyondItsLowHarmonicsAreThoseOfThatTurn) {
   const GaitBlend blend(library(), 1.0);
   for (const double sign : {1.0, -1.0}) {
     const double fastest = largestOf([](const Motion& m) { return m.turning; },
                                      [&](const WalkCycle& c) { return sign * c.turn_rate; });
     const auto ofRate = [&](const Motion& m) {
-      return m.turning && sign * m.cycle.turn_rate > fastest / (1.0 + 0.5 * GaitBlend::kSamePace);
+      return m.turning && sign * m.cycle.turn_rate > fastest / (1.0 + GaitBlend::kSamePace);
     };
     for (const double rate : {1.01, 2.0}) {  // left and right differ by 1e-4: nothing extrapolates
-      const auto value = valueOf(blend, 0.3, sign * rate * blend.maxTurnRate(), stepOf(ofRate));
-      EXPECT_LT((value - meanOf(0.3, ofRate)).norm(), 1e-12);
+      for (int k = 0; k <= GaitBlend::kTurnHarmonics; ++k) {
+        Eigen::VectorXd cosine = Eigen::VectorXd::Zero(3 + 3 * library().skeleton.size());
+        Eigen::VectorXd sine = cosine;
+        for (double phase = 0.0; phase < 1.0; phase += 1.0 / 32) {
+          const Eigen::VectorXd off =
+              valueOf(blend, phase, sign * rate * blend.maxTurnRate(), stepOf(ofRate)) -
+              meanOf(phase, ofRate);
+          cosine += std::cos(2.0 * kPi * k * phase) * off;
+          sine += std::sin(2.0 * kPi * k * phase) * off;
+        }
+        EXPECT_LT(cosine.norm() + sine.norm(), 1e-10) << k;
+      }
     }
   }
 }
