@@ -118,12 +118,15 @@ TEST(GaitBlend, BetweenTwoPacesItIsContinuousInSpeed) {
   }
 }
 
-TEST(GaitBlend, BetweenStraightAndTurnWeightsGrowWithTheTurnRate) {
+TEST(GaitBlend, HalfWayToTheSlowestTurnHalfOfItIsAdded) {
   const GaitBlend blend(library(), 1.0);
   const double step = blend.law().capturedStep();
   const Eigen::VectorXd straight = valueOf(blend, 0.6, 0.0, step);
-  const Eigen::VectorXd half = valueOf(blend, 0.6, 0.3, step) - straight;
-  const Eigen::VectorXd whole = valueOf(blend, 0.6, 0.6, step) - straight;
+  const double slowest =
+      -largestOf([](const Motion& m) { return m.turning && m.cycle.turn_rate > 0.0; },
+                 [](const WalkCycle& c) { return -c.turn_rate; });
+  const Eigen::VectorXd half = valueOf(blend, 0.6, 0.5 * slowest, step) - straight;
+  const Eigen::VectorXd whole = valueOf(blend, 0.6, slowest, step) - straight;
   EXPECT_LT((2.0 * half - whole).norm(), 1e-12);
   EXPECT_GT(whole.norm(), 1e-3);
 }
