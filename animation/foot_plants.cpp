@@ -6,6 +6,7 @@
 
 #include "animation/floor_fit.h"
 #include "animation/low_pass.h"
+#include "animation/statistics.h"
 
 namespace amble {
 namespace {
@@ -43,14 +44,6 @@ struct FootStates {
   std::vector<bool> planted;  // stage 1: one of them is low and slow
   std::vector<bool> still;    // one of them is low and stands as good as still: certainly planted
 };
-
-double quantile(std::vector<double> values, double share) {
-  assert(!values.empty());
-  const auto nth =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
-}
 
 FootSignals footSignals(Eigen::MatrixXd path, const FloorFit& floor, double leg, double rate,
                         double cutoff) {

@@ -7,6 +7,7 @@
 
 #include "animation/floor_fit.h"
 #include "animation/low_pass.h"
+#include "animation/statistics.h"
 
 namespace amble {
 namespace {
@@ -24,13 +25,6 @@ constexpr double kAnkleHeight = 0.039 / 0.491;
 constexpr double kRolling = 0.3;
 
 constexpr double kUnseen = std::numeric_limits<double>::quiet_NaN();
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Median of `values` over the flat middles of all plants; the least value where there is none.
 double standing(const Eigen::VectorXd& values, const std::vector<FootPlant>& plants) {

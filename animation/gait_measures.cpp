@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "animation/statistics.h"
+
 namespace amble {
 namespace {
 
@@ -17,20 +19,6 @@ constexpr double kSpeedWindow =
 // down.
 constexpr double kClearFrom = 0.3, kClearTo = 0.7;
 constexpr double kGroundReach = 1.0;  // how far the ground may lie from a sole point [m]
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
-}
 
 /// Standard deviation over mean.
 double variation(const std::vector<double>& values) {
