@@ -24,7 +24,7 @@ inline constexpr double kAmcFrameTime = 1.0 / 120.0;
 struct AsfAmcOptions {
   double metres_per_unit = 1.0;  ///< of both files [m, > 0]
   UpAxis up = UpAxis::kY;
-  std::optional<double> frame_time;  ///< none: the AMC's own, else kAmcFrameTime [s, > 0]
+  std::optional<double> frame_time = {};  ///< none: the AMC's own, else kAmcFrameTime [s, > 0]
 };
 
 /// What reading found besides the clip.

@@ -1,19 +1,19 @@
 #include "animation/capture_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iostream>
 
 #include "animation/error.h"
 
 namespace amble {
-namespace {
-
-// A joint whose position channels vary by no more than this has a fixed offset [m]: some exporters
-// recompute it for each frame and round. A micrometre is what we write.
-constexpr double kFixedOffsetTolerance = 1e-6;
-
-}  // namespace
+std::string lowerEnding(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
 
 std::string readText(std::istream& in, const std::string& name, const std::string& expected) {
   std::string text;
@@ -45,13 +45,13 @@ Eigen::Vector3d fileToWorld(const Eigen::Vector3d& p_file, UpAxis up) {
 }
 
 void settleOffsets(double metres_per_unit, std::vector<Joint>& joints_in_file_units,
-                   std::vector<Eigen::Vector3d>& joint_positions) {
+                   std::vector<Eigen::Vector3d>& joint_positions, double tolerance) {
   if (joint_positions.empty()) return;
   const size_t joints = joints_in_file_units.size();
   std::vector<bool> moves(joints, false);
   for (size_t i = joints; i < joint_positions.size(); ++i) {
     const Eigen::Vector3d change = joint_positions[i] - joint_positions[i % joints];
-    if (change.cwiseAbs().maxCoeff() > kFixedOffsetTolerance) moves[i % joints] = true;
+    if (change.cwiseAbs().maxCoeff() > tolerance) moves[i % joints] = true;
   }
   for (size_t j = 1; j < joints; ++j) {
     if (!moves[j]) joints_in_file_units[j].offset = joint_positions[j] / metres_per_unit;

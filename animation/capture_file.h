@@ -26,6 +26,9 @@ inline constexpr double kMaxCaptureNumber = 1e9;
 /// real files have one a six bytes or more.
 inline constexpr size_t kMaxJointPosesPerByte = 4;
 
+/// `.bvh` of `Walk.BVH`.
+std::string lowerEnding(const std::filesystem::path& file);
+
 /// The whole of a file; `-` is standard input. @throws InputError if it is missing, a folder or
 /// unreadable; `expected` says what it should have been ("a BVH file").
 std::string readText(const std::filesystem::path& file, const std::string& expected);
@@ -35,10 +38,15 @@ std::string readText(std::istream& in, const std::string& name, const std::strin
 /// A point of a file in World: of a y-up file (x, y, z) is (x, -z, y).
 Eigen::Vector3d fileToWorld(const Eigen::Vector3d& p_file, UpAxis up);
 
-/// Joints whose positions in their parent never move (by more than a micrometre) get them as their
+/// Where exporters recompute a joint's place for each frame and round: it has not moved. A
+/// micrometre is what we write [m].
+inline constexpr double kFixedOffsetTolerance = 1e-6;
+
+/// Joints whose positions in their parent never move by more than `tolerance` get them as their
 /// offset once and for all; where none moves `joint_positions` is emptied.
 /// @param joint_positions  frame-major, joints of them a frame, root first [m]
 void settleOffsets(double metres_per_unit, std::vector<Joint>& joints_in_file_units,
-                   std::vector<Eigen::Vector3d>& joint_positions);
+                   std::vector<Eigen::Vector3d>& joint_positions,
+                   double tolerance = kFixedOffsetTolerance);
 
 }  // namespace amble

@@ -15,10 +15,7 @@ std::vector<std::filesystem::path> asfFilesIn(const std::filesystem::path& folde
   std::error_code unreadable;
   for (std::filesystem::directory_iterator it(folder, unreadable), end; it != end;
        it.increment(unreadable)) {
-    std::string ending = it->path().extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (ending == ".asf") files.push_back(it->path());
+    if (lowerEnding(it->path()) == ".asf") files.push_back(it->path());
   }
   std::sort(files.begin(), files.end());
   return files;

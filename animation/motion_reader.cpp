@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <memory>
 
 #include "animation/asf_amc.h"
+#include "animation/assimp_motion.h"
 #include "animation/bvh.h"
 #include "animation/error.h"
 #include "animation/motion_guesses.h"
@@ -17,13 +16,6 @@
 
 namespace amble {
 namespace {
-
-std::string endingOf(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 /// A capture whose unit and vertical axis are not settled yet.
 struct OpenMotion {
@@ -45,7 +37,7 @@ OpenMotion openAmc(const std::filesystem::path& amc, const MotionReadOptions& op
 }
 
 OpenMotion openMotion(const std::filesystem::path& file, const MotionReadOptions& options) {
-  const std::string ending = endingOf(file);
+  const std::string ending = lowerEnding(file);
   if (file == "-" || ending == ".bvh") {
     const auto read = [name = file.string(), text = readText(file, "a BVH file")](double unit,
                                                                                   UpAxis up) {
@@ -57,7 +49,8 @@ OpenMotion openMotion(const std::filesystem::path& file, const MotionReadOptions
   if (ending == ".asf") {
     throw InputError(file.string(), 0, "a skeleton without a motion", "the .amc that goes with it");
   }
-  throw InputError(file.string(), 0, "no kind of capture that Amble knows", ".bvh or .amc");
+  throw InputError(file.string(), 0, "no kind of capture that Amble knows",
+                   ".bvh, .amc, .fbx, .gltf, .glb or .dae");
 }
 
 const char* axisName(UpAxis up) { return up == UpAxis::kY ? "y" : "z"; }
@@ -108,14 +101,52 @@ Reading<double> settleFacing(const JointRoles& roles, const std::optional<double
   return facing;
 }
 
-}  // namespace
-
-bool isMotionFile(const std::filesystem::path& file) {
-  const std::string ending = endingOf(file);
-  return file == "-" || ending == ".bvh" || ending == ".amc";
+void addUnsure(const RoleGuess& guess, CapturedMotion& motion) {
+  for (const std::string& unsure : guess.unsure) motion.warnings.push_back("unsure of " + unsure);
 }
 
-CapturedMotion readMotion(const std::filesystem::path& file, const MotionReadOptions& options) {
+bool isNodeFile(const std::filesystem::path& file) {
+  const std::string ending = lowerEnding(file);
+  return ending == ".fbx" || ending == ".gltf" || ending == ".glb" || ending == ".dae";
+}
+
+/// A unit that the file says and its legs contradict is kept, and told.
+Reading<double> saidUnit(const Clip& clip, const JointRoles& roles, double unit, bool asked) {
+  Reading<double> reading{unit, false, true,
+                          fmt::format("{:g} m, {}", unit, asked ? "as asked" : "as the file says")};
+  const double likely = guessUnit(clip.skeleton, roles);
+  if (asked || likely == 1.0) return reading;
+  reading.sure = false;
+  reading.text += fmt::format(", but the legs look like {:g} m", unit * likely);
+  return reading;
+}
+
+/// FBX, glTF and Collada say their unit and axes.
+CapturedMotion readNodes(const std::filesystem::path& file, const MotionReadOptions& options) {
+  CapturedMotion motion;
+  AssimpMotionNotes notes;
+  motion.clip = readAssimpMotion(file,
+                                 {.metres_per_unit = options.metres_per_unit,
+                                  .up = options.up,
+                                  .frame_time = options.frame_time},
+                                 &notes);
+  const RoleGuess guess = guessRoles(motion.clip, file.string(), options.roles);
+  motion.roles = guess.roles;
+  motion.metres_per_unit = saidUnit(motion.clip, motion.roles, notes.metres_per_unit,
+                                    options.metres_per_unit.has_value());
+  motion.up = {
+      notes.up, false, true,
+      fmt::format("{}, as {}", axisName(notes.up), options.up ? "asked" : "the file says")};
+  motion.frame_time = {
+      motion.clip.frame_time, false, true,
+      fmt::format("{:.7g} s{}", motion.clip.frame_time, options.frame_time ? ", as asked" : "")};
+  motion.warnings = notes.warnings;
+  addUnsure(guess, motion);
+  return motion;
+}
+
+/// Text formats leave their unit and vertical axis open.
+CapturedMotion readTexts(const std::filesystem::path& file, const MotionReadOptions& options) {
   const OpenMotion open = openMotion(file, options);
   CapturedMotion motion;
   const UpAxis as_written = UpAxis::kZ;
@@ -129,11 +160,24 @@ CapturedMotion readMotion(const std::filesystem::path& file, const MotionReadOpt
     motion.clip = open.read(motion.metres_per_unit.value, motion.up.value);
   }
   motion.frame_time = settleFrameTime(motion.clip, open.notes.get(), options.frame_time);
-  motion.facing = settleFacing(motion.roles, options.facing, motion.clip);
   if (open.notes) motion.warnings = open.notes->warnings;
-  for (const std::string& unsure : guess.unsure) motion.warnings.push_back("unsure of " + unsure);
-  if (!motion.metres_per_unit.sure)
+  addUnsure(guess, motion);
+  return motion;
+}
+
+}  // namespace
+
+bool isMotionFile(const std::filesystem::path& file) {
+  const std::string ending = lowerEnding(file);
+  return file == "-" || ending == ".bvh" || ending == ".amc" || isNodeFile(file);
+}
+
+CapturedMotion readMotion(const std::filesystem::path& file, const MotionReadOptions& options) {
+  CapturedMotion motion = isNodeFile(file) ? readNodes(file, options) : readTexts(file, options);
+  motion.facing = settleFacing(motion.roles, options.facing, motion.clip);
+  if (!motion.metres_per_unit.sure) {
     motion.warnings.push_back("unit " + motion.metres_per_unit.text);
+  }
   if (!motion.up.sure) motion.warnings.push_back("vertical axis " + motion.up.text);
   if (!motion.facing.sure) motion.warnings.push_back("facing " + motion.facing.text);
   return motion;

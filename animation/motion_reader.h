@@ -1,8 +1,8 @@
 /// One entry for every capture format: a clip in World and metres, whose joint is whose in it, and
 /// what of that was guessed.
 ///
-/// Formats by the name's end: .bvh; .amc with its .asf. Every guess is said with its reason and can
-/// be set in the options.
+/// Formats by the name's end: .bvh; .amc with its .asf; .fbx, .gltf, .glb and .dae, which say their
+/// unit and axes. Every guess is said with its reason and can be set in the options.
 #pragma once
 
 #include <filesystem>
@@ -17,14 +17,16 @@
 namespace amble {
 
 struct MotionReadOptions {
-  std::optional<double> metres_per_unit;  ///< none: guessed from the legs [m, > 0]
-  std::optional<UpAxis> up;               ///< none: guessed from how the person stands
-  std::optional<double> facing;      ///< heading that the pelvis shall have in the first frame: the
-                                     ///< clip is turned about World z; none: as it is [rad]
-  std::optional<double> frame_time;  ///< of an AMC, which mostly does not say; none: its own, else
-                                     ///< kAmcFrameTime [s, > 0]
-  std::filesystem::path asf;         ///< skeleton of an AMC; empty: as findAsf() has it
-  std::filesystem::path roles;       ///< YAML map of role to joint name that overrides the guess
+  std::optional<double> metres_per_unit =
+      {};                         ///< none: said by the file, or guessed from the legs [m, > 0]
+  std::optional<UpAxis> up = {};  ///< none: said by the file, or guessed from how the person stands
+  std::optional<double> facing = {};  ///< heading that the pelvis shall have in the first frame:
+                                      ///< the clip is turned about World z; none: as it is [rad]
+  /// Of an AMC, which mostly does not say; none: its own, else kAmcFrameTime. FBX, glTF and Collada
+  /// are sampled at it; none: the file's. A BVH has its own [s, > 0]
+  std::optional<double> frame_time = {};
+  std::filesystem::path asf;    ///< skeleton of an AMC; empty: as findAsf() has it
+  std::filesystem::path roles;  ///< YAML map of role to joint name that overrides the guess
 };
 
 /// A thing that a capture's file may leave open.

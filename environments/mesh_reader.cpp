@@ -11,8 +11,8 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
-#include <set>
 
+#include "animation/assimp_scene.h"
 #include "animation/error.h"
 #include "environments/mesh.h"
 
@@ -27,54 +27,11 @@ std::string lowerCase(std::string s) {
   return s;
 }
 
-// Messages are one line.
-std::string oneLine(std::string s) {
-  for (char& c : s)
-    if (std::iscntrl(static_cast<unsigned char>(c))) c = ' ';
-  while (!s.empty() && (s.back() == ' ' || s.back() == '.')) s.pop_back();
-  return s;
-}
-
-Eigen::Affine3d toEigen(const aiMatrix4x4& m) {
-  Eigen::Affine3d X;
-  X.matrix() << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2,
-      m.d3, m.d4;
-  return X;
-}
-
 // A node's name as the file gave it: Assimp's own helper nodes have none.
 std::string fileName(const aiNode& node) {
   const std::string name = node.mName.C_Str();
   if (!name.empty() && name.front() == '$') return "";
   return name.substr(0, name.find("_$AssimpFbx$_"));
-}
-
-int metadataInt(const aiScene& scene, const char* key, int fallback) {
-  int value = fallback;
-  return scene.mMetaData && scene.mMetaData->Get(key, value) ? value : fallback;
-}
-
-// Takes an FBX file's axes to World and its unit to metres.
-Eigen::Affine3d fbxToWorld(const aiScene& scene, const std::string& file) {
-  const int up = metadataInt(scene, "UpAxis", 1), front = metadataInt(scene, "FrontAxis", 2);
-  const int side = metadataInt(scene, "CoordAxis", 0);
-  if (std::set<int>{up, front, side} != std::set<int>{0, 1, 2})
-    throw InputError(file, 0, "its axes are not three", "UpAxis, FrontAxis and CoordAxis 0 to 2");
-  Eigen::Matrix3d R = Eigen::Matrix3d::Zero();  // rows: x, y, z of World
-  R(0, side) = metadataInt(scene, "CoordAxisSign", 1);
-  R(1, front) = -metadataInt(scene, "FrontAxisSign", 1);
-  R(2, up) = metadataInt(scene, "UpAxisSign", 1);
-  double centimetres = 1.0;
-  if (scene.mMetaData) {
-    float single = 1.0f;
-    if (!scene.mMetaData->Get("UnitScaleFactor", centimetres) &&
-        scene.mMetaData->Get("UnitScaleFactor", single))
-      centimetres = single;
-  }
-  if (!(centimetres > 0.0) || !std::isfinite(centimetres)) centimetres = 1.0;
-  Eigen::Affine3d X = Eigen::Affine3d::Identity();
-  X.linear() = 0.01 * centimetres * R;
-  return X;
 }
 
 class PartCollector {
@@ -86,7 +43,7 @@ class PartCollector {
     const std::string name = fileName(node);
     // Rooms and the holes of doors and windows are no things.
     if (name.starts_with("IfcSpace") || name.starts_with("IfcOpening")) return;
-    const Eigen::Affine3d X = X_parent * toEigen(node.mTransformation);
+    const Eigen::Affine3d X = X_parent * nodeTransform(node);
     MeshPart part;
     if (!name.empty() && !isFileRoot(node)) part.names.push_back(name);
     for (unsigned i = 0; i < node.mNumMeshes; ++i)
