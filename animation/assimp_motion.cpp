@@ -48,6 +48,10 @@ int lineIn(const std::string& problem) {
 }
 
 const aiScene& importScene(Assimp::Importer& importer, const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw InputError(file, 0, "no such file", kExpected);
+  }
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_TEXTURES, false);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_MATERIALS, false);
@@ -57,8 +61,8 @@ const aiScene& importScene(Assimp::Importer& importer, const std::string& file) 
   try {
     scene = importer.ReadFile(file, 0);
     if (scene == nullptr) problem = importer.GetErrorString();
-  } catch (const std::exception& error) {
-    problem = error.what();
+  } catch (const std::exception& thrown) {
+    problem = thrown.what();
   }
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw InputError(file, lineIn(problem), "cannot be read: " + oneLine(problem), kExpected);
@@ -221,10 +225,6 @@ void settleAxes(const aiScene& scene, const std::string& file, const std::string
 Clip readAssimpMotion(const std::filesystem::path& file, const AssimpMotionOptions& options,
                       AssimpMotionNotes* notes) {
   const std::string name = file.string();
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw InputError(name, 0, "no such file", kExpected);
-  }
   const std::string ending = lowerEnding(file);
   Assimp::Importer importer;
   const aiScene& scene = importScene(importer, name);
@@ -237,6 +237,11 @@ Clip readAssimpMotion(const std::filesystem::path& file, const AssimpMotionOptio
   const double rate = animation.mTicksPerSecond;
   if (ending == ".fbx" && rate >= kMinRate && rate <= kMaxRate) nodes.frame_time = 1.0 / rate;
   return clipOfNodes(nodes, name, options.frame_time);
+}
+
+bool holdsAnimation(const std::filesystem::path& file) {
+  Assimp::Importer importer;
+  return importScene(importer, file.string()).mNumAnimations > 0;
 }
 
 }  // namespace amble

@@ -33,4 +33,8 @@ struct AssimpMotionNotes {
 Clip readAssimpMotion(const std::filesystem::path& file, const AssimpMotionOptions& options = {},
                       AssimpMotionNotes* notes = nullptr);
 
+/// Whether such a file has animations at all, or meshes only. @throws InputError: missing, not such a
+/// file.
+bool holdsAnimation(const std::filesystem::path& file);
+
 }  // namespace amble

@@ -22,12 +22,14 @@ const std::array<LimbNames, 8>& limbNames() {
   static const std::array<LimbNames, 8> kNames = {{
       {"up_leg", {"upleg", "thigh", "femur", "upperleg", "hip"}},
       {"leg", {"leg", "shin", "calf", "tibia", "lowerleg", "knee"}},
-      {"foot", {"foot", "ankle"}},
-      {"toe", {"toebase", "toes", "toe0", "toe", "ball"}},
+      {"foot", {"foot", "ankle", "talocrural"}},
+      {"toe",
+       {"toebase", "toes", "toe0", "toe", "ball", "metatarsophalangeal", "metatarsal",
+        "midtarsal"}},
       {"arm", {"arm", "shldr", "humerus", "upperarm", "shoulder"}},
-      {"shoulder", {"collar", "clavicle", "shoulder"}},
+      {"shoulder", {"collar", "clavicle", "sternoclavicular", "shoulder"}},
       {"fore_arm", {"forearm", "radius", "lowerarm", "elbow"}},
-      {"hand", {"wrist", "hand"}},
+      {"hand", {"wrist", "hand", "radiocarpal"}},
   }};
   return kNames;
 }
@@ -127,10 +129,14 @@ void RoleGuess::guessLimbs(Side side) {
 // The trunk is known from the tree once the limbs are: names of its joints differ more than its
 // shape does.
 void RoleGuess::guessTrunk() {
-  roles_.head = named("head");
+  for (const char* const name : {"head", "skullbase", "skull"}) {
+    if (roles_.head < 0) roles_.head = named(name);
+  }
   const int left = roles_.legs[kLeft].up_leg, right = roles_.legs[kRight].up_leg;
   if (left >= 0 && right >= 0) {
     roles_.hips = commonAncestor(left, right);
+    // H-Anim's legs hang on a joint of their own beside the spine.
+    if (roles_.head >= 0) roles_.hips = commonAncestor(roles_.hips, roles_.head);
     for (const char* const name : {"hips", "hip", "pelvis"}) {
       const int joint = named(name);
       if (joint >= 0 && skeleton_.isAncestor(joint, roles_.hips)) {

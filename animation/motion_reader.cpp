@@ -55,9 +55,11 @@ OpenMotion openMotion(const std::filesystem::path& file, const MotionReadOptions
 
 const char* axisName(UpAxis up) { return up == UpAxis::kY ? "y" : "z"; }
 
-Reading<double> settleUnit(const Clip& raw, const JointRoles& roles,
-                           const std::optional<double>& said) {
+Reading<double> settleUnit(const CapturedMotion& motion, const std::optional<double>& said) {
+  const Clip& raw = motion.clip;
+  const JointRoles& roles = motion.roles;
   if (said) return {*said, false, true, fmt::format("{:g} m, as asked", *said)};
+  if (!motion.no_person.empty()) return {1.0, true, false, "1 m, guessed: there are no legs"};
   const double leg =
       0.5 * (roles.legLength(raw.skeleton, kLeft) + roles.legLength(raw.skeleton, kRight));
   Reading<double> unit{guessUnit(raw.skeleton, roles), true, leg > 0.0, ""};
@@ -67,10 +69,10 @@ Reading<double> settleUnit(const Clip& raw, const JointRoles& roles,
   return unit;
 }
 
-Reading<UpAxis> settleUp(const Clip& raw, const JointRoles& roles,
-                         const std::optional<UpAxis>& said) {
+Reading<UpAxis> settleUp(const CapturedMotion& motion, const std::optional<UpAxis>& said) {
   if (said) return {*said, false, true, fmt::format("{}, as asked", axisName(*said))};
-  return guessUp(raw, roles);
+  if (!motion.no_person.empty()) return {UpAxis::kY, true, false, "y, guessed: the usual one"};
+  return guessUp(motion.clip, motion.roles);
 }
 
 Reading<double> settleFrameTime(const Clip& clip, const AsfAmcNotes* notes,
@@ -101,8 +103,21 @@ Reading<double> settleFacing(const JointRoles& roles, const std::optional<double
   return facing;
 }
 
-void addUnsure(const RoleGuess& guess, CapturedMotion& motion) {
-  for (const std::string& unsure : guess.unsure) motion.warnings.push_back("unsure of " + unsure);
+/// Whose joint is whose, or nobody's.
+void settleRoles(const std::string& file, const MotionReadOptions& options,
+                 CapturedMotion& motion) {
+  const RoleGuess guess = guessRoles(motion.clip, file, options.roles);
+  motion.roles = guess.roles;
+  motion.no_person = guess.missing;
+  if (guess.missing.empty()) {
+    for (const std::string& unsure : guess.unsure) motion.warnings.push_back("unsure of " + unsure);
+    return;
+  }
+  if (options.person) {
+    throw InputError(file, 0, "no joint looks like " + guess.missing,
+                     "a person's skeleton, or a file of roles (--roles)");
+  }
+  motion.warnings.push_back("no person: no joint looks like " + guess.missing);
 }
 
 bool isNodeFile(const std::filesystem::path& file) {
@@ -111,11 +126,11 @@ bool isNodeFile(const std::filesystem::path& file) {
 }
 
 /// A unit that the file says and its legs contradict is kept, and told.
-Reading<double> saidUnit(const Clip& clip, const JointRoles& roles, double unit, bool asked) {
+Reading<double> saidUnit(const CapturedMotion& motion, double unit, bool asked) {
   Reading<double> reading{unit, false, true,
                           fmt::format("{:g} m, {}", unit, asked ? "as asked" : "as the file says")};
-  const double likely = guessUnit(clip.skeleton, roles);
-  if (asked || likely == 1.0) return reading;
+  const double likely = guessUnit(motion.clip.skeleton, motion.roles);
+  if (asked || !motion.no_person.empty() || likely == 1.0) return reading;
   reading.sure = false;
   reading.text += fmt::format(", but the legs look like {:g} m", unit * likely);
   return reading;
@@ -130,18 +145,16 @@ CapturedMotion readNodes(const std::filesystem::path& file, const MotionReadOpti
                                   .up = options.up,
                                   .frame_time = options.frame_time},
                                  &notes);
-  const RoleGuess guess = guessRoles(motion.clip, file.string(), options.roles);
-  motion.roles = guess.roles;
-  motion.metres_per_unit = saidUnit(motion.clip, motion.roles, notes.metres_per_unit,
-                                    options.metres_per_unit.has_value());
+  settleRoles(file.string(), options, motion);
+  motion.metres_per_unit =
+      saidUnit(motion, notes.metres_per_unit, options.metres_per_unit.has_value());
   motion.up = {
       notes.up, false, true,
       fmt::format("{}, as {}", axisName(notes.up), options.up ? "asked" : "the file says")};
   motion.frame_time = {
       motion.clip.frame_time, false, true,
       fmt::format("{:.7g} s{}", motion.clip.frame_time, options.frame_time ? ", as asked" : "")};
-  motion.warnings = notes.warnings;
-  addUnsure(guess, motion);
+  motion.warnings.insert(motion.warnings.end(), notes.warnings.begin(), notes.warnings.end());
   return motion;
 }
 
@@ -151,17 +164,18 @@ CapturedMotion readTexts(const std::filesystem::path& file, const MotionReadOpti
   CapturedMotion motion;
   const UpAxis as_written = UpAxis::kZ;
   motion.clip = open.read(1.0, as_written);
-  const RoleGuess guess = guessRoles(motion.clip, file.string(), options.roles);
-  motion.roles = guess.roles;
-  motion.metres_per_unit = settleUnit(motion.clip, motion.roles, options.metres_per_unit);
-  motion.up = settleUp(motion.clip, motion.roles, options.up);
+  settleRoles(file.string(), options, motion);
+  motion.metres_per_unit = settleUnit(motion, options.metres_per_unit);
+  motion.up = settleUp(motion, options.up);
   // Read again rather than converted: what a micrometre is depends on the unit.
   if (motion.metres_per_unit.value != 1.0 || motion.up.value != as_written) {
     motion.clip = open.read(motion.metres_per_unit.value, motion.up.value);
   }
   motion.frame_time = settleFrameTime(motion.clip, open.notes.get(), options.frame_time);
-  if (open.notes) motion.warnings = open.notes->warnings;
-  addUnsure(guess, motion);
+  if (open.notes) {
+    const std::vector<std::string>& warnings = open.notes->warnings;
+    motion.warnings.insert(motion.warnings.end(), warnings.begin(), warnings.end());
+  }
   return motion;
 }
 
@@ -174,7 +188,11 @@ bool isMotionFile(const std::filesystem::path& file) {
 
 CapturedMotion readMotion(const std::filesystem::path& file, const MotionReadOptions& options) {
   CapturedMotion motion = isNodeFile(file) ? readNodes(file, options) : readTexts(file, options);
-  motion.facing = settleFacing(motion.roles, options.facing, motion.clip);
+  if (motion.no_person.empty()) {
+    motion.facing = settleFacing(motion.roles, options.facing, motion.clip);
+  } else {
+    motion.facing = {0.0, true, true, "unknown: no person"};
+  }
   if (!motion.metres_per_unit.sure) {
     motion.warnings.push_back("unit " + motion.metres_per_unit.text);
   }

@@ -17,16 +17,19 @@
 namespace amble {
 
 struct MotionReadOptions {
-  std::optional<double> metres_per_unit =
-      {};                         ///< none: said by the file, or guessed from the legs [m, > 0]
-  std::optional<UpAxis> up = {};  ///< none: said by the file, or guessed from how the person stands
-  std::optional<double> facing = {};  ///< heading that the pelvis shall have in the first frame:
-                                      ///< the clip is turned about World z; none: as it is [rad]
+  /// None: said by the file, or guessed from the legs [m, > 0].
+  std::optional<double> metres_per_unit = {};
+  /// None: said by the file, or guessed from how the person stands.
+  std::optional<UpAxis> up = {};
+  /// Heading that the pelvis shall have in the first frame: the clip is turned about World z. None:
+  /// as it is [rad].
+  std::optional<double> facing = {};
   /// Of an AMC, which mostly does not say; none: its own, else kAmcFrameTime. FBX, glTF and Collada
-  /// are sampled at it; none: the file's. A BVH has its own [s, > 0]
+  /// are sampled at it; none: the file's. A BVH has its own [s, > 0].
   std::optional<double> frame_time = {};
   std::filesystem::path asf;    ///< skeleton of an AMC; empty: as findAsf() has it
   std::filesystem::path roles;  ///< YAML map of role to joint name that overrides the guess
+  bool person = true;           ///< a skeleton in which no person is found is refused
 };
 
 /// A thing that a capture's file may leave open.
@@ -41,6 +44,7 @@ struct Reading {
 struct CapturedMotion {
   Clip clip;  ///< World, z up, metres
   JointRoles roles;
+  std::string no_person;  ///< which role nothing tells: `roles` are incomplete; "" for a person
   Reading<double> metres_per_unit;
   Reading<UpAxis> up;
   Reading<double> frame_time;         ///< [s]

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "animation/error.h"
+#include "animation/role_tree.h"
 #include "animation/strict_yaml.h"
 
 namespace amble {
@@ -59,6 +60,18 @@ void noteBrokenLimbs(const JointRoles& roles, const Skeleton& skeleton, RoleGues
   }
 }
 
+/// Roles that nothing has told yet, by the shape of the tree.
+void fillByTree(const Clip& clip, const std::set<std::string>& said, RoleGuess& guess) {
+  const JointRoles tree = rolesByTree(clip);
+  for (const std::string& role : roleNames()) {
+    const int joint = roleJoint(tree, role);
+    if (joint < 0 || roleJoint(guess.roles, role) >= 0 || said.contains(role)) continue;
+    setRole(guess.roles, role, joint);
+    guess.unsure.push_back(role + ": by the shape of the skeleton, " +
+                           clip.skeleton.joint(joint).name);
+  }
+}
+
 }  // namespace
 
 RoleGuess guessRoles(const Clip& clip, const std::string& file,
@@ -70,11 +83,8 @@ RoleGuess guessRoles(const Clip& clip, const std::string& file,
   guess.roles = rolesByName(clip.skeleton);
   std::set<std::string> said;
   if (!overrides.empty()) said = applyOverrides(overrides, clip.skeleton, guess.roles);
-  const std::string missing = missingRole(guess.roles);
-  if (!missing.empty()) {
-    throw InputError(file, 0, "no joint looks like " + missing,
-                     "names as of the common rigs, or a file of roles (--roles)");
-  }
+  if (!missingRole(guess.roles).empty()) fillByTree(clip, said, guess);
+  guess.missing = missingRole(guess.roles);
   for (const std::string& role : roleNames()) {
     if (roleJoint(guess.roles, role) < 0 && !said.contains(role)) {
       guess.unsure.push_back(role + ": no joint fits");

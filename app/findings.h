@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "animation/motion_reader.h"
+
 namespace amble {
 
 struct Findings {
@@ -22,7 +24,7 @@ void printFindings(const std::vector<Findings>& all, bool json);
 
 Findings inspectScene(const std::filesystem::path& file);
 Findings inspectMesh(const std::filesystem::path& file);
-Findings inspectClip(const std::filesystem::path& file);
+Findings inspectClip(const std::filesystem::path& file, const MotionReadOptions& options);
 Findings inspectLibrary(const std::filesystem::path& file);
 Findings inspectScenario(const std::filesystem::path& file);
 

@@ -2,12 +2,14 @@
 // warnings.
 
 #include <algorithm>
-#include <cctype>
+#include <iterator>
 #include <memory>
 
+#include "animation/assimp_motion.h"
 #include "animation/strict_yaml.h"
 #include "app/command.h"
 #include "app/findings.h"
+#include "app/read_options.h"
 
 namespace amble {
 namespace {
@@ -23,17 +25,16 @@ Findings inspectYaml(const std::filesystem::path& file) {
             "'objects:' of a scene, 'scene:' of a scenario or 'motions:' of a library");
 }
 
-Findings inspectFile(const std::filesystem::path& file) {
-  std::string kind = file.extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+Findings inspectFile(const std::filesystem::path& file, const MotionReadOptions& options) {
+  const std::string kind = lowerEnding(file);
   if (kind == ".yaml" || kind == ".yml") return inspectYaml(file);
-  if (kind == ".bvh" || file == "-") return inspectClip(file);
-  for (const char* mesh : {".obj", ".gltf", ".glb", ".ply", ".stl", ".dae", ".fbx", ".ifc"}) {
-    if (kind == mesh) return inspectMesh(file);
-  }
+  const char* const meshes[] = {".obj", ".gltf", ".glb", ".ply", ".stl", ".dae", ".fbx", ".ifc"};
+  const bool mesh = std::find(std::begin(meshes), std::end(meshes), kind) != std::end(meshes);
+  // Some formats hold meshes, motion or both.
+  if (isMotionFile(file) && (!mesh || holdsAnimation(file))) return inspectClip(file, options);
+  if (mesh) return inspectMesh(file);
   throw InputError(file.string(), 0, "no kind of file that Amble knows",
-                   ".yaml, .bvh, .obj, .gltf, .glb, .ply, .stl, .dae, .fbx or .ifc");
+                   ".yaml, .bvh, .amc, .obj, .gltf, .glb, .ply, .stl, .dae, .fbx or .ifc");
 }
 
 }  // namespace
@@ -41,19 +42,24 @@ Findings inspectFile(const std::filesystem::path& file) {
 void addInspect(CLI::App& app, Command& chosen) {
   struct Options {
     std::vector<std::string> files;
+    ReadOptions read;
     bool json = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "inspect", "Say what is in a scene, clip, mesh, library or scenario: sizes, units, warnings");
   command
-      ->add_option("FILE", options->files, "YAML, BVH or mesh files; - is a BVH on standard input")
+      ->add_option("FILE", options->files,
+                   "YAML, captures or mesh files; - is a BVH on standard input")
       ->required();
+  addReadOptions(*command, options->read);
   command->add_flag("--json", options->json, "Print results for machines");
   command->callback([options, &chosen] {
     chosen = [options] {
       std::vector<Findings> all;
-      for (const std::string& file : options->files) all.push_back(inspectFile(file));
+      for (const std::string& file : options->files) {
+        all.push_back(inspectFile(file, options->read.forReader()));
+      }
       printFindings(all, options->json);
       return kExitDone;
     };

@@ -2,49 +2,22 @@
 
 #include <fmt/format.h>
 
-#include "animation/bvh.h"
-#include "animation/error.h"
-#include "animation/joint_roles.h"
 #include "animation/motion_library.h"
 #include "animation/rotation.h"
 #include "app/findings.h"
+#include "app/read_options.h"
 
 namespace amble {
 namespace {
 
-constexpr double kUnitSlack =
-    0.2;  // a person's leg is within this of the mean: the unit is a metre
-
 std::string orderText(const RotationOrder& order) { return {order.begin(), order.end()}; }
 
-// Joint positions of a frame, in the file's unit.
 Eigen::AlignedBox3d extentAt(const Clip& clip, int frame) {
   std::vector<JointFrame> frames(clip.skeleton.size());
   forwardKinematics(clip, frame, frames);
   Eigen::AlignedBox3d box;
   for (const JointFrame& joint : frames) box.extend(joint.p_WJ);
   return box;
-}
-
-void describeRig(const Clip& clip, Findings& out) {
-  const Skeleton& skeleton = clip.skeleton;
-  JointRoles roles;
-  try {
-    roles = guessJointRoles(skeleton, out.file);
-  } catch (const InputError& error) {
-    out.warnings.push_back("a rig that Amble does not know by its names: " + error.problem());
-    return;
-  }
-  const double unit = guessUnit(skeleton, roles);
-  out.facts.emplace_back("unit", fmt::format("{:g} m, guessed from the legs", unit));
-  out.data["guessed_unit"] = unit;
-  if (std::abs(unit - 1.0) > kUnitSlack) {
-    out.warnings.push_back(fmt::format("not in metres; read it with --unit {:g}", unit));
-  }
-  for (const std::string& role : roleNames()) {
-    const int joint = roleJoint(roles, role);
-    if (joint >= 0) out.data["roles"][role] = skeleton.joint(joint).name;
-  }
 }
 
 void describeMotion(const Clip& clip, Findings& out) {
@@ -57,11 +30,10 @@ void describeMotion(const Clip& clip, Findings& out) {
   for (int i = 1; i < clip.frames(); ++i) {
     travelled += (clip.poses.p_WR(i) - clip.poses.p_WR(i - 1)).norm();
   }
+  out.facts.emplace_back("height", fmt::format("{:.4g} m from lowest to highest joint, first frame",
+                                               first.sizes().z()));
   out.facts.emplace_back(
-      "height",
-      fmt::format("{:.4g} units from lowest to highest joint, first frame", first.sizes().z()));
-  out.facts.emplace_back(
-      "root", fmt::format("travels {:.4g} units, begins at ({:.4g}, {:.4g}, {:.4g})", travelled,
+      "root", fmt::format("travels {:.4g} m, begins at ({:.4g}, {:.4g}, {:.4g})", travelled,
                           clip.poses.p_WR(0).x(), clip.poses.p_WR(0).y(), clip.poses.p_WR(0).z()));
   out.data["root_travel"] = travelled;
   out.data["joint_height"] = first.sizes().z();
@@ -69,8 +41,11 @@ void describeMotion(const Clip& clip, Findings& out) {
 
 }  // namespace
 
-Findings inspectClip(const std::filesystem::path& file) {
-  const Clip clip = readBvh(file);
+Findings inspectClip(const std::filesystem::path& file, const MotionReadOptions& options) {
+  MotionReadOptions any = options;
+  any.person = false;
+  const CapturedMotion motion = readMotion(file, any);
+  const Clip& clip = motion.clip;
   Findings out{file.string(), "clip", {}, {}, {}};
   const Skeleton& skeleton = clip.skeleton;
   int zero = 0;
@@ -88,7 +63,8 @@ Findings inspectClip(const std::filesystem::path& file) {
               {"frame_time", clip.frame_time},
               {"duration", clip.duration()},
               {"joints", skeleton.size()}};
-  describeRig(clip, out);
+  addReadings(motion, out);
+  out.data["guessed_unit"] = motion.metres_per_unit.value;
   describeMotion(clip, out);
   if (zero > 0)
     out.facts.emplace_back("zero-length", fmt::format("{} joints at their parent", zero));

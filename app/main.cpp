@@ -36,6 +36,7 @@ int runProgram(int argc, char** argv) {
   addAnimate(app, chosen);
   addAnalyse(app, chosen);
   addLibrary(app, chosen);
+  addConvert(app, chosen);
   addInspect(app, chosen);
   try {
     app.parse(argc, argv);

@@ -6,7 +6,7 @@
 #include "animation/error.h"
 #include "animation/foot_plants.h"
 #include "animation/foot_shape.h"
-#include "animation/joint_roles.h"
+#include "animation/motion_reader.h"
 #include "scenarios/foot_measures.h"
 #include "scenarios/problem.h"
 
@@ -23,21 +23,15 @@ struct Character {
   SoleHeight sole;
 };
 
-Clip readClip(const std::filesystem::path& file, const ValidateOptions& options, double& unit) {
-  BvhReadOptions as_written;
-  as_written.up = options.up;
-  Clip clip = readBvh(file, as_written);
-  unit = options.metres_per_unit
-             ? *options.metres_per_unit
-             : guessUnit(clip.skeleton, guessJointRoles(clip.skeleton, file.string()));
-  if (clip.frames() == 0) throw InputError(file.string(), 0, "holds no frames", "a motion");
-  as_written.metres_per_unit = unit;
-  if (unit != 1.0) clip = readBvh(file, as_written);
-  if (!clip.joint_positions.empty()) {
+CapturedMotion readWalk(const std::filesystem::path& file, const ValidateOptions& options) {
+  CapturedMotion walk =
+      readMotion(file, {.metres_per_unit = options.metres_per_unit, .up = options.up});
+  if (walk.clip.frames() == 0) throw InputError(file.string(), 0, "holds no frames", "a motion");
+  if (!walk.clip.joint_positions.empty()) {
     throw InputError(file.string(), 0, "joints other than the root move against their parents",
                      "rigid bones");
   }
-  return clip;
+  return walk;
 }
 
 // Height of the ankles where they are lowest: the tenth lowest of a hundred, so that one bad frame
@@ -145,9 +139,11 @@ WalkValidation validateWalk(const std::filesystem::path& bvh,
                             const std::filesystem::path& scene_file,
                             const ValidateOptions& options) {
   WalkValidation result;
-  const Clip clip = readClip(bvh, options, result.metres_per_unit);
+  const CapturedMotion walk = readWalk(bvh, options);
+  const Clip& clip = walk.clip;
+  result.metres_per_unit = walk.metres_per_unit.value;
   const Scene scene = readScene(scene_file);
-  const JointRoles roles = guessJointRoles(clip.skeleton, bvh.string());
+  const JointRoles& roles = walk.roles;
   result.floor = options.floor ? *options.floor
                                : nearestFloor(scene, clip, lowestAnkle(clip, roles), bvh.string());
   const Character character = makeCharacter(clip, roles, result.floor, options);

@@ -92,7 +92,41 @@ const std::vector<Rig> kRigs = {
      {"@Shoulder", "@UpperArm", "@LowerArm", "@Hand", "@UpperLeg", "@LowerLeg", "@Foot", "@Toes"},
      "left",
      "right"},
+    {"VRoid",
+     {"J_Bip_C_Hips", "J_Bip_C_Spine", "J_Bip_C_Neck", "J_Bip_C_Head"},
+     {"J_Bip_@_Shoulder", "J_Bip_@_UpperArm", "J_Bip_@_LowerArm", "J_Bip_@_Hand",
+      "J_Bip_@_UpperLeg", "J_Bip_@_LowerLeg", "J_Bip_@_Foot", "J_Bip_@_ToeBase"},
+     "L",
+     "R"},
+    {"H-Anim",
+     {"humanoid_root", "vl5", "vc4", "skullbase"},
+     {"@_sternoclavicular", "@_shoulder", "@_elbow", "@_wrist", "@_hip", "@_knee", "@_ankle",
+      "@_midtarsal"},
+     "l",
+     "r"},
+    {"H-Anim 2",
+     {"humanoid_root", "vl5", "vc4", "skullbase"},
+     {"@_sternoclavicular", "@_shoulder", "@_elbow", "@_radiocarpal", "@_hip", "@_knee",
+      "@_talocrural", "@_metatarsophalangeal"},
+     "l",
+     "r"},
 };
+
+TEST(JointRoles, HAnimsLegsHangBesideTheSpine) {
+  std::vector<Joint> joints = person(kRigs[0].trunk, kRigs[0].limbs, "Left", "Right").joints();
+  // A joint between the root and the legs, as H-Anim's sacroiliac.
+  Joint sacrum;
+  sacrum.name = "sacroiliac";
+  sacrum.parent = 0;
+  joints.insert(joints.begin() + 4, sacrum);
+  for (size_t j = 5; j < joints.size(); ++j) {
+    if (joints[j].parent >= 4) ++joints[j].parent;
+    if (joints[j].name.ends_with("UpLeg")) joints[j].parent = 4;
+  }
+  const JointRoles roles = rolesByName(Skeleton(joints));
+  EXPECT_EQ(roles.hips, 0);
+  EXPECT_EQ(roles.spine, 1);
+}
 
 TEST(JointRoles, ASkeletonWithoutAPersonIsRefusedByTheFirstRoleMissing) {
   const Rig& rig = kRigs[0];

@@ -1,0 +1,58 @@
+#include "animation/clip_edit.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace amble {
+namespace {
+
+constexpr double kRounding = 1e-6;  // of a frame
+
+Clip emptyLike(const Clip& clip) {
+  Clip result;
+  result.name = clip.name;
+  result.skeleton = clip.skeleton;
+  result.frame_time = clip.frame_time;
+  result.poses = PoseArray(clip.skeleton.size());
+  return result;
+}
+
+}  // namespace
+
+Clip trimClip(const Clip& clip, int first, int last) {
+  assert(0 <= first && first <= last && last < clip.frames());
+  Clip piece = emptyLike(clip);
+  piece.poses.append(clip.poses, first, last - first + 1);
+  if (clip.joint_positions.empty()) return piece;
+  const auto joints = static_cast<ptrdiff_t>(clip.skeleton.size());
+  const auto begin = clip.joint_positions.begin();
+  piece.joint_positions.assign(begin + first * joints, begin + (last + 1) * joints);
+  return piece;
+}
+
+Clip resampleClip(const Clip& clip, double frame_time) {
+  assert(frame_time > 0.0);
+  if (clip.frames() < 2 || frame_time == clip.frame_time) return clip;
+  Clip result = emptyLike(clip);
+  result.frame_time = frame_time;
+  const double ratio = frame_time / clip.frame_time;
+  const int frames = static_cast<int>(std::floor((clip.frames() - 1) / ratio + kRounding)) + 1;
+  const size_t joints = clip.skeleton.size();
+  Pose pose;
+  for (int i = 0; i < frames; ++i) {
+    const double at = std::min(i * ratio, clip.frames() - 1.0);
+    const int before = std::min(static_cast<int>(at), clip.frames() - 2);
+    const double part = at - before;
+    interpolatePose(clip.poses[before], clip.poses[before + 1], part, pose);
+    result.poses.append(pose);
+    for (size_t j = 0; j < joints && !clip.joint_positions.empty(); ++j) {
+      const Eigen::Vector3d& a = clip.joint_positions[before * joints + j];
+      const Eigen::Vector3d& b = clip.joint_positions[(before + 1) * joints + j];
+      result.joint_positions.push_back((1.0 - part) * a + part * b);
+    }
+  }
+  return result;
+}
+
+}  // namespace amble

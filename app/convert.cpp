@@ -1,0 +1,113 @@
+// amble convert IN -o OUT.bvh: a capture of any format as BVH, cut, resampled or mirrored.
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "animation/bvh.h"
+#include "animation/clip_edit.h"
+#include "animation/error.h"
+#include "animation/floor_fit.h"
+#include "app/command.h"
+#include "app/read_options.h"
+
+namespace amble {
+namespace {
+
+struct Options {
+  std::string in, out;
+  ReadOptions read;
+  double fps = 0.0;  // [1/s]; 0: the file's
+  std::string trim;  // A:B
+  bool mirror = false;
+  std::string bvh_units = "m";
+};
+
+constexpr const char* kTrimForm =
+    "A:B, frames as 10:200, or seconds as 0.5s:2s; either may be left out";
+
+/// A frame, or a time with an `s` behind it, as the nearest frame; `otherwise` where nothing is
+/// said.
+int frameOf(const std::string& text, const Clip& clip, int otherwise) {
+  if (text.empty()) return otherwise;
+  const bool seconds = text.back() == 's';
+  const char* const end = text.data() + text.size() - (seconds ? 1 : 0);
+  double value = 0.0;
+  const auto parsed = std::from_chars(text.data(), end, value);
+  const bool whole = seconds || value == std::floor(value);
+  if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value) || !whole) {
+    throw InputError("--trim", 0, "'" + text + "'", kTrimForm);
+  }
+  const double frame = seconds ? std::round(value / clip.frame_time) : value;
+  if (!(frame >= 0.0 && frame < clip.frames())) {
+    throw InputError("--trim", 0, "'" + text + "' is not in the clip",
+                     fmt::format("0 to {}, or 0s to {:g}s", clip.frames() - 1, clip.duration()));
+  }
+  return static_cast<int>(frame);
+}
+
+Clip trimmedClip(const Clip& clip, const std::string& range) {
+  const size_t colon = range.find(':');
+  if (colon == std::string::npos) throw InputError("--trim", 0, "'" + range + "'", kTrimForm);
+  const int first = frameOf(range.substr(0, colon), clip, 0);
+  const int last = frameOf(range.substr(colon + 1), clip, clip.frames() - 1);
+  if (first > last)
+    throw InputError("--trim", 0, "'" + range + "' ends before it begins", kTrimForm);
+  return trimClip(clip, first, last);
+}
+
+void report(const Options& options, const CapturedMotion& motion, const Clip& written) {
+  std::FILE* const out = options.out == "-" ? stderr : stdout;
+  Findings findings;
+  addReadings(motion, findings);
+  fmt::print(out, "{}: {} frames of {:.7g} s, {} joints, from {}\n", options.out, written.frames(),
+             written.frame_time, written.skeleton.size(), options.in);
+  for (const auto& [label, value] : findings.facts) fmt::print(out, "  {:<10}  {}\n", label, value);
+  for (const std::string& warning : findings.warnings) fmt::print(stderr, "warning: {}\n", warning);
+}
+
+int run(const Options& options) {
+  const std::filesystem::path out = options.out;
+  if (options.out != "-" && out.extension() != ".bvh") {
+    throw InputError(options.out, 0, "no format that is written", ".bvh");
+  }
+  MotionReadOptions how = options.read.forReader();
+  how.person = options.mirror;
+  CapturedMotion motion = readMotion(options.in, how);
+  if (motion.clip.frames() == 0) throw InputError(options.in, 0, "holds no frames", "a motion");
+  Clip clip = options.trim.empty() ? motion.clip : trimmedClip(motion.clip, options.trim);
+  if (options.fps > 0.0) clip = resampleClip(clip, 1.0 / options.fps);
+  if (options.mirror) clip = mirrorClip(clip, motion.roles);
+  if (!clip.joint_positions.empty()) {
+    motion.warnings.push_back("joints other than the root move; in the BVH they are fixed");
+    clip.joint_positions.clear();
+  }
+  writeBvh(out, clip, {.metres_per_unit = options.bvh_units == "cm" ? 0.01 : 1.0});
+  report(options, motion, clip);
+  return kExitDone;
+}
+
+}  // namespace
+
+void addConvert(CLI::App& app, Command& chosen) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "convert", "Write a capture of any format as BVH: BVH, AMC, FBX, glTF, DAE");
+  command->add_option("IN", options->in, "The capture; - is a BVH on standard input")->required();
+  command->add_option("-o,--output", options->out, "BVH file; - is standard output")->required();
+  addReadOptions(*command, options->read);
+  command->add_option("--fps", options->fps, "Frames a second; default: the file's")
+      ->check(number(1, 10000, "1/s"));
+  command->add_option("--trim", options->trim,
+                      "A part of the file, first to last: " + std::string(kTrimForm));
+  command->add_flag("--mirror", options->mirror, "Left is right");
+  command->add_option("--bvh-units", options->bvh_units, "Unit of length in the BVH")
+      ->check(CLI::IsMember({"m", "cm"}))
+      ->capture_default_str();
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace amble

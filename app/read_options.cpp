@@ -1,0 +1,65 @@
+#include "app/read_options.h"
+
+#include "animation/rotation.h"
+#include "app/command.h"
+
+namespace amble {
+
+MotionReadOptions ReadOptions::forReader() const {
+  MotionReadOptions options;
+  if (unit > 0.0) options.metres_per_unit = unit;
+  if (!up.empty()) options.up = up == "y" ? UpAxis::kY : UpAxis::kZ;
+  if (has_facing) options.facing = facing_deg * kDegree;
+  if (file_fps > 0.0) options.frame_time = 1.0 / file_fps;
+  options.asf = asf;
+  options.roles = roles;
+  return options;
+}
+
+void addReadOptions(CLI::App& command, ReadOptions& options) {
+  command
+      .add_option("--unit", options.unit,
+                  "Length of the files' unit; default: theirs or from the legs")
+      ->check(number(1e-6, 1e3, "m"));
+  command
+      .add_option("--up", options.up,
+                  "The files' vertical axis; default: theirs or from the motion")
+      ->check(CLI::IsMember({"y", "z"}));
+  command
+      .add_option("--facing", options.facing_deg,
+                  "Turn the clip so that the person first faces this way; 0 is +x")
+      ->check(number(-360, 360, "degrees"))
+      ->each([&options](const std::string&) { options.has_facing = true; });
+  command.add_option("--asf", options.asf, "Skeleton of AMC files; default: the one beside");
+  command.add_option("--roles", options.roles,
+                     "YAML of `role: joint name`, for rigs whose names say too little");
+  command
+      .add_option("--file-fps", options.file_fps,
+                  "Frames a second of AMC files, which do not say; default: 120")
+      ->check(number(1, 10000, "1/s"));
+}
+
+void addReadings(const CapturedMotion& motion, Findings& out) {
+  out.facts.emplace_back("unit", motion.metres_per_unit.text);
+  out.facts.emplace_back("up", motion.up.text);
+  out.facts.emplace_back("facing", motion.facing.text);
+  if (motion.frame_time.guessed) out.facts.emplace_back("frame time", motion.frame_time.text);
+  out.data["unit"] = {{"metres", motion.metres_per_unit.value},
+                      {"guessed", motion.metres_per_unit.guessed},
+                      {"sure", motion.metres_per_unit.sure}};
+  out.data["up"] = {{"axis", motion.up.value == UpAxis::kY ? "y" : "z"},
+                    {"guessed", motion.up.guessed},
+                    {"sure", motion.up.sure}};
+  out.data["facing"] = {{"degrees", motion.facing.value / kDegree},
+                        {"guessed", motion.facing.guessed},
+                        {"sure", motion.facing.sure}};
+  out.data["frame_time"] = motion.frame_time.value;
+  out.data["frame_time_guessed"] = motion.frame_time.guessed;
+  for (const std::string& role : roleNames()) {
+    const int joint = roleJoint(motion.roles, role);
+    if (joint >= 0) out.data["roles"][role] = motion.clip.skeleton.joint(joint).name;
+  }
+  out.warnings.insert(out.warnings.end(), motion.warnings.begin(), motion.warnings.end());
+}
+
+}  // namespace amble

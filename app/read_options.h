@@ -1,0 +1,32 @@
+/// How the commands that take captures are told what their files leave open, and say what was
+/// guessed.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "animation/motion_reader.h"
+#include "app/findings.h"
+
+namespace amble {
+
+/// --unit, --up, --facing, --asf, --roles, --file-fps as they were given.
+struct ReadOptions {
+  double unit = 0.0;        // [m]; 0: not given
+  std::string up;           // "y", "z" or "": not given
+  double facing_deg = 0.0;  // [degrees]
+  bool has_facing = false;
+  std::string asf, roles;  // files, or ""
+  double file_fps = 0.0;   // [1/s]; 0: not given
+
+  MotionReadOptions forReader() const;
+};
+
+/// Adds the options to a command; `options` must outlive it.
+void addReadOptions(CLI::App& command, ReadOptions& options);
+
+/// What was guessed, as facts, data and warnings.
+void addReadings(const CapturedMotion& motion, Findings& out);
+
+}  // namespace amble
