@@ -50,6 +50,7 @@ class AsfReader {
   void readHierarchy();
   int entryOf(std::string_view name) const;
   void hang(int parent, int child);
+  static RotationOrder orderOf(const std::vector<AsfDof>& dofs);
   AsfSkeleton build() const;
   void requireTree(size_t reached) const;
 
@@ -291,6 +292,7 @@ AsfSkeleton AsfReader::build() const {
     Joint joint;
     joint.name = entry.name;
     joint.parent = at.parent_joint;
+    joint.order = orderOf(entry.bone.dofs);
     if (entry.parent >= 0) {
       const AsfBone& parent = entries_[entry.parent].bone;
       joint.offset = parent.length * parent.direction;
@@ -328,6 +330,19 @@ void AsfReader::requireTree(size_t reached) const {
                      "'" + entries_[i].name.substr(0, 40) + "' hangs on itself, over others",
                      "a tree below root");
   }
+}
+
+/// Turned first about fixed axes is the last factor; axes without a degree of freedom come last.
+RotationOrder AsfReader::orderOf(const std::vector<AsfDof>& dofs) {
+  std::string order;
+  for (const AsfDof dof : dofs) {
+    if (isRotation(dof)) order.insert(0, 1, static_cast<char>('X' + static_cast<int>(dof)));
+  }
+  if (order.empty()) return Joint().order;
+  for (const char axis : {'Z', 'Y', 'X'}) {
+    if (order.find(axis) == order.npos) order += axis;
+  }
+  return {order[0], order[1], order[2]};
 }
 
 }  // namespace

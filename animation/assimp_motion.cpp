@@ -47,11 +47,9 @@ int lineIn(const std::string& problem) {
   return line;
 }
 
-const aiScene& importScene(Assimp::Importer& importer, const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw InputError(file, 0, "no such file", kExpected);
-  }
+/// Calls Assimp by `import` and takes what it throws or leaves for an error.
+template <typename Import>
+const aiScene& importScene(Assimp::Importer& importer, const std::string& file, Import import) {
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_TEXTURES, false);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_MATERIALS, false);
@@ -59,7 +57,7 @@ const aiScene& importScene(Assimp::Importer& importer, const std::string& file) 
   const aiScene* scene = nullptr;
   std::string problem;
   try {
-    scene = importer.ReadFile(file, 0);
+    scene = import();
     if (scene == nullptr) problem = importer.GetErrorString();
   } catch (const std::exception& thrown) {
     problem = thrown.what();
@@ -68,6 +66,14 @@ const aiScene& importScene(Assimp::Importer& importer, const std::string& file) 
     throw InputError(file, lineIn(problem), "cannot be read: " + oneLine(problem), kExpected);
   }
   return *scene;
+}
+
+const aiScene& importFile(Assimp::Importer& importer, const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw InputError(file, 0, "no such file", kExpected);
+  }
+  return importScene(importer, file, [&] { return importer.ReadFile(file, 0); });
 }
 
 size_t keyCount(const aiAnimation& animation) {
@@ -220,14 +226,9 @@ void settleAxes(const aiScene& scene, const std::string& file, const std::string
   nodes.X_WFile = X;
 }
 
-}  // namespace
-
-Clip readAssimpMotion(const std::filesystem::path& file, const AssimpMotionOptions& options,
-                      AssimpMotionNotes* notes) {
-  const std::string name = file.string();
-  const std::string ending = lowerEnding(file);
-  Assimp::Importer importer;
-  const aiScene& scene = importScene(importer, name);
+Clip clipOfScene(const aiScene& scene, const std::string& name, const AssimpMotionOptions& options,
+                 AssimpMotionNotes* notes) {
+  const std::string ending = lowerEnding(name);
   AssimpMotionNotes ignored;
   AssimpMotionNotes& kept = notes != nullptr ? *notes : ignored;
   const aiAnimation& animation = chooseAnimation(scene, name, kept);
@@ -239,9 +240,28 @@ Clip readAssimpMotion(const std::filesystem::path& file, const AssimpMotionOptio
   return clipOfNodes(nodes, name, options.frame_time);
 }
 
+}  // namespace
+
+Clip readAssimpMotion(const std::filesystem::path& file, const AssimpMotionOptions& options,
+                      AssimpMotionNotes* notes) {
+  Assimp::Importer importer;
+  return clipOfScene(importFile(importer, file.string()), file.string(), options, notes);
+}
+
+Clip parseAssimpMotion(std::string_view bytes, const std::string& name,
+                       const AssimpMotionOptions& options, AssimpMotionNotes* notes) {
+  Assimp::Importer importer;
+  const std::string ending = lowerEnding(name);
+  const aiScene& scene = importScene(importer, name, [&] {
+    return importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0,
+                                       ending.empty() ? "" : ending.c_str() + 1);
+  });
+  return clipOfScene(scene, name, options, notes);
+}
+
 bool holdsAnimation(const std::filesystem::path& file) {
   Assimp::Importer importer;
-  return importScene(importer, file.string()).mNumAnimations > 0;
+  return importFile(importer, file.string()).mNumAnimations > 0;
 }
 
 }  // namespace amble

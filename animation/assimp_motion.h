@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "animation/capture_file.h"
@@ -33,8 +34,13 @@ struct AssimpMotionNotes {
 Clip readAssimpMotion(const std::filesystem::path& file, const AssimpMotionOptions& options = {},
                       AssimpMotionNotes* notes = nullptr);
 
-/// Whether such a file has animations at all, or meshes only. @throws InputError: missing, not such a
-/// file.
+/// The same from the bytes of a file; the end of `name` says of which format. Files that it refers
+/// to are not there.
+Clip parseAssimpMotion(std::string_view bytes, const std::string& name,
+                       const AssimpMotionOptions& options = {}, AssimpMotionNotes* notes = nullptr);
+
+/// Whether such a file has animations at all, or meshes only. @throws InputError: missing, not such
+/// a file.
 bool holdsAnimation(const std::filesystem::path& file);
 
 }  // namespace amble

@@ -89,6 +89,7 @@ class NodeSampler {
   double ownFrameTime() const;
   template <typename Visit>
   void visitTimes(Visit visit) const;
+  void requirePlace(const Eigen::Affine3d& X_WN, int node) const;
   void setPose(int frame, const std::vector<Eigen::Affine3d>& X_WN, Clip& clip);
 
   const AnimatedNodes& scene_;
@@ -225,6 +226,7 @@ std::vector<Joint> NodeSampler::restJoints() {
   std::vector<Joint> joints(nodes_.size());
   for (size_t j = 0; j < joints.size(); ++j) {
     const Eigen::Affine3d& X = X_WN[nodes_[j]];
+    requirePlace(X, nodes_[j]);
     joints[j].name = scene_.nodes[nodes_[j]].name;
     joints[j].parent = parents_[j];
     if (parents_[j] >= 0) {
@@ -236,6 +238,7 @@ std::vector<Joint> NodeSampler::restJoints() {
     const AnimatedNode& node = scene_.nodes[n];
     const int joint = above_[n] >= 0 ? joints_[above_[n]] : -1;
     if (joint < 0 || joints_[n] >= 0 || node.helper || node.thing) continue;
+    requirePlace(X_WN[n], static_cast<int>(n));
     joints[joint].end_sites.push_back(to_file *
                                       (X_WN[n].translation() - X_WN[nodes_[joint]].translation()));
   }
@@ -282,12 +285,19 @@ double NodeSampler::ownFrameTime() const {
   return mean > kMinFrameTime ? mean : kUsualFrameTime;
 }
 
+/// Good numbers may still multiply to none.
+void NodeSampler::requirePlace(const Eigen::Affine3d& X_WN, int node) const {
+  if (X_WN.matrix().allFinite() && X_WN.matrix().cwiseAbs().maxCoeff() <= kMaxCaptureNumber) return;
+  throw InputError(file_, 0, "'" + scene_.nodes[node].name + "' is nowhere", "places within 1e9 m");
+}
+
 void NodeSampler::setPose(int frame, const std::vector<Eigen::Affine3d>& X_WN, Clip& clip) {
   const size_t joints = nodes_.size();
   std::vector<Eigen::Quaterniond> q_WJ(joints);
   const std::span<Eigen::Quaterniond> q = clip.poses.rotations(frame);
   for (size_t j = 0; j < joints; ++j) {
     const Eigen::Affine3d& X = X_WN[nodes_[j]];
+    requirePlace(X, nodes_[j]);
     q_WJ[j] = rotationOf(X) * q_restW_J_[j].conjugate() * yUpToWorld();
     const int parent = parents_[j];
     if (parent < 0) {

@@ -167,6 +167,8 @@ TEST(AsfAmc, JointsLieAtTheStartOfTheirBones) {
   EXPECT_EQ(clip.skeleton.find("shin"), 2);
   EXPECT_EQ(clip.skeleton.joint(1).offset, Eigen::Vector3d::Zero());
   EXPECT_EQ(clip.skeleton.joint(2).offset, Eigen::Vector3d(0, -3.5, 0));
+  EXPECT_EQ(clip.skeleton.joint(1).order, (RotationOrder{'Z', 'Y', 'X'}));
+  EXPECT_EQ(clip.skeleton.joint(2).order, (RotationOrder{'X', 'Z', 'Y'}));
   ASSERT_EQ(clip.skeleton.joint(2).end_sites.size(), 1u);
   EXPECT_EQ(clip.skeleton.joint(2).end_sites[0], Eigen::Vector3d(0, -4, 0));
   EXPECT_TRUE(clip.joint_positions.empty());
@@ -298,6 +300,30 @@ TEST(AsfAmc, ManyBonesOrDeepOnesAreRefusedWithLittleMemory) {
   EXPECT_NE(
       refusal(asf + ":hierarchy\nbegin\n" + star + "\nend\n", amc).find("too many bones without"),
       std::string::npos);
+}
+
+TEST(AsfAmc, DamagedFilesAreReadOrRefused) {
+  Generator generator(23);
+  for (int i = 0; i < 4000; ++i) {
+    std::string asf = kAsf, amc = kAmc;
+    std::string& text = i % 2 == 0 ? asf : amc;
+    const auto place = [&] {
+      return std::uniform_int_distribution<size_t>(0, text.size() - 1)(generator);
+    };
+    for (int k = i % 5; k >= 0; --k) text[place()] = static_cast<char>(generator() & 0xFF);
+    if (i % 7 == 0) text.erase(place(), place());
+    try {
+      const Clip clip = read(asf, amc);
+      for (int frame = 0; frame < clip.frames(); ++frame) {
+        for (const JointFrame& joint : jointFrames(clip, frame)) {
+          EXPECT_TRUE(joint.p_WJ.allFinite());
+        }
+      }
+    } catch (const InputError& error) {
+      EXPECT_TRUE(error.file() == "s.asf" || error.file() == "m.amc");
+      EXPECT_GE(error.line(), 1) << error.what();
+    }
+  }
 }
 
 struct Pair {

@@ -1,0 +1,154 @@
+// `amble convert` and what the other commands take of captures, from the outside.
+#include <nlohmann/json.hpp>
+
+#include "animation/clip_edit.h"
+#include "animation/floor_fit.h"
+#include "animation/motion_reader.h"
+#include "tests/animation/captures.h"
+#include "tests/animation/node_files.h"
+#include "tests/animation/person.h"
+#include "tests/animation/random_clip.h"
+#include "tests/app/program.h"
+
+namespace amble {
+namespace {
+
+using nlohmann::json;
+
+class Convert : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    std::filesystem::create_directories(folder_ / "in");
+    writeInAxes(folder_ / "in/walk.bvh", walk_, 0.01, UpAxis::kY);
+  }
+  Clip written(const std::string& name) const { return readBvh(folder_ / name); }
+  /// Largest distance of joints of the same index in frames of the same number [m].
+  static double farthest(const Clip& a, const Clip& b) {
+    EXPECT_EQ(a.frames(), b.frames());
+    EXPECT_EQ(a.skeleton.size(), b.skeleton.size());
+    double worst = 0.0;
+    for (int i = 0; i < std::min(a.frames(), b.frames()); ++i) {
+      const std::vector<JointFrame> x = jointFrames(a, i), y = jointFrames(b, i);
+      for (size_t j = 0; j < x.size(); ++j) {
+        worst = std::max(worst, (x[j].p_WJ - y[j].p_WJ).norm());
+      }
+    }
+    return worst;
+  }
+
+  const Clip walk_ = walkingPerson();
+};
+
+TEST_F(Convert, RefusesWhatCannotBeDone) {
+  expectRefused("convert in/walk.bvh", {"--output"});
+  expectRefused("convert none.bvh -o out.bvh", {"none.bvh: ", "; expected "});
+  expectRefused("convert in/walk.bvh -o out.fbx", {"out.fbx: ", "; expected .bvh"});
+  for (const char* const trim : {"5", "5:2", "0:61", "a:b", "1.5:3", "0s:99s", "-1:3", "nans:1s"}) {
+    expectRefused(std::string("convert in/walk.bvh -o out.bvh --trim ") + trim,
+                  {"--trim: ", "; expected "});
+  }
+  expectRefused("convert in/walk.bvh -o out.bvh --fps 0", {"--fps"});
+  write("in/roles.yaml", "hips: Hipps\n");
+  expectRefused("convert in/walk.bvh -o out.bvh --roles in/roles.yaml",
+                {"roles.yaml:1: ", "'Hipps'", "'Hips'"});
+  write("in/walk.amc", "1\n");
+  expectRefused("convert in/walk.amc -o out.bvh", {"walk.amc: no .asf", "--asf"});
+}
+
+TEST_F(Convert, WritesTheMotionInMetresAndSaysWhatItGuessed) {
+  const Ran ran = run("convert in/walk.bvh -o out.bvh");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.out.find("unit        0.01 m, guessed: legs of 0.92 m"), std::string::npos)
+      << ran.out;
+  EXPECT_LT(farthest(written("out.bvh"), walk_), 1e-5);
+  ASSERT_EQ(run("convert in/walk.bvh -o cm.bvh --bvh-units cm").status, 0);
+  EXPECT_EQ(read("cm.bvh").substr(0, 9), "HIERARCHY");
+  EXPECT_LT(farthest(readBvh(folder_ / "cm.bvh", {.metres_per_unit = 0.01}), walk_), 1e-5);
+}
+
+TEST_F(Convert, CutsResamplesAndMirrors) {
+  ASSERT_EQ(run("convert in/walk.bvh -o out.bvh --trim 10:40 --fps 60").status, 0);
+  EXPECT_LT(farthest(written("out.bvh"), resampleClip(trimClip(walk_, 10, 40), 1.0 / 60.0)), 1e-5);
+  ASSERT_EQ(run("convert in/walk.bvh -o seconds.bvh --trim 0.5s:").status, 0);
+  EXPECT_LT(farthest(written("seconds.bvh"), trimClip(walk_, 15, 60)), 1e-5);
+  ASSERT_EQ(run("convert in/walk.bvh -o mirrored.bvh --mirror").status, 0);
+  const JointRoles roles = rolesByName(walk_.skeleton);
+  EXPECT_LT(farthest(written("mirrored.bvh"), mirrorClip(walk_, roles)), 1e-5);
+}
+
+TEST_F(Convert, TakesWhatIsSaidOfTheFile) {
+  const Ran ran = run("convert in/walk.bvh -o out.bvh --unit 0.02 --up z --facing 90");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.out.find("0.02 m, as asked"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("z, as asked"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("90.0 degrees, as asked"), std::string::npos) << ran.out;
+}
+
+TEST_F(Convert, IsAFilter) {
+  const Ran ran = run("convert - -o - < in/walk.bvh");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.out.substr(0, 9), "HIERARCHY");
+  EXPECT_NE(ran.err.find("unit "), std::string::npos);
+  write("again.bvh", ran.out);
+  EXPECT_EQ(run("convert - -o - < again.bvh").out, ran.out) << "a second time changes nothing";
+}
+
+TEST_F(Convert, EveryFormatGivesTheSameMotion) {
+  write("in/walk.gltf", gltfOf(walk_));
+  write("in/walk.dae", colladaOf(walk_, 0.0254, true));
+  write("in/walk.fbx", fbxOf(walk_, 0.01, false));
+  for (const char* const format : {"gltf", "dae", "fbx"}) {
+    const std::string name = format;
+    const Ran ran = run("convert in/walk." + name + " -o " + name + ".bvh");
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const Clip copy = written(name + ".bvh");
+    ASSERT_EQ(copy.frames(), walk_.frames());
+    for (int i = 0; i < copy.frames(); ++i) {
+      const std::vector<JointFrame> a = jointFrames(walk_, i), b = jointFrames(copy, i);
+      for (int j = 0; j < walk_.skeleton.size(); ++j) {
+        const int other = copy.skeleton.find(walk_.skeleton.joint(j).name);
+        ASSERT_GE(other, 0);
+        EXPECT_LT((a[j].p_WJ - b[other].p_WJ).norm(), 1e-3) << name;
+      }
+    }
+    EXPECT_EQ(run("inspect in/walk." + name).status, 0);
+  }
+}
+
+TEST_F(Convert, AThingThatIsNoPersonIsConvertedButNotMirrored) {
+  Generator generator(2);
+  writeBvh(folder_ / "in/snake.bvh", randomClip(generator, 7, 3));
+  const Ran ran = run("convert in/snake.bvh -o out.bvh");
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.err.find("no person"), std::string::npos) << ran.err;
+  expectRefused("convert in/snake.bvh -o mirrored.bvh --mirror",
+                {"snake.bvh: no joint looks like"});
+}
+
+TEST_F(Convert, InspectSaysWhatIsGuessedAndWhatNot) {
+  const Ran ran = run("inspect in/walk.bvh --json --up y");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const json clip = json::parse(ran.out)[0];
+  EXPECT_EQ(clip["unit"]["metres"], 0.01);
+  EXPECT_EQ(clip["unit"]["guessed"], true);
+  EXPECT_EQ(clip["up"]["guessed"], false);
+  EXPECT_EQ(clip["roles"]["left_foot"], "LeftFoot");
+  EXPECT_TRUE(clip["warnings"].empty()) << clip["warnings"];
+}
+
+TEST_F(Convert, AnAcclaimTrialIsItsBvh) {
+  AMBLE_NEEDS_CAPTURES();
+  const std::string mocap = (sharedFolder() / "mocap").string();
+  ASSERT_EQ(run("convert '" + mocap + "/cmu_asfamc/09_06-run.amc' -o run.bvh").status, 0);
+  const Clip copy = written("run.bvh");
+  const Clip bvh = readMotion(mocap + "/cmu_mb2/09_06.bvh").clip;
+  ASSERT_EQ(copy.frames() + 1, bvh.frames());
+  const int foot = copy.skeleton.find("lfoot"), other = bvh.skeleton.find("LeftFoot");
+  for (int i = 0; i < copy.frames(); ++i) {
+    EXPECT_LT((jointFrames(copy, i)[foot].p_WJ - jointFrames(bvh, i + 1)[other].p_WJ).norm(), 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace amble
