@@ -15,7 +15,9 @@
 #include <set>
 
 #include "animation/assimp_scene.h"
+#include "animation/byte_pack.h"
 #include "animation/error.h"
+#include "animation/guarded_run.h"
 #include "animation/node_animation.h"
 #include "animation/rotation.h"
 
@@ -23,6 +25,7 @@ namespace amble {
 namespace {
 
 constexpr const char* kHelperMark = "_$AssimpFbx$_";
+constexpr const char* kNoAnimation = "holds no animation";
 constexpr const char* kExpected = "animation of a skeleton as FBX, glTF, GLB or DAE";
 
 // Far more than a person's; a scene around one has some thousands.
@@ -94,7 +97,7 @@ const aiAnimation& chooseAnimation(const aiScene& scene, const std::string& file
     if (best == nullptr || keyCount(*animation) > keyCount(*best)) best = animation;
   }
   if (best == nullptr || best->mNumChannels == 0) {
-    throw InputError(file, 0, "holds no animation", kExpected);
+    throw InputError(file, 0, kNoAnimation, kExpected);
   }
   if (scene.mNumAnimations > 1) {
     notes.warnings.push_back(file + ": of " + std::to_string(scene.mNumAnimations) +
@@ -226,42 +229,146 @@ void settleAxes(const aiScene& scene, const std::string& file, const std::string
   nodes.X_WFile = X;
 }
 
-Clip clipOfScene(const aiScene& scene, const std::string& name, const AssimpMotionOptions& options,
-                 AssimpMotionNotes* notes) {
-  const std::string ending = lowerEnding(name);
-  AssimpMotionNotes ignored;
-  AssimpMotionNotes& kept = notes != nullptr ? *notes : ignored;
-  const aiAnimation& animation = chooseAnimation(scene, name, kept);
+/// A scene as far as it is wanted, or why it is refused.
+struct ImportedNodes {
   AnimatedNodes nodes;
-  nodes.nodes = nodesOf(scene, name, animation);
-  settleAxes(scene, name, ending, options, nodes, kept);
+  AssimpMotionNotes notes;
+  bool refused = false;
+  int line = 0;  // of the refusal
+  std::string problem, expected;
+};
+
+ImportedNodes nodesOfScene(const aiScene& scene, const std::string& name,
+                           const AssimpMotionOptions& options) {
+  ImportedNodes imported;
+  const std::string ending = lowerEnding(name);
+  const aiAnimation& animation = chooseAnimation(scene, name, imported.notes);
+  imported.nodes.nodes = nodesOf(scene, name, animation);
+  settleAxes(scene, name, ending, options, imported.nodes, imported.notes);
   const double rate = animation.mTicksPerSecond;
-  if (ending == ".fbx" && rate >= kMinRate && rate <= kMaxRate) nodes.frame_time = 1.0 / rate;
-  return clipOfNodes(nodes, name, options.frame_time);
+  if (ending == ".fbx" && rate >= kMinRate && rate <= kMaxRate) {
+    imported.nodes.frame_time = 1.0 / rate;
+  }
+  return imported;
+}
+
+/// Everything that a node has, in one order for both ways.
+template <typename Each, typename Node>
+void visit(Each& each, Node& node) {
+  each(node.name);
+  each(node.parent);
+  each(node.X_PN.matrix());
+  each(node.tracks.translations.times);
+  each(node.tracks.translations.values);
+  each(node.tracks.rotations.times);
+  each(node.tracks.rotations.values);
+  each(node.tracks.scales.times);
+  each(node.tracks.scales.values);
+  each(node.helper);
+  each(node.bone);
+  each(node.thing);
+}
+
+template <typename Each, typename Imported>
+void visitImported(Each& each, Imported& imported) {
+  each(imported.refused);
+  each(imported.line);
+  each(imported.problem);
+  each(imported.expected);
+  each(imported.notes.metres_per_unit);
+  each(imported.notes.up);
+  each(imported.notes.warnings);
+  each(imported.nodes.X_WFile.matrix());
+  each(imported.nodes.frame_time);
+}
+
+std::string packed(const ImportedNodes& imported) {
+  Packer pack;
+  visitImported(pack, imported);
+  pack(imported.nodes.nodes.size());
+  for (const AnimatedNode& node : imported.nodes.nodes) visit(pack, node);
+  return pack.bytes();
+}
+
+ImportedNodes unpacked(const std::string& bytes) {
+  Unpacker unpack(bytes);
+  ImportedNodes imported;
+  visitImported(unpack, imported);
+  for (size_t count = unpack.takeCount(); count > 0; --count) {
+    visit(unpack, imported.nodes.nodes.emplace_back());
+  }
+  return imported;
+}
+
+/// Assimp recurses as deep as a file nests, and for ever where nodes are below themselves: it works
+/// in a process of its own. `import` returns the scene.
+template <typename Import>
+ImportedNodes importGuarded(const std::string& name, const AssimpMotionOptions& options,
+                            Import import) {
+  const std::optional<std::string> answer = runGuarded([&] {
+    Assimp::Importer importer;
+    try {
+      return packed(nodesOfScene(import(importer), name, options));
+    } catch (const InputError& error) {
+      ImportedNodes refusal;
+      refusal.refused = true;
+      refusal.line = error.line();
+      refusal.problem = error.problem();
+      refusal.expected = error.expected();
+      return packed(refusal);
+    }
+  });
+  if (!answer) {
+    throw InputError(name, 0, "cannot be read: it nests without end, or fills memory or time",
+                     kExpected);
+  }
+  ImportedNodes imported = unpacked(*answer);
+  if (imported.refused) {
+    throw InputError(name, imported.line, imported.problem, imported.expected);
+  }
+  return imported;
+}
+
+Clip clipOf(ImportedNodes imported, const std::string& name, const AssimpMotionOptions& options,
+            AssimpMotionNotes* notes) {
+  if (notes != nullptr) *notes = std::move(imported.notes);
+  return clipOfNodes(imported.nodes, name, options.frame_time);
 }
 
 }  // namespace
 
 Clip readAssimpMotion(const std::filesystem::path& file, const AssimpMotionOptions& options,
                       AssimpMotionNotes* notes) {
-  Assimp::Importer importer;
-  return clipOfScene(importFile(importer, file.string()), file.string(), options, notes);
+  const std::string name = file.string();
+  const auto import = [&name](Assimp::Importer& importer) -> const aiScene& {
+    return importFile(importer, name);
+  };
+  return clipOf(importGuarded(name, options, import), name, options, notes);
 }
 
 Clip parseAssimpMotion(std::string_view bytes, const std::string& name,
                        const AssimpMotionOptions& options, AssimpMotionNotes* notes) {
-  Assimp::Importer importer;
   const std::string ending = lowerEnding(name);
-  const aiScene& scene = importScene(importer, name, [&] {
-    return importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0,
-                                       ending.empty() ? "" : ending.c_str() + 1);
-  });
-  return clipOfScene(scene, name, options, notes);
+  const auto import = [&](Assimp::Importer& importer) -> const aiScene& {
+    return importScene(importer, name, [&] {
+      return importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0,
+                                         ending.empty() ? "" : ending.c_str() + 1);
+    });
+  };
+  return clipOf(importGuarded(name, options, import), name, options, notes);
 }
 
 bool holdsAnimation(const std::filesystem::path& file) {
-  Assimp::Importer importer;
-  return importFile(importer, file.string()).mNumAnimations > 0;
+  const std::string name = file.string();
+  try {
+    importGuarded(name, {}, [&name](Assimp::Importer& importer) -> const aiScene& {
+      return importFile(importer, name);
+    });
+  } catch (const InputError& error) {
+    if (error.problem() == kNoAnimation) return false;
+    throw;
+  }
+  return true;
 }
 
 }  // namespace amble

@@ -8,9 +8,11 @@
 #include <memory>
 
 #include "animation/bvh.h"
-#include "animation/clip_edit.h"
 #include "animation/error.h"
 #include "animation/floor_fit.h"
+#include "animation/good_frames.h"
+#include "animation/node_animation.h"
+#include "animation/resample_clip.h"
 #include "app/command.h"
 #include "app/read_options.h"
 
@@ -56,7 +58,16 @@ Clip trimmedClip(const Clip& clip, const std::string& range) {
   const int last = frameOf(range.substr(colon + 1), clip, clip.frames() - 1);
   if (first > last)
     throw InputError("--trim", 0, "'" + range + "' ends before it begins", kTrimForm);
-  return trimClip(clip, first, last);
+  return trimmed(clip, first, last);
+}
+
+Clip resampledClip(const Clip& clip, double fps) {
+  const double poses = clip.duration() * fps * clip.skeleton.size();
+  if (poses > static_cast<double>(kMaxSampledPoses)) {
+    throw InputError("--fps", 0, fmt::format("{:g} frames a second of so long a clip", fps),
+                     "at most 10 million poses of joints");
+  }
+  return resampleClip(clip, 1.0 / fps);
 }
 
 void report(const Options& options, const CapturedMotion& motion, const Clip& written) {
@@ -79,7 +90,7 @@ int run(const Options& options) {
   CapturedMotion motion = readMotion(options.in, how);
   if (motion.clip.frames() == 0) throw InputError(options.in, 0, "holds no frames", "a motion");
   Clip clip = options.trim.empty() ? motion.clip : trimmedClip(motion.clip, options.trim);
-  if (options.fps > 0.0) clip = resampleClip(clip, 1.0 / options.fps);
+  if (options.fps > 0.0) clip = resampledClip(clip, options.fps);
   if (options.mirror) clip = mirrorClip(clip, motion.roles);
   if (!clip.joint_positions.empty()) {
     motion.warnings.push_back("joints other than the root move; in the BVH they are fixed");

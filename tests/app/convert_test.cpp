@@ -1,9 +1,10 @@
 // `amble convert` and what the other commands take of captures, from the outside.
 #include <nlohmann/json.hpp>
 
-#include "animation/clip_edit.h"
 #include "animation/floor_fit.h"
+#include "animation/good_frames.h"
 #include "animation/motion_reader.h"
+#include "animation/resample_clip.h"
 #include "tests/animation/captures.h"
 #include "tests/animation/node_files.h"
 #include "tests/animation/person.h"
@@ -69,9 +70,9 @@ TEST_F(Convert, WritesTheMotionInMetresAndSaysWhatItGuessed) {
 
 TEST_F(Convert, CutsResamplesAndMirrors) {
   ASSERT_EQ(run("convert in/walk.bvh -o out.bvh --trim 10:40 --fps 60").status, 0);
-  EXPECT_LT(farthest(written("out.bvh"), resampleClip(trimClip(walk_, 10, 40), 1.0 / 60.0)), 1e-5);
+  EXPECT_LT(farthest(written("out.bvh"), resampleClip(trimmed(walk_, 10, 40), 1.0 / 60.0)), 1e-5);
   ASSERT_EQ(run("convert in/walk.bvh -o seconds.bvh --trim 0.5s:").status, 0);
-  EXPECT_LT(farthest(written("seconds.bvh"), trimClip(walk_, 15, 60)), 1e-5);
+  EXPECT_LT(farthest(written("seconds.bvh"), trimmed(walk_, 15, 60)), 1e-5);
   ASSERT_EQ(run("convert in/walk.bvh -o mirrored.bvh --mirror").status, 0);
   const JointRoles roles = rolesByName(walk_.skeleton);
   EXPECT_LT(farthest(written("mirrored.bvh"), mirrorClip(walk_, roles)), 1e-5);

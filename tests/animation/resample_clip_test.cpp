@@ -1,4 +1,4 @@
-#include "animation/clip_edit.h"
+#include "animation/resample_clip.h"
 
 #include <gtest/gtest.h>
 
@@ -24,15 +24,7 @@ void expectSameFrame(const Clip& a, int i, const Clip& b, int k) {
   }
 }
 
-TEST(ClipEdit, ATrimmedClipHoldsItsFramesAndNoOthers) {
-  const Clip clip = movingClip(10), piece = trimClip(clip, 3, 7);
-  ASSERT_EQ(piece.frames(), 5);
-  EXPECT_EQ(piece.frame_time, clip.frame_time);
-  for (int i = 0; i < 5; ++i) expectSameFrame(piece, i, clip, 3 + i);
-  EXPECT_EQ(trimClip(clip, 4, 4).frames(), 1);
-}
-
-TEST(ClipEdit, TheSameFrameTimeGivesTheSameClip) {
+TEST(ResampleClip, TheSameFrameTimeGivesTheSameClip) {
   const Clip clip = movingClip(6), same = resampleClip(clip, clip.frame_time);
   ASSERT_EQ(same.frames(), 6);
   for (int i = 0; i < 6; ++i) {
@@ -41,7 +33,7 @@ TEST(ClipEdit, TheSameFrameTimeGivesTheSameClip) {
   }
 }
 
-TEST(ClipEdit, AFinerClipPassesThroughTheFramesAndShowsWhatAPlayerDoesBetween) {
+TEST(ResampleClip, AFinerClipPassesThroughTheFramesAndShowsWhatAPlayerDoesBetween) {
   const Clip clip = movingClip(6), fine = resampleClip(clip, clip.frame_time / 2.0);
   ASSERT_EQ(fine.frames(), 11);
   Pose between;
@@ -56,20 +48,20 @@ TEST(ClipEdit, AFinerClipPassesThroughTheFramesAndShowsWhatAPlayerDoesBetween) {
   }
 }
 
-TEST(ClipEdit, ResamplingThereAndBackGivesTheFramesBack) {
+TEST(ResampleClip, ResamplingThereAndBackGivesTheFramesBack) {
   const Clip clip = movingClip(9);
   const Clip back = resampleClip(resampleClip(clip, clip.frame_time / 4.0), clip.frame_time);
   ASSERT_EQ(back.frames(), 9);
   for (int i = 0; i < 9; ++i) expectSameFrame(back, i, clip, i);
 }
 
-TEST(ClipEdit, WhatIsLeftOfALastFrameTimeIsCutOff) {
+TEST(ResampleClip, WhatIsLeftOfALastFrameTimeIsCutOff) {
   EXPECT_EQ(resampleClip(movingClip(10), 2.0 / 30.0).frames(), 5);
   EXPECT_EQ(resampleClip(movingClip(11), 2.0 / 30.0).frames(), 6);
   EXPECT_EQ(resampleClip(movingClip(2), 1.0).frames(), 1);
 }
 
-TEST(ClipEdit, ClipsOfNoFrameOrOneStayAsTheyAre) {
+TEST(ResampleClip, ClipsOfNoFrameOrOneStayAsTheyAre) {
   EXPECT_EQ(resampleClip(movingClip(0), 0.01).frames(), 0);
   EXPECT_EQ(resampleClip(movingClip(1), 0.01).frames(), 1);
 }

@@ -1,12 +1,9 @@
-/// Pieces of clips, and clips at another frame rate.
+/// Clips at another frame rate.
 #pragma once
 
 #include "animation/clip.h"
 
 namespace amble {
-
-/// Frames [first, last] of a clip, both included. @pre 0 <= first <= last < frames.
-Clip trimClip(const Clip& clip, int first, int last);
 
 /// The clip at another frame time [s, > 0], as a player shows it in between: places linearly, turns
 /// by slerp. The first frame stays; what is left of a last frame time is cut off, less than a

@@ -1,4 +1,4 @@
-#include "animation/clip_edit.h"
+#include "animation/resample_clip.h"
 
 #include <algorithm>
 #include <cassert>
@@ -11,32 +11,15 @@ namespace {
 // so little is there. [frames]
 constexpr double kRounding = 0.01;
 
-Clip emptyLike(const Clip& clip) {
-  Clip result;
-  result.name = clip.name;
-  result.skeleton = clip.skeleton;
-  result.frame_time = clip.frame_time;
-  result.poses = PoseArray(clip.skeleton.size());
-  return result;
-}
-
 }  // namespace
-
-Clip trimClip(const Clip& clip, int first, int last) {
-  assert(0 <= first && first <= last && last < clip.frames());
-  Clip piece = emptyLike(clip);
-  piece.poses.append(clip.poses, first, last - first + 1);
-  if (clip.joint_positions.empty()) return piece;
-  const auto joints = static_cast<ptrdiff_t>(clip.skeleton.size());
-  const auto begin = clip.joint_positions.begin();
-  piece.joint_positions.assign(begin + first * joints, begin + (last + 1) * joints);
-  return piece;
-}
 
 Clip resampleClip(const Clip& clip, double frame_time) {
   assert(frame_time > 0.0);
   if (clip.frames() < 2 || frame_time == clip.frame_time) return clip;
-  Clip result = emptyLike(clip);
+  Clip result;
+  result.name = clip.name;
+  result.skeleton = clip.skeleton;
+  result.poses = PoseArray(clip.skeleton.size());
   result.frame_time = frame_time;
   const double ratio = frame_time / clip.frame_time;
   const int frames = static_cast<int>(std::floor((clip.frames() - 1) / ratio + kRounding)) + 1;
