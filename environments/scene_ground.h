@@ -53,6 +53,8 @@ class SceneGround : public Ground {
   const Eigen::AlignedBox1d& heights() const { return heights_; }
   const GroundCells& cells() const { return *cells_; }
   const ScenePieces& pieces() const { return *pieces_; }
+  /// All triangles of the scene, by number of ScenePieces.
+  const TriangleGrid& all() const { return all_; }
   /// The ground's triangles.
   const TriangleGrid& surfaces() const { return surfaces_; }
   /// By number of ScenePieces.

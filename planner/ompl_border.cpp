@@ -38,8 +38,8 @@ const Waypoint& waypoint(const ob::State* state) {
 }
 Waypoint& waypoint(ob::State* state) { return static_cast<WalkState*>(state)->at; }
 
-double planarDistance(const Waypoint& a, const Waypoint& b) {
-  return (a.stance.position - b.stance.position).head<2>().norm();
+double distanceBetween(const Waypoint& a, const Waypoint& b) {
+  return (a.stance.position - b.stance.position).norm();
 }
 
 class WalkSampler : public ob::StateSampler {
@@ -47,6 +47,7 @@ class WalkSampler : public ob::StateSampler {
   WalkSampler(const ob::StateSpace* space, const Steering& steering,
               const Eigen::AlignedBox2d& bounds, std::uint64_t seed, OmplEffort& effort)
       : StateSampler(space),
+        steering_(steering),
         sampler_(steering, bounds),
         scratch_(steering.makeScratch()),
         seed_(seed),
@@ -63,12 +64,14 @@ class WalkSampler : public ob::StateSampler {
     waypoint(state) = waypoint(near);
     waypoint(state).stance.position +=
         radius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+    steering_.place(waypoint(state).stance);
   }
   void sampleGaussian(ob::State* state, const ob::State* mean, double deviation) override {
     sampleUniformNear(state, mean, 2.0 * deviation);
   }
 
  private:
+  const Steering& steering_;
   StanceSampler sampler_;
   SteeringScratchPtr scratch_;
   std::uint64_t seed_;
@@ -108,7 +111,7 @@ class WalkSpace : public ob::StateSpace {
   double distance(const ob::State* from, const ob::State* to) const override {
     const Waypoint &a = waypoint(from), &b = waypoint(to);
     const bool free = a.any_heading || b.any_heading;
-    return planarDistance(a, b) +
+    return distanceBetween(a, b) +
            (free ? 0.0 : kTurnWeight * std::abs(wrapAngle(b.stance.heading - a.stance.heading)));
   }
 

@@ -50,6 +50,12 @@ struct Answer {
 
 Eigen::Vector2d at(const Stance& stance) { return stance.position.head<2>(); }
 
+// The same place of the plane on the same floor.
+bool samePlace(const Stance& a, const Stance& b) {
+  constexpr double kStorey = 0.5;  // floors over one another are farther apart [m]
+  return at(a) == at(b) && std::abs(a.position.z() - b.position.z()) < kStorey;
+}
+
 double direction(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   return std::atan2(to.y() - from.y(), to.x() - from.x());
 }
@@ -73,9 +79,10 @@ Eigen::Vector2d stray(SampleStream& stream) {
   return {x, stream.uniform(-far, far)};
 }
 
-Stance walking(const Eigen::Vector2d& position, double heading, Side leading) {
+// `near`: the height at which ground is looked for [m].
+Stance walking(const Eigen::Vector2d& position, double near, double heading, Side leading) {
   Stance stance;
-  stance.position.head<2>() = position;
+  stance.position << position, near;
   stance.heading = wrapAngle(heading);
   stance.standing = false;
   stance.leading = leading;
@@ -126,9 +133,9 @@ Waypoint Refiner::node(int i) const {
 bool Refiner::leavesOutPinned(const Proposal& proposal) const {
   for (int i = proposal.first + 1; i < proposal.last; ++i) {
     if (!path_.pinned[i]) continue;
-    const Eigen::Vector2d pin = at(path_.edges[i].from);
+    const Stance& pin = path_.edges[i].from;
     if (std::none_of(proposal.between.begin(), proposal.between.end(),
-                     [&](const Stance& stance) { return at(stance) == pin; })) {
+                     [&](const Stance& stance) { return samePlace(stance, pin); })) {
       return true;
     }
   }
@@ -142,7 +149,8 @@ double Refiner::leastDuration(const std::vector<Waypoint>& way, size_t from) con
   return length / steering_.topSpeed();
 }
 
-// Edges along the proposal, if they are all allowed and take less time than what they replace.
+// Edges along the proposal, if they are all allowed and cost less, in time and effort, than what
+// they replace.
 Answer Refiner::judge(const Proposal& proposal, SteeringScratch& scratch) const {
   Answer answer;
   if (leavesOutPinned(proposal)) return answer;
@@ -154,7 +162,7 @@ Answer Refiner::judge(const Proposal& proposal, SteeringScratch& scratch) const 
   way.push_back(node(proposal.last));
   double old_duration = 0.0, old_bend = 0.0, duration = 0.0, new_bend = 0.0;
   for (int i = proposal.first; i < proposal.last; ++i) {
-    old_duration += path_.edges[i].duration;
+    old_duration += path_.edges[i].cost();
     old_bend += bend(path_.edges[i]);
   }
   std::vector<WalkEdge> edges;
@@ -163,7 +171,7 @@ Answer Refiner::judge(const Proposal& proposal, SteeringScratch& scratch) const 
     const SteerResult result = steering_.steer(way[i], way[i + 1], scratch);
     answer.count.add(result);
     if (!result.edge) return answer;
-    duration += result.edge->duration;
+    duration += result.edge->cost();
     new_bend += bend(*result.edge);
     if (i + 2 < way.size()) way[i + 1].stance = result.edge->to;
     edges.push_back(*result.edge);
@@ -178,7 +186,7 @@ void Refiner::take(const Proposal& proposal, std::vector<WalkEdge> edges) {
   for (size_t i = 0; i + 1 < edges.size(); ++i) {
     bool pin = false;
     for (int k = proposal.first + 1; k < proposal.last; ++k) {
-      pin = pin || (path_.pinned[k] && at(path_.edges[k].from) == at(edges[i].to));
+      pin = pin || (path_.pinned[k] && samePlace(path_.edges[k].from, edges[i].to));
     }
     pinned.push_back(pin);
   }
@@ -230,6 +238,7 @@ std::vector<Proposal> Refiner::passings(int i) const {
   // Half way between arriving and leaving, which on a corner is where the line between the
   // neighbours goes, nearly.
   const double bisecting = arriving + 0.5 * wrapAngle(leaving - arriving);
+  const double height = node(i).stance.position.z();
   std::vector<Proposal> proposals;
   for (const double pull : kPulls) {
     if (path_.pinned[i] && pull > 0.0) continue;
@@ -237,7 +246,7 @@ std::vector<Proposal> Refiner::passings(int i) const {
       const double heading = (pull > 0.5 ? along : bisecting) + turn;
       const Eigen::Vector2d position =
           pull > 0.0 ? Eigen::Vector2d(here + pull * (middle - here)) : here;
-      proposals.push_back({i - 1, i + 1, {walking(position, heading, kLeft)}});
+      proposals.push_back({i - 1, i + 1, {walking(position, height, heading, kLeft)}});
     }
   }
   for (const double cut : kCuts) {  // the corner rounded, from one leg to the other
@@ -247,7 +256,9 @@ std::vector<Proposal> Refiner::passings(int i) const {
     const Eigen::Vector2d first = here + cut * (before - here).normalized();
     const Eigen::Vector2d second = here + cut * (after - here).normalized();
     proposals.push_back(
-        {i - 1, i + 1, {walking(first, arriving, kLeft), walking(second, leaving, kLeft)}});
+        {i - 1,
+         i + 1,
+         {walking(first, height, arriving, kLeft), walking(second, height, leaving, kLeft)}});
   }
   for (const double heading : {arriving, leaving}) {
     Stance turned = node(i).stance;
@@ -267,9 +278,13 @@ void Refiner::passStops() {
 std::pair<int, Stance> Refiner::pointOfWalk(double s) const {
   int edge = 0;
   while (edge + 1 < last() && s > path_.edges[edge].length) s -= path_.edges[edge++].length;
-  if (path_.edges[edge].path.empty()) return {edge, path_.edges[edge].from};
-  const RootPath::Sample sample = path_.edges[edge].path.at(s);
-  return {edge, walking(sample.position, sample.heading, kLeft)};
+  const WalkEdge& here = path_.edges[edge];
+  if (here.path.empty()) return {edge, here.from};
+  const RootPath::Sample sample = here.path.at(s);
+  const double share = std::clamp(s / here.length, 0.0, 1.0);
+  const double height =
+      here.from.position.z() + share * (here.to.position.z() - here.from.position.z());
+  return {edge, walking(sample.position, height, sample.heading, kLeft)};
 }
 
 std::optional<Proposal> Refiner::moveNode(SampleStream& stream) const {
@@ -281,7 +296,7 @@ std::optional<Proposal> Refiner::moveNode(SampleStream& stream) const {
   position += stray(stream);
   if (path_.pinned[i]) position = here;
   const double heading = direction(before, after) + stream.uniform(-kTwist, kTwist);
-  return Proposal{i - 1, i + 1, {walking(position, heading, kLeft)}};
+  return Proposal{i - 1, i + 1, {walking(position, node(i).stance.position.z(), heading, kLeft)}};
 }
 
 std::optional<Proposal> Refiner::cutOff(SampleStream& stream) const {
@@ -301,10 +316,12 @@ std::optional<Proposal> Refiner::goBy(SampleStream& stream) const {
   const int first = stream.below(last());
   const int next = std::min(last(), first + 1 + stream.below(3));
   const Eigen::Vector2d from = at(node(first).stance), to = at(node(next).stance);
-  Eigen::Vector2d position = from + stream.uniform() * (to - from);
+  const double share = stream.uniform();
+  Eigen::Vector2d position = from + share * (to - from);
   position += stray(stream);
+  const double low = node(first).stance.position.z(), high = node(next).stance.position.z();
   const double heading = direction(from, to) + stream.uniform(-kTwist, kTwist);
-  return Proposal{first, next, {walking(position, heading, kLeft)}};
+  return Proposal{first, next, {walking(position, low + share * (high - low), heading, kLeft)}};
 }
 
 std::optional<Proposal> Refiner::randomProposal(int round, int index) const {

@@ -78,7 +78,7 @@ std::optional<std::vector<int>> Roadmap::shortestPath(int from, int to) const {
     if (at == to) break;
     for (const int edge : out_[at]) {
       const int next = edges_[edge].to;
-      const double arrival = time[at] + edges_[edge].walk.duration;
+      const double arrival = time[at] + edges_[edge].walk.cost();
       if (arrival >= time[next]) continue;
       open.erase({time[next], next});
       time[next] = arrival;

@@ -1,6 +1,7 @@
 #include "planner/sampled_roadmap.h"
 
 #include <optional>
+#include <utility>
 
 #include "planner/parallel.h"
 
@@ -81,6 +82,20 @@ void SampledRoadmap::clear() {
   refused_.clear();
   samples_ = 0;
   failures_ = 0;
+  has_passages_ = false;
+}
+
+// Both ends become nodes if the body can stand there; whether walks lead between them is asked as
+// of any node.
+void SampledRoadmap::insertPassages(const SearchLimits& limits) {
+  if (std::exchange(has_passages_, true)) return;
+  const SteeringScratchPtr scratch = steering_.makeScratch();
+  for (StancePair pair : steering_.passages()) {
+    if (limits.stopped()) return;
+    if (steering_.stand(pair.first, *scratch) || steering_.stand(pair.second, *scratch)) continue;
+    insert({pair.first}, true, true);
+    insert({pair.second}, true, true);
+  }
 }
 
 std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
@@ -103,6 +118,7 @@ std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
 bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
   std::vector<SteeringScratchPtr> scratches(limits.threads);
   for (SteeringScratchPtr& scratch : scratches) scratch = steering_.makeScratch();
+  if (!roadmap_.reachableFrom(from)[to]) insertPassages(limits);
   while (!roadmap_.reachableFrom(from)[to]) {
     if (exhausted(limits) || limits.stopped()) return false;
     for (Draft& draft : draft(limits, scratches)) {

@@ -59,8 +59,8 @@ class SampledRoadmap {
   /// node
   int insert(const Waypoint& at, bool enter, bool leave);
 
-  /// Adds samples until walks lead from one node to the other, the counted limit is reached, or
-  /// limits.stopped().
+  /// Adds the ends of passages, once, and then samples until walks lead from one node to the other,
+  /// the counted limit is reached, or limits.stopped().
   /// @return whether walks lead there
   bool connect(int from, int to, const SearchLimits& limits);
 
@@ -92,6 +92,7 @@ class SampledRoadmap {
   std::vector<Draft> draft(const SearchLimits& limits,
                            std::vector<SteeringScratchPtr>& scratches) const;
   int commit(Candidate& candidate, SteeringScratch& scratch);
+  void insertPassages(const SearchLimits& limits);
 
   const Steering& steering_;
   StanceSampler sampler_;
@@ -100,6 +101,7 @@ class SampledRoadmap {
   std::vector<RefusedEdge> refused_;
   long long samples_ = 0;
   int failures_ = 0;
+  bool has_passages_ = false;
 };
 
 }  // namespace amble

@@ -20,6 +20,8 @@ constexpr int kBridgeTries = 60;
 // narrow.
 constexpr double kShortestBridge = 0.5;
 constexpr double kLongestBridge = 1.8;
+// The height of a place on a floor that is not there [m].
+constexpr double kNowhere = -1e9;
 
 }  // namespace
 
@@ -37,7 +39,17 @@ Stance StanceSampler::anywhere(SampleStream& stream) const {
   stance.position.x() = stream.uniform(bounds_.min().x(), bounds_.max().x());
   stance.position.y() = stream.uniform(bounds_.min().y(), bounds_.max().y());
   stance.heading = stream.uniform(-kPi, kPi);
+  if (steering_.layers() > 0) choose(stance, stream);
   return stance;
+}
+
+// One floor of those over one another; none where there are fewer than the number drawn, so that
+// all ground is drawn alike.
+void StanceSampler::choose(Stance& stance, SampleStream& stream) const {
+  const int drawn = stream.below(steering_.layers());
+  const std::vector<double> floors = steering_.floors(stance.position.x(), stance.position.y());
+  const bool is_there = drawn < static_cast<int>(floors.size());
+  stance.position.z() = is_there ? floors[drawn] : kNowhere;
 }
 
 std::optional<StanceSampler::Sample> StanceSampler::uniform(SampleStream& stream,
@@ -74,7 +86,7 @@ std::optional<StanceSampler::Sample> StanceSampler::bridge(SampleStream& stream,
     Stance far_end = near_end, middle = near_end;
     far_end.position += 2 * half;
     middle.position += half;
-    if (!bounds_.contains(middle.position.head<2>())) continue;
+    if (!bounds_.contains(middle.position.head<2>()) || near_end.position.z() == kNowhere) continue;
     if (!steering_.stand(near_end, scratch) || !steering_.stand(far_end, scratch)) continue;
     if (!steering_.stand(middle, scratch)) return Sample{middle, standsAllRound(middle, scratch)};
   }

@@ -1,5 +1,10 @@
 /// Where samples of a roadmap come from: free standing stances, each of its own random stream.
 ///
+/// Where the ground lies in layers a place of the plane is drawn first and then one of as many
+/// floors as there are at most; where it has fewer the draw may miss. So floors are drawn by their
+/// area, whichever storey they are on. Stairs and ramps, which are narrow, are in a roadmap before
+/// any sample (Steering::passages).
+///
 /// Samples of even index are uniform, in the bounds and in heading, over the places where the body
 /// can stand by any heading: a node is entered and left by turns on the spot. (Along walls lies a
 /// strip where a body that faces the right way can stand but not turn. No walk needs it, few edges
@@ -43,6 +48,7 @@ class StanceSampler {
  private:
   bool standsAllRound(Stance& stance, SteeringScratch& scratch) const;
   Stance anywhere(SampleStream& stream) const;
+  void choose(Stance& stance, SampleStream& stream) const;
   std::optional<Sample> uniform(SampleStream& stream, SteeringScratch& scratch) const;
   std::optional<Sample> bridge(SampleStream& stream, SteeringScratch& scratch) const;
 

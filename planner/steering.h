@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "animation/root_path.h"
 #include "animation/stance.h"
@@ -48,6 +49,14 @@ struct WalkEdge {
   int steps = 0;            ///< of the walk between the turns
   double duration = 0.0;    ///< [s, >= 0], a whole number of frames
   double length = 0.0;      ///< of the root path [m, >= 0]
+  double effort = 0.0;      ///< what climbing and lifting cost beside time, in time [s, >= 0]
+
+  double cost() const { return duration + effort; }  ///< [s]
+};
+
+/// Two stances between which a walk is likely that samples would hardly find.
+struct StancePair {
+  Stance first, second;
 };
 
 struct SteerResult {
@@ -79,6 +88,14 @@ class Steering {
   /// The walk from one waypoint to another, checked, or the rule that refused.
   virtual SteerResult steer(const Waypoint& from, const Waypoint& to,
                             SteeringScratch& scratch) const = 0;
+
+  /// Heights of the ground at (x, y), where it lies in several layers or is not level; else none is
+  /// needed: `place` finds it [m].
+  virtual std::vector<double> floors(double, double) const { return {}; }
+  /// Most floors over one another; 0 where they need not be told apart.
+  virtual int layers() const { return 0; }
+  /// Ends of narrow passages, standing: a roadmap takes them before any sample.
+  virtual std::vector<StancePair> passages() const { return {}; }
 
   /// No edge between two places is faster than their distance over this [m/s, > 0].
   virtual double topSpeed() const = 0;

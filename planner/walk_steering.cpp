@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "animation/rotation.h"
+#include "planner/passages.h"
 
 namespace amble {
 namespace {
@@ -163,6 +164,22 @@ SteeringScratchPtr WalkSteering::makeScratch() const {
 }
 
 double WalkSteering::topSpeed() const { return kSpeedMargin * synthesizer_.settings().speed; }
+
+int WalkSteering::layers() const {
+  return ground_.isLevel() ? 0 : std::max(1, ground_.cells().layers());
+}
+
+std::vector<StancePair> WalkSteering::passages() const {
+  std::vector<StancePair> pairs;
+  for (const Passage& passage : findPassages(ground_)) {
+    StancePair pair;
+    pair.first.position = passage.low;
+    pair.second.position = passage.high;
+    pair.first.heading = pair.second.heading = passage.heading;
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
 
 bool WalkSteering::place(Stance& stance) const {
   const auto under =

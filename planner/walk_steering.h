@@ -32,6 +32,9 @@ class WalkSteering : public Steering {
   SteerResult steer(const Waypoint& from, const Waypoint& to,
                     SteeringScratch& scratch) const override;
   double topSpeed() const override;
+  std::vector<double> floors(double x, double y) const override { return ground_.floors(x, y); }
+  int layers() const override;
+  std::vector<StancePair> passages() const override;
 
   /// The frames of an edge, as they were checked. `out` is overwritten.
   void animate(const WalkEdge& edge, AnimationBuffer& out) const;

@@ -1,5 +1,6 @@
 // make_furniture FOLDER: writes the meshes of environments/scenes there, as they are committed:
-// FOLDER/living-room/meshes/*.obj and FOLDER/goal-inside-closed-cupboard/meshes/cupboard.obj.
+// FOLDER/living-room/meshes/*.obj, FOLDER/goal-inside-closed-cupboard/meshes/cupboard.obj and
+// FOLDER/rolling-terrain/meshes/terrain.obj.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -32,6 +33,7 @@ int main(int argc, char** argv) {
     for (const amble::Furniture& piece : amble::makeLivingRoomFurniture())
       writePiece(folder / "living-room" / "meshes", piece);
     writePiece(folder / "goal-inside-closed-cupboard" / "meshes", amble::makeCupboard());
+    writePiece(folder / "rolling-terrain" / "meshes", amble::makeTerrain());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -120,6 +121,22 @@ TEST(Furniture, CommittedMeshesAreWhatTheGeneratorMakes) {
   }
   const auto file = kScenes / "goal-inside-closed-cupboard" / "meshes" / "cupboard.obj";
   EXPECT_TRUE(contents(file) == objText(makeCupboard())) << file << " differs: run make_furniture";
+  const auto hills = kScenes / "rolling-terrain" / "meshes" / "terrain.obj";
+  EXPECT_TRUE(contents(hills) == objText(makeTerrain())) << hills << " differs: run make_furniture";
+}
+
+TEST(Furniture, TheTerrainIsNowhereSteeperThanFifteenDegrees) {
+  const Furniture terrain = makeTerrain();
+  const Surface& surface = terrain.groups.at(0).second;
+  double steepest = 1.0;
+  for (const auto& t : surface.triangles) {
+    const Eigen::Vector3d &a = surface.vertices[t[0]], &b = surface.vertices[t[1]],
+                          &c = surface.vertices[t[2]];
+    const double up = (b - a).cross(c - a).normalized().z();
+    if (up > 0.1) steepest = std::min(steepest, up);
+  }
+  EXPECT_GT(steepest, std::cos(15.0 * 3.14159265 / 180.0));
+  EXPECT_LT(steepest, std::cos(13.0 * 3.14159265 / 180.0));
 }
 
 }  // namespace
