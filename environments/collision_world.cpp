@@ -58,8 +58,8 @@ Clearance CollisionWorld::clearance(const PoseArray& poses, std::span<const Fram
     model_->place(poses[frame], scratch, {&scratch.capsule(frame, 0), parts});
     for (size_t part = 0; part < parts; ++part) {
       const Capsule& capsule = scratch.capsule(frame, static_cast<int>(part));
-      const ObstacleSet::Nearest nearest =
-          model_->layers.nearestObstacle(capsule, best.distance, *scratch.exact);
+      const ObstacleSet::Nearest nearest = model_->layers.nearestObstacle(
+          capsule, best.distance, model_->body.parts[part].sole >= 0, *scratch.exact);
       if (nearest.object >= 0)
         best = {nearest.distance, frame, static_cast<int>(part), nearest.object};
     }

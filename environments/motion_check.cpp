@@ -143,7 +143,7 @@ std::optional<Contact> MotionCheck::prove(const Task& task, const Moment& a, con
       auto contact = touchedAt(left, moment, near);
       if (!contact) continue;
       contact->gap =
-          world_.layers.nearestObstacle(moment.capsule, kProofGap, *scratch_.exact).distance;
+          world_.layers.nearestObstacle(moment.capsule, kProofGap, false, *scratch_.exact).distance;
       return contact;
     }
     return std::nullopt;

@@ -141,9 +141,11 @@ int SceneLayers::touchedObstacle(const Capsule& capsule, double depth,
 }
 
 ObstacleSet::Nearest SceneLayers::nearestObstacle(const Capsule& capsule, double limit,
+                                                  bool is_sole,
                                                   ObstacleSet::Scratch& scratch) const {
   if (field_.isFree(capsule.inflated(limit))) return {limit, -1};
   const ObstacleSet::Nearest nearest = obstacles_.nearest(capsule, limit, scratch);
+  if (is_sole) return nearest;
   const ObstacleSet::Nearest bank = banks_.nearest(capsule, nearest.distance, scratch);
   return bank.object >= 0 ? bank : nearest;
 }

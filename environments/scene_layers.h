@@ -21,8 +21,9 @@ class SceneLayers {
   /// An object that the capsule touches or lies in, the ground left out; -1 for none.
   /// @param depth  by which it may sink into banks from above: that of the ground [m, >= 0]
   int touchedObstacle(const Capsule& capsule, double depth, ObstacleSet::Scratch& scratch) const;
-  /// The obstacle or bank nearer than `limit`, if there is one [m].
-  ObstacleSet::Nearest nearestObstacle(const Capsule& capsule, double limit,
+  /// The obstacle or bank nearer than `limit`, if there is one [m]. Banks are left out for soles,
+  /// which stand on what they are part of.
+  ObstacleSet::Nearest nearestObstacle(const Capsule& capsule, double limit, bool is_sole,
                                        ObstacleSet::Scratch& scratch) const;
   const GroundLayer& ground() const { return ground_; }
 

@@ -6,6 +6,7 @@
 
 #include "animation/rotation.h"
 #include "planner/passages.h"
+#include "planner/walk_effort.h"
 
 namespace amble {
 namespace {
@@ -237,6 +238,7 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
                           edge.any_leading, own.buffer);
     if (!passes(walk)) return result;
     edge.steps = walk.steps;
+    edge.effort = effortOf(own.buffer, synthesizer_.capturedLift(), synthesizer_.settings().speed);
     if (!edge.to.standing) edge.to.leading = walk.leading;
   }
   if (edge.turn_first != 0.0 &&
@@ -262,8 +264,10 @@ SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to,
     if (!all.edge && one.failure.stage >= all.failure.stage) all.failure = one.failure;
     return all.edge.has_value();
   };
-  if ((to.stance.position - from.stance.position).head<2>().norm() < kSamePlace) {
-    if (from.stance.standing && to.stance.standing) passes(makeTurn(from, to));
+  const Eigen::Vector3d line = to.stance.position - from.stance.position;
+  if (line.head<2>().norm() < kSamePlace) {
+    const bool same_floor = std::abs(line.z()) < SceneGround::kLevel;
+    if (same_floor && from.stance.standing && to.stance.standing) passes(makeTurn(from, to));
     return all;
   }
   for (const Way& way : waysBetween(from, to)) {
