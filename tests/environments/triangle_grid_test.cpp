@@ -15,7 +15,8 @@ TEST(TriangleGrid, OfNothingHasNothing) {
 }
 
 TEST(HeightOver, IsThePlanesWithinTheTriangle) {
-  const Triangle3 t = {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(2, 0, 3), Eigen::Vector3d(0, 2, 1)};
+  const Triangle3 t = {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(2, 0, 3),
+                       Eigen::Vector3d(0, 2, 1)};
   EXPECT_NEAR(heightOver(t, 0.5, 0.5).value(), 1.5, 1e-12);
   EXPECT_NEAR(heightOver(t, 0, 0).value(), 1.0, 1e-12);
   EXPECT_FALSE(heightOver(t, 1.1, 1.1).has_value());
@@ -24,12 +25,14 @@ TEST(HeightOver, IsThePlanesWithinTheTriangle) {
 }
 
 TEST(HeightOver, OfAnUprightTriangleIsNone) {
-  const Triangle3 t = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 0, 1)};
+  const Triangle3 t = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
+                       Eigen::Vector3d(0, 0, 1)};
   EXPECT_FALSE(heightOver(t, 0.2, 0.0).has_value());
 }
 
 TEST(HeightsWithin, AreThoseOfThePartInTheBox) {
-  const Triangle3 t = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(4, 0, 4), Eigen::Vector3d(0, 4, 0)};
+  const Triangle3 t = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(4, 0, 4),
+                       Eigen::Vector3d(0, 4, 0)};
   const auto range = heightsWithin(t, {Eigen::Vector2d(1, 1), Eigen::Vector2d(2, 2)});
   ASSERT_TRUE(range.has_value());
   EXPECT_NEAR(range->low, 1.0, 1e-12);
