@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "animation/rotation.h"
 
@@ -16,13 +17,15 @@ constexpr double kNeighbourhood =
 constexpr double kStride = 0.05;     // between points of a line [m]
 constexpr double kLevelRun = 0.5;    // without a change of height: ground is level there [m]
 constexpr double kLevelSpan = 0.02;  // that heights of level ground may differ by [m]
+constexpr double kLanding = 0.9;     // between two flights: one stands there [m]
 // Where a person stands beyond the last step: in the middle of a landing, no farther than this [m].
 constexpr double kFarthestStand = 0.8;
 constexpr double kLongest = 40.0;    // of a line [m]
 constexpr double kLeastRise = 0.04;  // lower ones any walk crosses [m]
 // Faces of risers that a direction is taken from: no higher, and within so much of the slope found.
 constexpr double kTallestRiser = 0.35;           // [m]
-constexpr double kFaceTurn = 30.0 * kDegree;     // [rad]
+constexpr double kFaceTurn = 50.0 * kDegree;     // [rad]
+constexpr double kSameFace = 2.0 * kDegree;      // of one direction [rad]
 constexpr double kSameHeading = 10.0 * kDegree;  // of lines side by side [rad]
 constexpr double kSameLine = 0.3;                // between two lines that are one [m]
 constexpr int kLinesOfFlight = 3;                // kept of lines side by side
@@ -40,7 +43,7 @@ class Finder {
  private:
   std::optional<double> uphill(int column, int row, double height) const;
   double acrossRisers(const Eigen::Vector3d& p, double heading) const;
-  std::optional<Eigen::Vector3d> follow(Eigen::Vector3d p, double heading) const;
+  std::vector<Eigen::Vector3d> follow(const Eigen::Vector3d& p, double heading) const;
   std::optional<Passage> through(const Eigen::Vector3d& p, double heading) const;
 
   const SceneGround& ground_;
@@ -76,16 +79,23 @@ std::optional<double> Finder::uphill(int column, int row, double height) const {
   return std::atan2(plane.y(), plane.x());
 }
 
-// The direction that the faces of risers near p and the slope below it have: exact where the one
-// found from squares is not.
+// The direction that most of the faces of risers near p have, or the slope below it: exact where
+// the one found from squares is not. At a flight's corner it is that of the risers, not one between
+// them and the flight's side.
 double Finder::acrossRisers(const Eigen::Vector3d& p, double heading) const {
-  const Eigen::Vector2d ahead = unit(heading);
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  const auto add = [&](Eigen::Vector2d direction, double weight) {
-    if (direction.norm() < 1e-9) return;
-    direction.normalize();
-    if (direction.dot(ahead) < 0.0) direction = -direction;
-    if (direction.dot(ahead) >= std::cos(kFaceTurn)) sum += weight * direction;
+  std::vector<std::pair<double, double>> directions;  // heading, weight
+  const auto add = [&](const Eigen::Vector2d& across, double weight) {
+    if (!(across.norm() > 1e-9)) return;
+    double direction = std::atan2(across.y(), across.x());
+    if (std::abs(wrapAngle(direction - heading)) > 0.5 * kPi) direction += kPi;
+    if (std::abs(wrapAngle(direction - heading)) > kFaceTurn) return;
+    const auto same = std::find_if(directions.begin(), directions.end(), [&](const auto& other) {
+      return std::abs(wrapAngle(other.first - direction)) < kSameFace;
+    });
+    if (same != directions.end())
+      same->second += weight;
+    else
+      directions.emplace_back(direction, weight);
   };
   const Eigen::Vector2d at = p.head<2>(), reach = Eigen::Vector2d::Constant(kNeighbourhood);
   ground_.all().visitBox({at - reach, at + reach}, [&](int t) {
@@ -98,11 +108,15 @@ double Finder::acrossRisers(const Eigen::Vector3d& p, double heading) const {
   });
   if (const auto here = ground_.surface(p.x(), p.y(), p.z(), step_))
     add(-here->normal.head<2>(), here->normal.head<2>().norm());
-  return sum.norm() > 0.0 ? std::atan2(sum.y(), sum.x()) : heading;
+  if (directions.empty()) return heading;
+  return std::max_element(directions.begin(), directions.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
 }
 
-// Along a heading from where the ground is not level to where one stands on level ground beyond.
-std::optional<Eigen::Vector3d> Finder::follow(Eigen::Vector3d p, double heading) const {
+// The ground along a heading, from p on, as far as steps lead and until it has been level for long
+// enough to stand there.
+std::vector<Eigen::Vector3d> Finder::follow(const Eigen::Vector3d& p, double heading) const {
   const Eigen::Vector2d way = kStride * unit(heading);
   std::vector<Eigen::Vector3d> line = {p};
   size_t begin = 0;  // of what has been level since
@@ -110,19 +124,36 @@ std::optional<Eigen::Vector3d> Finder::follow(Eigen::Vector3d p, double heading)
     const Eigen::Vector3d& last = line.back();
     const auto next = ground_.height(last.x() + way.x(), last.y() + way.y(), last.z(), step_);
     if (!next) break;
+    const double run = static_cast<double>(line.size() - 1 - begin) * kStride;
+    if (run >= 2.0 * kFarthestStand) break;
+    if (run >= kLanding && std::abs(line[begin].z() - *next) > kLevelSpan) break;
     line.emplace_back(last.x() + way.x(), last.y() + way.y(), *next);
     while (std::abs(line[begin].z() - *next) > kLevelSpan) ++begin;
-    if (static_cast<double>(line.size() - 1 - begin) * kStride >= 2.0 * kFarthestStand) break;
   }
-  const double run = static_cast<double>(line.size() - 1 - begin) * kStride;
-  if (run < kLevelRun || begin == 0) return std::nullopt;
-  return line[begin + (line.size() - begin) / 2];
+  return line;
+}
+
+// Where one stands on the level ground at the end of a line: in its middle, not far from the slope.
+std::optional<Eigen::Vector3d> standAtEnd(const std::vector<Eigen::Vector3d>& line) {
+  size_t level = 0;  // points at the end
+  while (level < line.size() &&
+         std::abs(line[line.size() - 1 - level].z() - line.back().z()) <= kLevelSpan)
+    ++level;
+  const double run = static_cast<double>(level) * kStride;
+  if (run < kLevelRun || level == line.size()) return std::nullopt;
+  const auto in = static_cast<size_t>(std::min(0.5 * run, kFarthestStand) / kStride);
+  return line[line.size() - level + in];
 }
 
 std::optional<Passage> Finder::through(const Eigen::Vector3d& p, double heading) const {
-  const auto high = follow(p, heading), low = follow(p, heading + kPi);
+  const std::vector<Eigen::Vector3d> ahead = follow(p, heading), back = follow(p, heading + kPi);
+  std::vector<Eigen::Vector3d> line(back.rbegin(), back.rend() - 1);
+  line.insert(line.end(), ahead.begin(), ahead.end());
+  const auto high = standAtEnd(line);
+  std::reverse(line.begin(), line.end());
+  const auto low = standAtEnd(line);
   if (!high || !low || high->z() - low->z() < kLeastRise) return std::nullopt;
-  return Passage{*low, *high, heading};
+  return Passage{*low, *high, wrapAngle(heading)};
 }
 
 // Of lines side by side the middle one and two beside it.

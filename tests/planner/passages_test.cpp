@@ -26,19 +26,20 @@ TEST(Passages, LeadStraightUpAFlightThatIsTurnedAnyWay) {
     objects.push_back(makeObject("upper", Box{{3, 3, 0.2}}, {8 * 0.29 + 1.5, 0, 9 * 0.17 - 0.1}));
     for (SceneObject& object : objects) object.X_WO = X * object.X_WO;
     objects.push_back(floorSlab());
-    const std::vector<Passage> passages = passagesOf(objects);
-    ASSERT_FALSE(passages.empty()) << turn;
-    for (const Passage& passage : passages) {
+    int count = 0;
+    for (const Passage& passage : passagesOf(objects)) {
       const Eigen::Vector3d low = X.inverse() * passage.low, high = X.inverse() * passage.high;
       EXPECT_NEAR(low.z(), 0.0, 1e-9);
-      EXPECT_NEAR(high.z(), 9 * 0.17, 1e-9);
+      if (high.z() < 9 * 0.17 - 1e-9) continue;  // onto the lowest treads from their sides
+      ++count;
       EXPECT_LT(low.x(), -0.2);
       EXPECT_GT(high.x(), 8 * 0.29 + 0.2);
       EXPECT_NEAR(low.y(), high.y(), 0.05);
       EXPECT_LT(std::abs(low.y()), 1.0);
       EXPECT_NEAR(wrapAngle(passage.heading - turn * kDegree), 0.0, 1.0 * kDegree);
     }
-    EXPECT_LE(passages.size(), 3u);
+    EXPECT_GE(count, 1) << turn;
+    EXPECT_LE(count, 3) << turn;
   }
 }
 
