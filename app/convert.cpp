@@ -9,8 +9,8 @@
 
 #include "animation/bvh.h"
 #include "animation/error.h"
-#include "animation/floor_fit.h"
 #include "animation/good_frames.h"
+#include "animation/mirror_clip.h"
 #include "animation/node_animation.h"
 #include "animation/resample_clip.h"
 #include "app/command.h"

@@ -1,8 +1,8 @@
 // `amble convert` and what the other commands take of captures, from the outside.
 #include <nlohmann/json.hpp>
 
-#include "animation/floor_fit.h"
 #include "animation/good_frames.h"
+#include "animation/mirror_clip.h"
 #include "animation/motion_reader.h"
 #include "animation/resample_clip.h"
 #include "tests/animation/captures.h"
