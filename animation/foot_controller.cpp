@@ -80,7 +80,7 @@ void smoothed(std::vector<double>& values, int half) {
 }  // namespace
 
 FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
-                      const Eigen::Vector3d& hip, double longest) {
+                      const Eigen::Vector3d& hip, double longest, double heel_share) {
   SolePose sole = solePose(state, cycle);
   FootTarget target = targetOf(shape, sole);
   const double distance = (target.ankle - hip).norm();
@@ -93,7 +93,7 @@ FootTarget footTarget(const FootState& state, const FootCycle& cycle, const Foot
   const double freedom = smoothstep(std::clamp(behind / kBehind, 0.0, 1.0));
   // A smooth minimum of what it is and what it may be.
   const double wanted = distance - kSoftReach * std::log1p(std::exp(over));
-  double low = sole.pitch, high = sole.pitch + kExtraRise * freedom;
+  double low = sole.pitch, high = sole.pitch + heel_share * kExtraRise * freedom;
   for (int i = 0; i < 30; ++i) {
     sole.pitch = 0.5 * (low + high);
     ((targetOf(shape, sole).ankle - hip).norm() > wanted ? low : high) = sole.pitch;
@@ -135,10 +135,10 @@ double FootController::heelReach(double at) {
 }
 
 FootTarget FootController::targetFor(Side side, const FrameState& state,
-                                     std::span<const JointFrame> joints) const {
+                                     std::span<const JointFrame> joints, double heel_share) const {
   return footTarget(state.feet[side], blend_.foot(side), shapes_[side],
                     joints[roles_.legs[side].up_leg].p_WJ,
-                    heelReach(state.feet[side].at) * roles_.legLength(skeleton_, side));
+                    heelReach(state.feet[side].at) * roles_.legLength(skeleton_, side), heel_share);
 }
 
 // Lowers the root around frames in which a leg would be too short, never at the first and last
@@ -176,7 +176,7 @@ bool FootController::sinkHips(AnimationBuffer& buffer) const {
   std::vector<JointFrame> joints(skeleton_.size());
   std::vector<double> missing(n, 0.0), sunk(n, 0.0);
   for (int i = 1; i + 1 < n; ++i) {
-    missing[i] = missingHeight(buffer, i, kUnevenReach, joints);
+    missing[i] = missingHeight(buffer, i, kUnevenReach, joints, kUnevenHeel);
     if (missing[i] > kUnevenDip) return false;
   }
   const int reach = std::max(1, static_cast<int>(std::lround(kSpread / buffer.frame_time)));
@@ -221,11 +221,11 @@ bool FootController::placeLeg(Side side, const FootTarget& target,
 }
 
 double FootController::missingHeight(const AnimationBuffer& buffer, int frame, double share,
-                                     std::vector<JointFrame>& joints) const {
+                                     std::vector<JointFrame>& joints, double heel_share) const {
   forwardKinematics(skeleton_, buffer.poses[frame], joints);
   double missing = 0.0;
   for (const Side side : {kLeft, kRight}) {
-    const FootTarget target = targetFor(side, buffer.states[frame], joints);
+    const FootTarget target = targetFor(side, buffer.states[frame], joints, heel_share);
     const Eigen::Vector3d d = joints[roles_.legs[side].up_leg].p_WJ - target.ankle;
     const double longest = share * roles_.legLength(skeleton_, side);
     const double room = longest * longest - d.head<2>().squaredNorm();

@@ -25,8 +25,9 @@ struct FootTarget {
 /// Where the foot is to be in a frame. Behind the walker, where the leg from `hip` [World] would be
 /// longer than `longest` [m], the heel rises farther than captured, as it does when people take
 /// longer steps.
+/// @param heel_share  of the rise that there is for a heel beyond the captured one [0, 1]
 FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
-                      const Eigen::Vector3d& hip, double longest);
+                      const Eigen::Vector3d& hip, double longest, double heel_share = 1.0);
 
 class FootController : public SubController {
  public:
@@ -45,8 +46,10 @@ class FootController : public SubController {
   static constexpr double kDeepestDip = 0.04;    // [m]; by trial, deeper looks like a stumble
   /// On uneven ground: legs stretch to kUnevenReach before the hips dip, at most to kUnevenDip, and
   /// a dip is spread over kSpread; by trial.
-  static constexpr double kUnevenReach = 0.9975;
+  static constexpr double kUnevenReach = 0.992;
   static constexpr double kUnevenDip = 0.15;  // [m]
+  /// So much of a heel's further rise is used before that: the rest is for what the curve misses.
+  static constexpr double kUnevenHeel = 0.4;
   static constexpr double kSpread = 0.16;     // [s]
   static constexpr double kSinkSpeed = 0.25;  // from a stance on [m/s]
 
@@ -63,11 +66,11 @@ class FootController : public SubController {
   /// How much lower the root has to be for no leg to reach farther than `share`, in a frame [m, >=
   /// 0]. `joints` is scratch.
   double missingHeight(const AnimationBuffer& buffer, int frame, double share,
-                       std::vector<JointFrame>& joints) const;
+                       std::vector<JointFrame>& joints, double heel_share = 1.0) const;
 
  private:
-  FootTarget targetFor(Side side, const FrameState& state,
-                       std::span<const JointFrame> joints) const;
+  FootTarget targetFor(Side side, const FrameState& state, std::span<const JointFrame> joints,
+                       double heel_share = 1.0) const;
   static double heelReach(double at);
   bool dipHips(AnimationBuffer& buffer) const;
   bool sinkHips(AnimationBuffer& buffer) const;
