@@ -16,6 +16,7 @@ constexpr double kCoarse = 0.08;  // the same for a first look [m]
 constexpr double kLowest = 0.4;   // so much below the prints what lies between is looked for [m]
 constexpr double kSame = 0.005;   // heights within so much of a print's plane are its plane [m]
 constexpr double kNear = 0.12;    // of a print: margins over its own ground grow from 0 [m]
+constexpr double kBeside = 0.03;  // that a foot moves before what lay beside it is in its way [m]
 // What the captured swing clears by itself: things no higher over the line between prints [m].
 constexpr double kCleared = 0.006;
 
@@ -148,7 +149,12 @@ double SwingClearance::extraNeeded(const Strip& strip, const FootCycle& cycle,
         static_cast<int>(std::floor((s + strip.ahead + strip.keep - strip.begin) / kCell));
     double needed = 0.0;
     for (int i = std::max(first, 0); i <= std::min(last, cells - 1); ++i) {
-      const double at = std::clamp(strip.begin + (i + 0.5) * kCell - s, -strip.back, strip.ahead);
+      const double x = strip.begin + (i + 0.5) * kCell;
+      // Beside a print, not under it: a foot that goes up or comes down there passes it by.
+      const bool beside = (x < strip.ahead && s < kBeside) ||
+                          (x > strip.length - strip.back && strip.length - s < kBeside);
+      if (beside && !strip.own[i]) continue;
+      const double at = std::clamp(x - s, -strip.back, strip.ahead);
       needed = std::max(needed, strip.height[i] + (strip.own[i] ? own : kOver) - sole - tilt * at);
     }
     // A share of a millimetre is a cell's coarseness.
