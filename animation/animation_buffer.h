@@ -56,6 +56,7 @@ struct FrameState {
   double phase = 0.0;             ///< of the walk cycle [cycles, 0 <= . < 1]
   double step_length = 0.0;       ///< to which the cycles are warped here [m]
   double standing = 0.0;          ///< share of the standing posture, 1 at standing stances [0, 1]
+  double lean = 0.0;              ///< of pelvis and trunk, forwards, beside the cycle's [rad]
   double crouch = 0.0;            ///< of the root below its height on the level [m]
   double sway = 0.0;              ///< weight shift to the left beside that of the walk cycle [m]
   std::array<FootState, 2> feet;  ///< by Side

@@ -39,6 +39,14 @@ FootPlace stancePlace(const FootPlacement& p, const Stance& stance, Side side) {
 
 }  // namespace
 
+double slopeStrike(const FootPlace& place) {
+  constexpr double kFlat = 0.35;  // by trial: rise per metre on which feet land flat [1]
+  const double rise =
+      -(place.normal.x() * std::cos(place.heading) + place.normal.y() * std::sin(place.heading)) /
+      place.normal.z();
+  return std::clamp(1.0 - rise / kFlat, 0.0, 1.0);
+}
+
 FootPlace footBeside(const GroundPoint& point, Side side, double width, double toe_out) {
   const double sign = side == kLeft ? 1.0 : -1.0;
   const Eigen::Vector3d left(-std::sin(point.heading), std::cos(point.heading), 0.0);

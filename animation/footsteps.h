@@ -54,7 +54,7 @@ class Footsteps {
     SwingShape swing;
     double strike_roll = 1.0;  ///< FootState::strike_roll
   };
-  /// Of all placings, -1 first; those of placings -1 and 0 are not used.
+  /// Of all placings, -1 first; nothing swings to placings -1 and 0.
   std::vector<Landing>& landings() { return landings_; }
 
   int steps() const { return steps_; }
@@ -79,6 +79,10 @@ class Footsteps {
   std::vector<Landing> landings_;
   std::vector<double> half_supports_;  // by node
 };
+
+/// How much of the heel strike is kept on a foot that stands so: uphill feet land flatter
+/// (FootState::strike_roll) [0, 1].
+double slopeStrike(const FootPlace& place);
 
 /// Where a foot stands beside a point: half the width to its side, toes out.
 FootPlace footBeside(const GroundPoint& point, Side side, double width, double toe_out);

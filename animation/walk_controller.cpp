@@ -67,6 +67,11 @@ bool WalkController::apply(AnimationBuffer& buffer) const {
     channels[2] -= state.crouch;
     projectChannels(channels, reference_, state.position, state.heading, buffer.poses.p_WR(i),
                     buffer.poses.rotations(i));
+    if (state.lean != 0.0) {
+      const Eigen::Vector3d left(-std::sin(state.heading), std::cos(state.heading), 0.0);
+      Eigen::Quaterniond& root = buffer.poses.rotations(i)[0];
+      root = Eigen::AngleAxisd(state.lean, left) * root;
+    }
   }
   return true;
 }

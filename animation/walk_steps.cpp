@@ -68,6 +68,11 @@ double slopePace(double slope) {
   return std::min(1.0, std::exp(-0.5 * kSlowing * (std::abs(slope + kFastest) - kFastest)));
 }
 
+double slopeLean(double slope) {
+  constexpr double kUp = 0.35, kDown = 0.15;  // of the slope's angle
+  return (slope > 0.0 ? kUp : kDown) * std::atan(slope);
+}
+
 double WalkSteps::heightAt(const SpeedProfile::Sample& at, double length) const {
   if (!level) return height.at(at.steps);
   return from.position.z() + smoothstep(at.arc / length) * (end.position.z() - from.position.z());
@@ -322,6 +327,7 @@ void StepPlacer::shapeSwings(WalkSteps& walk, const RootPath& path,
   Footsteps& feet = *walk.feet;
   const std::vector<FootPlace>& places = feet.places();
   walk.gait.clear();
+  for (int i = 0; i < 2; ++i) feet.landings()[i].strike_roll = slopeStrike(places[i]);
   for (int i = 1; i <= walk.steps; ++i) {
     const FootCycle& cycle = blend_.foot(feet.side(i));
     const FootShape& foot = shapes_[feet.side(i)];
@@ -335,10 +341,12 @@ void StepPlacer::shapeSwings(WalkSteps& walk, const RootPath& path,
       return;
     }
     const double height = stepHeight(places[i], places[i + 1]);
+    landing.strike_roll = slopeStrike(places[i + 1]);
     // The last foot of a walking stance lands as every walk's.
     if (walk.end.standing || i < walk.steps) {
       const double flat = smoothstep(std::abs(height) / (kFlatLanding * s_.scale));
-      landing.strike_roll = 1.0 - (height < 0.0 ? 2.0 : 1.0) * flat;
+      landing.strike_roll *= 1.0 - flat;
+      if (height < 0.0) landing.strike_roll -= flat;
     }
     const Eigen::Vector3d step = places[i + 1].position - places[i].position;
     // Left and right feet's toeing out cancel.

@@ -46,6 +46,10 @@ struct WalkSteps {
   std::optional<SpeedProfile> profile;
   std::optional<StepTiming> timing;  ///< in place of the profile, where steps were chosen
 
+  /// Rise of the root path per metre at a sample [1].
+  double slopeAt(const SpeedProfile::Sample& at) const {
+    return level ? 0.0 : height.slope(at.steps) / at.step_length;
+  }
   /// Height of the root path at a sample of a path so long [m].
   double heightAt(const SpeedProfile::Sample& at, double length) const;
   int frames() const { return timing ? timing->frames() : profile->frames(); }
@@ -53,6 +57,11 @@ struct WalkSteps {
     return timing ? timing->at(frame) : profile->at(frame);
   }
 };
+
+/// How far people lean into a slope, or back [rad, forwards positive]; about what trunks do on
+/// treadmills that are inclined by 5 to 10 % (Leroux, Fung & Barbeau 2002), and as much in
+/// proportion on stairs. @param slope  [1, positive up]
+double slopeLean(double slope);
 
 /// Share of the level's speed that people walk on a slope [1, positive up] at: half of the slowing
 /// of Tobler's hiking function (1993), v ~ exp(-3.5 |slope + 0.05|), which is for hours of path; 1

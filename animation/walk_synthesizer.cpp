@@ -177,6 +177,9 @@ struct WalkSynthesizer::Impl {
         place.position.z() = rise / step_length * (place.position.x() - p.forward);
         place.normal = Eigen::Vector3d(-rise, 0.0, step_length).normalized();
       }
+      for (auto& landing : steps.landings()) {
+        landing.strike_roll = slopeStrike(steps.places().front());
+      }
     }
     AnimationBuffer buffer;
     buffer.poses = PoseArray(skeleton.size());
@@ -188,6 +191,7 @@ struct WalkSynthesizer::Impl {
       state.position.z() = progress * rise;
       state.phase = std::fmod(0.5 * progress, 1.0);
       state.step_length = step_length;
+      state.lean = slopeLean(rise / step_length);
       state.feet = steps.at(progress);
       buffer.states.push_back(state);
     }
@@ -213,9 +217,14 @@ struct WalkSynthesizer::Impl {
     FrameState state = levelStance(stance, arc);
     state.position.z() = stood.height;
     state.feet = Footsteps::atStance(stood.placement, stance);
-    if (!stance.standing) state.step_length = stood.placement.step_length;
+    if (!stance.standing) {
+      state.step_length = stood.placement.step_length;
+      state.lean = slopeLean(stood.rise / state.step_length);
+    }
     for (const Side side : {kLeft, kRight}) {
-      state.feet[side].from = state.feet[side].to = stood.feet[side];
+      FootState& foot = state.feet[side];
+      foot.from = foot.to = stood.feet[side];
+      if (!stance.standing) foot.strike_roll = slopeStrike(foot.from);
     }
     if (!stood.level) state.crouch = crouchOf(stance, stood, state);
     return state;
@@ -378,6 +387,7 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
     state.phase = 0.5 * at.steps + phase_offset;
     state.phase -= std::floor(state.phase);
     state.step_length = at.step_length;
+    state.lean = slopeLean(walk.slopeAt(at));
     if (from.standing) state.standing = 1.0 - smoothstep(begin / kStandingShare);
     if (to.standing)
       state.standing = std::max(state.standing, 1.0 - smoothstep(left / kStandingShare));
@@ -388,7 +398,7 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
   out.states.push_back(m.stanceState(walk.end, walk.end_feet, path.length()));
   if (!walk.level) spreadCrouch(out.states);
   smoothBlending(out.states, m.settings.frame_time);
-  const WalkResult result = m.pose(out, walk.level, n, walk.end.leading);
+  const WalkResult result = m.pose(out, walk.level && !walk.timing, n, walk.end.leading);
   if (result.refused == WalkRule::kNone) setGait(walk.gait, out);
   return result;
 }
