@@ -1,6 +1,6 @@
 #include "animation/foothold.h"
 
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -145,7 +145,8 @@ Foothold FootholdFinder::at(const FootPlace& place, Side side, double reach) con
       if (whole) b[k] = point.surface->height - height;
     }
     if (whole) {
-      const Eigen::Vector3d fit = a.colPivHouseholderQr().solve(b);
+      // The samples lie the same way about the middle for every foot: well conditioned.
+      const Eigen::Vector3d fit = (a.transpose() * a).ldlt().solve(a.transpose() * b);
       if ((a * fit - b).cwiseAbs().maxCoeff() <= kUneven) {
         const Eigen::Vector3d normal = Eigen::Vector3d(-fit.x(), -fit.y(), 1.0).normalized();
         found = judge(place, samples, normal, height + fit.z());

@@ -29,7 +29,7 @@ class SwingClearance {
  public:
   /// Between sole and what it passes over, and ahead of the tip of the toes: twice what QUALITY.md
   /// asks for is left, since frames and cells are coarse [m].
-  static constexpr double kOver = 0.02, kAhead = 0.012;
+  static constexpr double kOver = 0.022, kAhead = 0.015;
 
   /// @param highest  extra lift that is tried at most [m, > 0]
   SwingClearance(const Ground& ground, const std::array<FootShape, 2>& feet, double highest)
@@ -43,7 +43,10 @@ class SwingClearance {
  private:
   struct Strip;
   Strip strip(const FootPlace& from, const FootPlace& to, Side side) const;
-  double extraNeeded(const Strip& strip, const FootCycle& cycle, const SwingShape& shape) const;
+  static constexpr int kSamples = 32;  // of a swing
+  using Needs = std::array<double, kSamples>;
+  Needs needs(const Strip& strip, const FootCycle& cycle, const SwingShape& shape) const;
+  bool isFree(const FootPlace& from, const FootPlace& to, const FootShape& foot) const;
 
   const Ground& ground_;
   const std::array<FootShape, 2>& feet_;
