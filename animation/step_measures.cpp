@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "animation/pose.h"
@@ -14,6 +15,7 @@ constexpr double kSupport = 0.012;       // ground so far below a sole supports 
 constexpr double kReach = 1.0;           // how far from a sole its ground is looked for [m]
 constexpr double kSmall = 0.02;          // less is compared with this [m]
 constexpr double kMiddleOfStance = 0.4;  // FootState::at, between flat foot and heel rise
+constexpr double kFlatFirst = 20.0;      // of a radian that the sole is rolled, against that
 // A print whose stance is cut off further from its middle is not measured.
 constexpr double kCutOff = 0.2;
 
@@ -47,17 +49,10 @@ double supportOf(const Sole& sole, const FootShape& foot, const Ground& ground) 
   return static_cast<double>(standing) / kPoints;
 }
 
-// The frame of a print that is nearest to the middle of the foot's stance; a print may be cut off
-// by the buffer's ends.
-int middleOfStance(const AnimationBuffer& walk, const Footprint& print) {
-  int best = print.first_frame;
-  const auto off = [&](int frame) {
-    return std::abs(walk.states[frame].feet[print.side].at - kMiddleOfStance);
-  };
-  for (int frame = print.first_frame; frame <= print.last_frame; ++frame) {
-    if (off(frame) < off(best)) best = frame;
-  }
-  return best;
+// How far a sole is from lying in the plane of its print [rad].
+double rolledBy(const Sole& sole, const FootPlace& place) {
+  const double cosine = place.normal.dot(sole.q_WS * Eigen::Vector3d::UnitZ());
+  return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
 // Where a print's foot was in the middle of its stance.
@@ -77,12 +72,25 @@ std::vector<StepMeasure> measureWalkSteps(const Skeleton& skeleton, const JointR
     forwardKinematics(skeleton, walk.poses[frame], joints);
     return soleAt(joints[roles.legs[side].foot], feet[side]);
   };
+  // Where the sole lies flat, nearest to the middle of its stance; a print may be cut off by the
+  // buffer's ends.
+  const auto flattest = [&](const Footprint& print) {
+    int best = print.first_frame;
+    double least = std::numeric_limits<double>::infinity();
+    for (int frame = print.first_frame; frame <= print.last_frame; ++frame) {
+      const FootState& foot = walk.states[frame].feet[print.side];
+      const double off = std::abs(foot.at - kMiddleOfStance);
+      const double rolled = rolledBy(soleOf(frame, print.side), foot.from);
+      if (off + kFlatFirst * rolled < least) least = off + kFlatFirst * rolled, best = frame;
+    }
+    return best;
+  };
   std::array<std::optional<Stood>, 2> before;
   for (const Footprint& print : walk.footprints) {
     const Side side = print.side;
     StepMeasure step;
     step.side = side;
-    step.frame = middleOfStance(walk, print);
+    step.frame = flattest(print);
     const Sole sole = soleOf(step.frame, side);
     const auto surface = ground.surface(sole.middle.x(), sole.middle.y(), sole.middle.z(), kReach);
     if (surface) {

@@ -353,7 +353,7 @@ void StepPlacer::shapeSwings(WalkSteps& walk, const RootPath& path,
     const double heading =
         places[i].heading + 0.5 * wrapAngle(places[i + 1].heading - places[i].heading);
     walk.gait.push_back({step.x() * std::cos(heading) + step.y() * std::sin(heading),
-                         swingLift(landing.swing, cycle, foot), step.z()});
+                         swingLift(landing.swing, cycle, foot, landing.strike_roll), step.z()});
   }
 }
 

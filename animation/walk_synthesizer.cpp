@@ -26,7 +26,7 @@ constexpr double kLeanCost = 0.2;      // metres of lowering that a metre of lea
 constexpr int kLeanSteps = 12;
 constexpr int kLoweringSteps = 16;  // step lengths for which the root's lowering is prepared
 // Real walkers' hips rise by 15 to 45 mm a step; of a captured subject [m].
-constexpr double kMostRise = 0.042;
+constexpr double kLeastRise = 0.016, kMostRise = 0.042;
 
 constexpr double kBlendTime = 0.12;  // half of the moment over which a blend changes; by trial [s]
 
@@ -250,9 +250,9 @@ struct WalkSynthesizer::Impl {
     return crouch;
   }
 
-  // Long steps would throw the hips up and down: what they do is scaled to what hips do, from the
-  // lowest on, over knees that stay bent.
-  double longStepCrouch(const FrameState& state) const {
+  // Long steps would throw the hips up and down, short ones hardly move them: what they do is
+  // scaled to what hips do, over knees that stay bent.
+  double askedStepCrouch(const FrameState& state) const {
     constexpr int kPhases = 24;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (int i = 0; i < kPhases; ++i) {
@@ -260,10 +260,12 @@ struct WalkSynthesizer::Impl {
       lowest = std::min(lowest, height);
       highest = std::max(highest, height);
     }
-    const double excess = 1.0 - kMostRise * scale / (highest - lowest);
-    if (!(excess > 0.0)) return 0.0;
-    return excess * (walk->height(state.phase, state.step_length) - lowest) *
-           (1.0 - state.standing);
+    const double rise = highest - lowest, height = walk->height(state.phase, state.step_length);
+    const double wanted = std::clamp(rise, kLeastRise * scale, kMostRise * scale);
+    // Less rise: lower over the standing leg. More: lower between the legs.
+    const double crouch = wanted < rise ? (1.0 - wanted / rise) * (height - lowest)
+                                        : (wanted / rise - 1.0) * (highest - height);
+    return crouch * (1.0 - state.standing);
   }
 
   WalkResult pose(AnimationBuffer& out, bool level, int steps, Side leading) const {
@@ -392,7 +394,7 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
     if (to.standing)
       state.standing = std::max(state.standing, 1.0 - smoothstep(left / kStandingShare));
     state.feet = walk.feet->at(at.steps);
-    if (wishes.stride) state.crouch = m.longStepCrouch(state);
+    if (wishes.stride) state.crouch = m.askedStepCrouch(state);
     out.states.push_back(state);
   }
   out.states.push_back(m.stanceState(walk.end, walk.end_feet, path.length()));
