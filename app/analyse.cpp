@@ -11,6 +11,7 @@
 #include "app/clip_sources.h"
 #include "app/command.h"
 #include "app/progress.h"
+#include "app/read_options.h"
 #include "app/stop.h"
 #include "viz/gait_plot.h"
 
@@ -19,20 +20,11 @@ namespace {
 
 struct Options {
   std::vector<std::string> paths;
-  double unit = 0.0;  // [m]; 0: guessed
-  std::string up, roles, plants, plot;
+  ReadOptions read;
+  std::string plants, plot;
   bool as_is = false, json = false;
   int threads = 0;
 };
-
-ClipReading readingOf(const Options& options) {
-  ClipReading how;
-  if (options.unit > 0.0) how.read.metres_per_unit = options.unit;
-  if (!options.up.empty()) how.read.up = options.up == "y" ? UpAxis::kY : UpAxis::kZ;
-  how.read.roles = options.roles;
-  how.as_is = options.as_is;
-  return how;
-}
 
 void print(const std::vector<AnalysedClip>& clips, bool json) {
   const std::vector<SubjectLaw> laws = subjectLaws(clips);
@@ -79,7 +71,7 @@ int run(const Options& options) {
                       static_cast<double>(count) / static_cast<double>(files.size()));
       return !stopFlag();
     };
-    clips = analyseFiles(files, readingOf(options), options.threads, done);
+    clips = analyseFiles(files, {options.read.forReader(), options.as_is}, options.threads, done);
   }
   if (stopFlag()) return kExitStopped;
   writeOutputs(clips, options, plants, plots);
@@ -102,11 +94,7 @@ void addAnalyse(CLI::App& app, Command& chosen) {
       "analyse", "Measure clips: foot plants, gait events, type, speed, stride, lift, quality");
   command->add_option("CLIP", options->paths, "Captures, and folders of them; - is standard input")
       ->required();
-  command->add_option("--unit", options->unit, "Length of the files' unit; default: from the legs")
-      ->check(number(1e-6, 1e3, "m"));
-  command->add_option("--up", options->up, "The files' vertical axis; default: as people stand")
-      ->check(CLI::IsMember({"y", "z"}));
-  command->add_option("--roles", options->roles, "YAML map of role to joint name; else guessed");
+  addReadOptions(*command, options->read);
   command->add_flag("--as-is", options->as_is,
                     "All frames, and z = 0 is the floor: cut off no bad start, level no floor");
   command->add_option("--plants", options->plants,

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "animation/rotation.h"
+#include "app/read_options.h"
 
 namespace amble {
 namespace {
@@ -52,19 +53,15 @@ void addReading(const AnalysedClip& clip, Findings& out) {
     out.facts.back().second += fmt::format("; motion from {} to {}", clip.first_frame,
                                            clip.first_frame + analysis.frames() - 1);
   }
-  out.facts.emplace_back("unit", motion.metres_per_unit.text);
-  out.facts.emplace_back("up", motion.up.text);
+  addReadings(motion, out);
   const double tilt = std::acos(std::min(1.0, clip.floor.normal.z())) / kDegree;
   out.facts.emplace_back("floor",
                          fmt::format("tilted by {:.2f} degrees, ankles off it by {:.1f} mm", tilt,
                                      milli(clip.floor.residual)));
   out.data["frames"] = clip.file_frames;
-  out.data["frame_time"] = analysis.frame_time;
   out.data["first_frame"] = clip.first_frame;
   out.data["last_frame"] = clip.first_frame + analysis.frames() - 1;
-  out.data["metres_per_unit"] = motion.metres_per_unit.value;
   out.data["floor_tilt"] = tilt;
-  for (const std::string& warning : motion.warnings) out.warnings.push_back(warning);
 }
 
 void addKind(const AnalysedClip& clip, Findings& out) {

@@ -13,6 +13,7 @@
 #include "app/analysed_clip.h"
 #include "app/clip_sources.h"
 #include "app/progress.h"
+#include "app/read_options.h"
 #include "app/stop.h"
 
 namespace amble {
@@ -21,6 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Options {
+  ReadOptions read;
   std::vector<std::string> paths;
   std::string type, at_least = "75%";
   bool json = false;
@@ -101,7 +103,8 @@ std::vector<Found> search(const Options& options, MotionType type, bool& wrong) 
                     static_cast<double>(count) / static_cast<double>(files.size()));
     return !stopFlag();
   };
-  const std::vector<AnalysedClip> clips = analyseFiles(files, {}, options.threads, done);
+  const std::vector<AnalysedClip> clips =
+      analyseFiles(files, {options.read.forReader()}, options.threads, done);
   progress.clear();
   if (stopFlag()) return {};
   for (const AnalysedClip& clip : clips) {
@@ -178,6 +181,7 @@ void addLibraryFind(CLI::App& library, Command& chosen) {
   command->add_option("--at-least", options->at_least, "Share of the clip's frames of that type")
       ->check(CLI::Validator(check, "[0% to 100%]"))
       ->capture_default_str();
+  addReadOptions(*command, options->read);
   command->add_option("--threads", options->threads, "Threads; changes no result")
       ->check(wholeNumber(1, 64));
   command->add_flag("--json", options->json, "Print results for machines");

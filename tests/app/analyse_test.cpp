@@ -102,7 +102,7 @@ TEST_F(Analyse, ManyClipsGiveTheSameBytesAtAnyNumberOfThreads) {
 }
 
 TEST_F(Analyse, SeveralClipsAreATableAndALawOfTheirSubject) {
-  const Ran ran = run("analyse " + kCaptures + "cmu_mb2/08_0[1346].bvh");
+  const Ran ran = run("analyse " + kCaptures + "cmu_mb2/07_0[1236].bvh");
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1 + 4 + 1) << ran.out;
   EXPECT_NE(ran.out.find("4 walks: f = "), std::string::npos) << ran.out;
@@ -126,7 +126,7 @@ TEST_F(Analyse, FindsClipsByHowMuchOfThemIsOfAType) {
 TEST_F(Program, ALibrarysMotionsAreFoundByTheirKind) {
   const Ran ran = run("library find --type walk --at-least 75%");
   ASSERT_EQ(ran.status, 0) << ran.err;
-  EXPECT_NE(ran.out.find("walk-straight"), std::string::npos);
+  EXPECT_NE(ran.out.find(": walk-"), std::string::npos) << ran.out;
   EXPECT_EQ(ran.out.find(": stand ("), std::string::npos);
   EXPECT_EQ(run("library find --type jump").status, 1);
   expectRefused("library find", {"--type"});
