@@ -24,8 +24,8 @@ namespace amble {
 /// more is visible [m].
 inline constexpr double kSoleDepth = 0.005;
 
-/// Depth to which a sole that is not planted may be in the ground: the rounding of a foot that is
-/// just being lifted or put down, for planted feet change at frames [m].
+/// Depth to which a sole that is neither planted nor just being lifted or put down may be in the
+/// ground: rounding [m].
 inline constexpr double kSwingDepth = 0.001;
 
 /// A motion that comes nearer than this without a contact at a frame may be refused as unproved:

@@ -89,7 +89,15 @@ struct CollisionModel {
   double allowedDepth(int part, const FrameState& a, const FrameState& b) const {
     const int sole = body.parts[part].sole;
     if (sole < 0) return 0.0;
-    return a.planted[sole] || b.planted[sole] ? kSoleDepth : kSwingDepth;
+    return isDown(a, sole) || isDown(b, sole) ? kSoleDepth : kSwingDepth;
+  }
+
+  /// Whether the foot is planted, or just being lifted or put down: where planes meet a print may
+  /// lie a millimetre or two in one of them, which the foot then leaves.
+  static bool isDown(const FrameState& state, int side) {
+    constexpr double kShare = 0.1;  // of a swing
+    const double at = state.feet[side].at;
+    return state.planted[side] || at < 1.0 + kShare || at > 2.0 - kShare;
   }
 
   /// Capsules of the body in World.

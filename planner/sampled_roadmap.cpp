@@ -1,5 +1,7 @@
 #include "planner/sampled_roadmap.h"
 
+#include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -11,6 +13,14 @@ namespace {
 // Samples judged ahead, a thread: more keep threads busy, but are lost when the search ends with
 // one of the first.
 constexpr int kAheadPerThread = 4;
+// How much farther from a passage its ends are tried [m]: shares of a step.
+constexpr std::array<double, 5> kPassageShifts = {0.0, 0.1, -0.1, 0.2, -0.2};
+
+// The stance moved along its heading.
+Stance ahead(Stance stance, double by) {
+  stance.position += by * Eigen::Vector3d(std::cos(stance.heading), std::sin(stance.heading), 0.0);
+  return stance;
+}
 
 bool samePlace(const Waypoint& a, const Waypoint& b) {
   return a.stance.position == b.stance.position && a.stance.heading == b.stance.heading &&
@@ -85,17 +95,34 @@ void SampledRoadmap::clear() {
   has_passages_ = false;
 }
 
-// Both ends become nodes if the body can stand there; whether walks lead between them is asked as
-// of any node.
+// Both ends become nodes if walks lead between them. Where steps fall on a flight depends on how
+// far before it a walk begins: a few such places are tried for each direction.
 void SampledRoadmap::insertPassages(const SearchLimits& limits) {
   if (std::exchange(has_passages_, true)) return;
   const SteeringScratchPtr scratch = steering_.makeScratch();
-  for (StancePair pair : steering_.passages()) {
-    if (limits.stopped()) return;
-    if (steering_.stand(pair.first, *scratch) || steering_.stand(pair.second, *scratch)) continue;
-    insert({pair.first}, true, true);
-    insert({pair.second}, true, true);
+  for (const StancePair& pair : steering_.passages()) {
+    bool up = false, down = false;
+    for (const double shift : kPassageShifts) {
+      if (limits.stopped()) return;
+      Stance first = ahead(pair.first, -shift), second = ahead(pair.second, shift);
+      if (steering_.stand(first, *scratch) || steering_.stand(second, *scratch)) continue;
+      const bool goes_up = !up && joins({first}, {second}, *scratch);
+      const bool goes_down = !down && joins({second}, {first}, *scratch);
+      up = up || goes_up;
+      down = down || goes_down;
+      if (goes_up || goes_down) {
+        insert({first}, true, true);
+        insert({second}, true, true);
+      }
+      if (up && down) break;
+    }
   }
+}
+
+bool SampledRoadmap::joins(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch) {
+  const SteerResult result = steering_.steer(from, to, scratch);
+  count_.add(result);
+  return result.edge.has_value();
 }
 
 std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(

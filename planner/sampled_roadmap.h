@@ -93,6 +93,7 @@ class SampledRoadmap {
                            std::vector<SteeringScratchPtr>& scratches) const;
   int commit(Candidate& candidate, SteeringScratch& scratch);
   void insertPassages(const SearchLimits& limits);
+  bool joins(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch);
 
   const Steering& steering_;
   StanceSampler sampler_;
