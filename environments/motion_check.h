@@ -97,7 +97,7 @@ struct CollisionModel {
   static bool isDown(const FrameState& state, int side) {
     constexpr double kShare = 0.1;  // of a swing
     const double at = state.feet[side].at;
-    return state.planted[side] || at < 1.0 + kShare || at > 2.0 - kShare;
+    return state.planted[side] || (at > 1.0 && at < 1.0 + kShare) || at > 2.0 - kShare;
   }
 
   /// Capsules of the body in World.
