@@ -20,6 +20,29 @@ Eigen::AlignedBox3d extentAt(const Clip& clip, int frame) {
   return box;
 }
 
+/// The joints of some roles in a row, `-` where there is none.
+std::string rowOf(const CapturedMotion& motion, const std::string& side,
+                  std::initializer_list<const char*> roles) {
+  std::string row;
+  for (const char* const role : roles) {
+    const int joint = roleJoint(motion.roles, side + role);
+    row += (row.empty() ? "" : " > ") +
+           (joint < 0 ? std::string("-") : motion.clip.skeleton.joint(joint).name);
+  }
+  return row;
+}
+
+void describeRoles(const CapturedMotion& motion, Findings& out) {
+  if (!motion.no_person.empty()) return;
+  out.facts.emplace_back("trunk", rowOf(motion, "", {"hips", "spine", "chest", "neck", "head"}));
+  for (const std::string side : {"left", "right"}) {
+    out.facts.emplace_back(side + " leg",
+                           rowOf(motion, side + "_", {"up_leg", "leg", "foot", "toe"}));
+    out.facts.emplace_back(side + " arm",
+                           rowOf(motion, side + "_", {"shoulder", "arm", "fore_arm", "hand"}));
+  }
+}
+
 void describeMotion(const Clip& clip, Findings& out) {
   if (clip.frames() == 0) {
     out.warnings.push_back("there are no frames");
@@ -64,6 +87,7 @@ Findings inspectClip(const std::filesystem::path& file, const MotionReadOptions&
               {"duration", clip.duration()},
               {"joints", skeleton.size()}};
   addReadings(motion, out);
+  describeRoles(motion, out);
   out.data["guessed_unit"] = motion.metres_per_unit.value;
   describeMotion(clip, out);
   if (zero > 0)

@@ -136,6 +136,13 @@ TEST_F(Convert, InspectSaysWhatIsGuessedAndWhatNot) {
   EXPECT_EQ(clip["up"]["guessed"], false);
   EXPECT_EQ(clip["roles"]["left_foot"], "LeftFoot");
   EXPECT_TRUE(clip["warnings"].empty()) << clip["warnings"];
+  const std::string text = run("inspect in/walk.bvh").out;
+  EXPECT_NE(text.find("left leg   LeftUpLeg > LeftLeg > LeftFoot > LeftToeBase\n"),
+            std::string::npos)
+      << text;
+  write("in/roles.yaml", "left_toe: none\n");
+  EXPECT_NE(run("inspect in/walk.bvh --roles in/roles.yaml").out.find("LeftFoot > -\n"),
+            std::string::npos);
 }
 
 TEST_F(Convert, AnAcclaimTrialIsItsBvh) {
