@@ -27,9 +27,9 @@ struct MotionReadOptions {
   /// Of an AMC, which mostly does not say; none: its own, else kAmcFrameTime. FBX, glTF and Collada
   /// are sampled at it; none: the file's. A BVH has its own [s, > 0].
   std::optional<double> frame_time = {};
-  std::filesystem::path asf;    ///< skeleton of an AMC; empty: as findAsf() has it
-  std::filesystem::path roles;  ///< YAML map of role to joint name that overrides the guess
-  bool person = true;           ///< a skeleton in which no person is found is refused
+  std::filesystem::path asf = {};    ///< skeleton of an AMC; empty: as findAsf() has it
+  std::filesystem::path roles = {};  ///< YAML map of role to joint name that overrides the guess
+  bool person = true;                ///< a skeleton in which no person is found is refused
 };
 
 /// A thing that a capture's file may leave open.
