@@ -8,5 +8,5 @@ mkdir -p "$found"
 dict=()
 [ ! -e "$here/$name.dict" ] || dict=("-dict=$here/$name.dict")
 exec "$program" "$found" "$here/corpus/$name" "${dict[@]}" -artifact_prefix="$found/" -seed=1 \
-  -max_total_time="$seconds" -max_len=8192 -timeout=10 -rss_limit_mb=1024 -print_final_stats=1 \
+  -max_total_time="$seconds" -max_len=8192 -timeout=60 -rss_limit_mb=1024 -print_final_stats=1 \
   -verbosity=0 "$@"
