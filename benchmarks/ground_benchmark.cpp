@@ -1,6 +1,6 @@
 /// How fast the ground answers in a scene of a million triangles: height and normal under a point
-/// and under a sole, and what lies in a foot's way; beside them what FCL needs for the same height,
-/// a thin rod let down on a tree of the same triangles.
+/// and under a sole, what lies in a foot's way, a foothold; beside them what FCL needs for the same
+/// height, a thin rod let down on a tree of the same triangles.
 #include <benchmark/benchmark.h>
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/cylinder.h>
@@ -10,6 +10,9 @@
 #include <memory>
 #include <random>
 
+#include "animation/foothold.h"
+#include "animation/motion_library.h"
+#include "animation/walk_synthesizer.h"
 #include "environments/scene_ground.h"
 
 namespace amble {
@@ -92,6 +95,22 @@ void crestOfASwing(benchmark::State& state) {
   }
 }
 BENCHMARK(crestOfASwing)->Unit(benchmark::kNanosecond);
+
+// A whole sole put down: where it stands and how it lies.
+void footPlacement(benchmark::State& state) {
+  ground();
+  static const MotionLibrary library = openMotionLibrary("default");
+  static const WalkSynthesizer walker(library, ground(), {});
+  const FootholdFinder finder(ground(), walker.feet(), {});
+  size_t i = 0;
+  for (auto _ : state) {
+    FootPlace place;
+    place.position = places()[i % places().size()];
+    place.heading = 0.1 * static_cast<double>(i++ % 63);
+    benchmark::DoNotOptimize(finder.at(place, kLeft, 0.3));
+  }
+}
+BENCHMARK(footPlacement)->Unit(benchmark::kNanosecond);
 
 // The peer: distance of a rod over the place to FCL's tree.
 void heightByFcl(benchmark::State& state) {
