@@ -6,7 +6,7 @@
 namespace amble {
 namespace {
 
-constexpr double kTrianglesPerCell = 4.0;  // aimed at, for the middle of the triangles; by trial
+constexpr double kTrianglesPerCell = 1.0;  // aimed at, for the middle of the triangles; by trial
 
 Eigen::AlignedBox2d planOf(const Triangle3& t) {
   Eigen::AlignedBox2d box;
@@ -21,6 +21,13 @@ Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box, double by) {
 }  // namespace
 
 std::optional<double> heightOver(const Triangle3& t, double x, double y) {
+  // Most of those asked are beside it; and a sliver's corner may be farther than a seam from all that
+  // is between its edges.
+  for (const auto& [axis, value] : {std::pair(0, x), std::pair(1, y)}) {
+    const double a = t[0][axis], b = t[1][axis], c = t[2][axis];
+    if (value < std::min({a, b, c}) - kSeam || value > std::max({a, b, c}) + kSeam)
+      return std::nullopt;
+  }
   const Eigen::Vector2d p(x, y);
   std::array<double, 3> side;
   for (int k = 0; k < 3; ++k) {
@@ -35,8 +42,6 @@ std::optional<double> heightOver(const Triangle3& t, double x, double y) {
     const double length = (t[(k + 1) % 3] - t[k]).head<2>().norm();
     if (sign * side[k] < -kSeam * length) return std::nullopt;
   }
-  // A sliver's corner may be farther than a seam from all that is between its edges.
-  if (!grown(planOf(t), kSeam).contains(p)) return std::nullopt;
   // side[k] weighs the corner opposite to edge k.
   const double z = (side[0] * t[2].z() + side[1] * t[0].z() + side[2] * t[1].z()) / twice_area;
   return std::clamp(z, std::min({t[0].z(), t[1].z(), t[2].z()}),
