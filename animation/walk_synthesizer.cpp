@@ -12,6 +12,7 @@
 #include "animation/rotation.h"
 #include "animation/speed_profile.h"
 #include "animation/walk_controller.h"
+#include "animation/walk_effort.h"
 #include "animation/walk_steps.h"
 
 namespace amble {
@@ -93,6 +94,9 @@ struct WalkSynthesizer::Impl {
     placement.half_support = 0.5 * doubleSupport(settings.speed, roles.legLength(skeleton, kLeft));
     stand_channels = Eigen::VectorXd::Zero(3 + 3 * skeleton.size());
     stand_channels[2] = stand.root_height * scale;
+    for (const Side side : {kLeft, kRight}) {
+      captured_lift += 0.5 * swingLift({}, blend.foot(side), shapes[side]);
+    }
     limits.law = blend.law();
     limits.speed = settings.speed;
     limits.max_turn_rate = blend.maxTurnRate();
@@ -289,7 +293,8 @@ struct WalkSynthesizer::Impl {
   FootController feet;
   FootPlacement placement;
   Eigen::VectorXd stand_channels;
-  double lead = 0.0;  // of the walking root over the path's point [m]
+  double captured_lift = 0.0;  // mean of both feet [m]
+  double lead = 0.0;           // of the walking root over the path's point [m]
   SpeedLimits limits;
   std::unique_ptr<WalkController> walk;
   std::unique_ptr<StepPlacer> placer;
@@ -308,12 +313,7 @@ const Skeleton& WalkSynthesizer::skeleton() const { return impl_->skeleton; }
 const JointRoles& WalkSynthesizer::roles() const { return impl_->roles; }
 const std::array<FootShape, 2>& WalkSynthesizer::feet() const { return impl_->shapes; }
 double WalkSynthesizer::capturedStep() const { return impl_->blend.law().capturedStep(); }
-double WalkSynthesizer::capturedLift() const {
-  const auto lift = [this](Side side) {
-    return swingLift({}, impl_->blend.foot(side), impl_->shapes[side]);
-  };
-  return 0.5 * (lift(kLeft) + lift(kRight));
-}
+double WalkSynthesizer::capturedLift() const { return impl_->captured_lift; }
 double WalkSynthesizer::stature() const { return impl_->stature; }
 double WalkSynthesizer::ankleHeight() const { return impl_->shapes[kLeft].ankle_height; }
 double WalkSynthesizer::toeHeight() const { return impl_->shapes[kLeft].radius; }
@@ -400,8 +400,10 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
   out.states.push_back(m.stanceState(walk.end, walk.end_feet, path.length()));
   if (!walk.level) spreadCrouch(out.states);
   smoothBlending(out.states, m.settings.frame_time);
-  const WalkResult result = m.pose(out, walk.level && !walk.timing, n, walk.end.leading);
-  if (result.refused == WalkRule::kNone) setGait(walk.gait, out);
+  WalkResult result = m.pose(out, walk.level && !walk.timing, n, walk.end.leading);
+  if (result.refused != WalkRule::kNone) return result;
+  setGait(walk.gait, out);
+  for (const GaitParameters& step : walk.gait) result.effort += effortOf(step, m.captured_lift);
   return result;
 }
 
