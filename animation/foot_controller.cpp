@@ -107,19 +107,19 @@ FootController::FootController(const Skeleton& skeleton, const JointRoles& roles
     : skeleton_(skeleton), roles_(roles), shapes_(shapes), blend_(blend), knee_axes_(knee_axes) {}
 
 bool FootController::apply(AnimationBuffer& buffer) const {
-  return dipHips(buffer) && placeLegs(buffer);
+  return dipHips(buffer) && placeLegs(buffer, 1.0);
 }
 
 bool FootController::applyUneven(AnimationBuffer& buffer) const {
-  return sinkHips(buffer) && placeLegs(buffer);
+  return sinkHips(buffer) && placeLegs(buffer, kUnevenHeel);
 }
 
-bool FootController::placeLegs(AnimationBuffer& buffer) const {
+bool FootController::placeLegs(AnimationBuffer& buffer, double heel_share) const {
   std::vector<JointFrame> joints(skeleton_.size());
   for (int i = 0; i < buffer.size(); ++i) {
     forwardKinematics(skeleton_, buffer.poses[i], joints);
     for (const Side side : {kLeft, kRight}) {
-      const FootTarget target = targetFor(side, buffer.states[i], joints);
+      const FootTarget target = targetFor(side, buffer.states[i], joints, heel_share);
       if (!placeLeg(side, target, joints, buffer.poses.rotations(i))) return false;
     }
   }

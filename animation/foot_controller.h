@@ -48,7 +48,8 @@ class FootController : public SubController {
   /// a dip is spread over kSpread; by trial.
   static constexpr double kUnevenReach = 0.992;
   static constexpr double kUnevenDip = 0.15;  // [m]
-  /// So much of a heel's further rise is used before that: the rest is for what the curve misses.
+  /// So much of a heel's further rise is used there: a foot that stands behind for longer than on
+  /// the level would go up on its toes' tips.
   static constexpr double kUnevenHeel = 0.4;
   static constexpr double kSpread = 0.16;     // [s]
   static constexpr double kSinkSpeed = 0.25;  // from a stance on [m/s]
@@ -74,7 +75,7 @@ class FootController : public SubController {
   static double heelReach(double at);
   bool dipHips(AnimationBuffer& buffer) const;
   bool sinkHips(AnimationBuffer& buffer) const;
-  bool placeLegs(AnimationBuffer& buffer) const;
+  bool placeLegs(AnimationBuffer& buffer, double heel_share) const;
   bool placeLeg(Side side, const FootTarget& target, std::span<const JointFrame> joints,
                 std::span<Eigen::Quaterniond> rotations) const;
 

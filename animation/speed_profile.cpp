@@ -21,6 +21,8 @@ double pace(double stretch) {
   return std::exp((u < 0.0 ? 1.5 : 1.0) * u * u * u / (u * u + kSteady * kSteady));
 }
 
+constexpr double kRounding = 1e-6;  // a step as long as the longest is walked [1]
+
 double smoothstep(double t) {
   t = std::clamp(t, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
@@ -134,8 +136,8 @@ void SpeedProfile::chooseSteps() {
     }
     bool walkable = true;
     for (const Knot& k : knots_) {
-      walkable = walkable && k.step >= StrideLaw::kShortestStep * captured &&
-                 k.step <= StrideLaw::kLongestStep * captured;
+      walkable = walkable && k.step >= StrideLaw::kShortestStep * captured * (1.0 - kRounding) &&
+                 k.step <= StrideLaw::kLongestStep * captured * (1.0 + kRounding);
     }
     if (!walkable) continue;
     steps_ = n;

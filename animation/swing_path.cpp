@@ -13,15 +13,17 @@ namespace {
 constexpr double kCell = 0.005;        // along the swing, for which heights are asked [m]
 constexpr double kCoarse = 0.03;       // the same for a first look [m]
 constexpr double kCoarseness = 0.001;  // less is how coarse the cells are [m]
+constexpr double kSeen = 0.1;    // so much higher than feet are lifted things are refused here [m]
 constexpr double kLowest = 0.4;  // so much below the prints what lies between is looked for [m]
 constexpr double kSame = 0.005;  // heights within so much of a print's plane are its plane [m]
 // Smooth ground leaves that plane by this times the distance squared: slopes to 15 degrees that
 // come and go over 4 m [1/m].
 constexpr double kBend = 0.25, kMostBent = 0.025;  // [m]
 constexpr double kUneven = 0.008;  // that a print's own ground may rise through its sole [m]
-constexpr double kNear = 0.12;     // of a print: margins over its own ground grow from 0 [m]
-constexpr double kKeep = 0.75;     // of what there is before a riser that a foot stands near
-constexpr double kBeside = 0.03;   // that a foot moves before what lay beside it is in its way [m]
+// Within so much of a print margins over its own ground grow from 0; toes leave it fast [m].
+constexpr double kLeaving = 0.04, kNear = 0.12;
+constexpr double kKeep = 0.75;    // of what there is before a riser that a foot stands near
+constexpr double kBeside = 0.03;  // that a foot moves before what lay beside it is in its way [m]
 // What the captured swing clears by itself: things no higher over the line between prints [m].
 constexpr double kCleared = 0.006;
 
@@ -40,9 +42,6 @@ double ramp(double t) {
   t = std::clamp(t, 0.0, 1.0);
   return t * t * t * (10.0 + t * (-15.0 + 6.0 * t));
 }
-
-// How far ground may lie off a print's plane, so far from its foot, and be its ground [m].
-double leeway(double distance) { return kSame + std::min(kBend * distance * distance, kMostBent); }
 
 double bump(const SwingShape& shape, double tau) {
   return ramp(tau / shape.rise) * ramp((1.0 - tau) / shape.fall);
@@ -141,7 +140,7 @@ SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPla
   const int cells =
       static_cast<int>(std::ceil((strip.length + strip.back + strip.ahead + kAhead) / kCell));
   const double low = std::min(from.position.z(), to.position.z()) - kLowest;
-  const double high = std::max(from.position.z(), to.position.z()) + highest_;
+  const double high = std::max(from.position.z(), to.position.z()) + highest_ + kSeen;
   for (int i = 0; i < cells; ++i) {
     const double s = strip.begin + i * kCell;
     const Eigen::Vector2d p = a + s * unit, q = p + kCell * unit;
@@ -150,7 +149,12 @@ SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPla
     const double next = highestOf(to, p, q, foot.half_width);
     const double from_foot = std::max(0.0, s - strip.ahead);
     const double to_foot = std::max(0.0, strip.length - strip.back - s - kCell);
-    const bool same = std::abs(z - own) < leeway(from_foot) || std::abs(z - next) < leeway(to_foot);
+    // On level prints nothing bends.
+    const auto leeway = [&](double distance) {
+      return kSame + (strip.uneven > 0.0 ? std::min(kBend * distance * distance, kMostBent) : 0.0);
+    };
+    const bool same = from_foot < to_foot ? std::abs(z - own) < leeway(from_foot)
+                                          : std::abs(z - next) < leeway(to_foot);
     strip.height.push_back(z - from.position.z());
     strip.own.push_back(same);
   }
@@ -176,7 +180,7 @@ SwingClearance::Needs SwingClearance::needs(const Strip& strip, const FootCycle&
     const double along = swingAlong(shape, cycle, tau), ease = smoothstep(tau);
     const double s = along * strip.length;
     // Over the ground that it stands on a foot's margin grows as it goes on.
-    const double away = std::clamp(std::min(s, strip.length - s) / kNear, 0.0, 1.0);
+    const double away = std::clamp(std::min(s / kLeaving, (strip.length - s) / kNear), 0.0, 1.0);
     const double own = away * kOver - (1.0 - away) * strip.uneven;
     const double side = strip.from_side + ease * (strip.to_side - strip.from_side);
     const double sole = along * strip.rise + swingHeight(shape, cycle, tau) + side;
@@ -207,7 +211,8 @@ bool SwingClearance::isFree(const FootPlace& from, const FootPlace& to,
   const Eigen::Vector2d unit = line / length, left(-unit.y(), unit.x());
   const double back = foot.radius - foot.heel_x, ahead = foot.tip_x + foot.radius;
   const double z = from.position.z(), rise = to.position.z() - z, slope = rise / length;
-  const double low = std::min(z, z + rise) - kLowest, high = std::max(z, z + rise) + highest_;
+  const double low = std::min(z, z + rise) - kLowest,
+               high = std::max(z, z + rise) + highest_ + kSeen;
   const auto crest = [&](double s0, double s1) {
     return ground_.crest(a + s0 * unit, a + s1 * unit, foot.half_width, low, high);
   };

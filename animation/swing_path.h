@@ -30,14 +30,15 @@ class SwingClearance {
  public:
   /// Between sole and what it passes over, and ahead of the tip of the toes: twice what QUALITY.md
   /// asks for is left, since frames and cells are coarse [m].
-  static constexpr double kOver = 0.022, kAhead = 0.015;
+  static constexpr double kOver = 0.025, kAhead = 0.015;
 
   /// @param highest  extra lift that is tried at most [m, > 0]
   SwingClearance(const Ground& ground, const std::array<FootShape, 2>& feet, double highest)
       : ground_(ground), feet_(feet), highest_(highest) {}
 
   /// Changes `shape` so that the foot clears everything between the prints; leaves it where it does
-  /// already. @return false where no lift does.
+  /// already. What goes on far above the highest lift is a wall, and for the collision check.
+  /// @return false where no lift does.
   bool clear(const FootPlace& from, const FootPlace& to, Side side, const FootCycle& cycle,
              SwingShape& shape) const;
 

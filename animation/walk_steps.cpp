@@ -321,6 +321,16 @@ void StepPlacer::time(WalkSteps& walk, const FootstepPlan& plan, const RootPath&
   walk.timing.emplace(timed);
 }
 
+// What is asked of one foot. Captured feet swing a little differently: near the captured lift they
+// go on doing so, and the captured lift gives the captured walk back.
+double StepPlacer::askedLift(double lift, Side side) const {
+  constexpr double kNear = 0.1;  // of the captured lift
+  const double captured = s_.captured_lift;
+  const double own = swingLift({}, blend_.foot(side), shapes_[side]) / captured;
+  const double keep = std::max(0.0, 1.0 - std::abs(lift / captured - 1.0) / kNear);
+  return lift * std::pow(own, keep);
+}
+
 // Lifts as asked and as high as what lies between prints needs; landings by what they land on.
 void StepPlacer::shapeSwings(WalkSteps& walk, const RootPath& path,
                              const GaitWishes& wishes) const {
@@ -334,7 +344,7 @@ void StepPlacer::shapeSwings(WalkSteps& walk, const RootPath& path,
     Footsteps::Landing& landing = feet.landings()[i + 1];
     if (wishes.lift) {
       const double arc = path.length() * (i - 0.5) / walk.steps;
-      landing.swing.lift = liftFactor(wishes.lift(arc), cycle, foot);
+      landing.swing.lift = liftFactor(askedLift(wishes.lift(arc), feet.side(i)), cycle, foot);
     }
     if (!clearance_.clear(places[i - 1], places[i + 1], feet.side(i), cycle, landing.swing)) {
       walk.refused = WalkRule::kStepHeight;

@@ -75,8 +75,9 @@ class StepPlacer {
     FootPlacement placement;  ///< at the plan's speed on the level
     SpeedLimits limits;
     FootholdLimits footholds;
-    double scale = 1.0;       ///< of the character to the captured subject
-    double leg_length = 0.8;  ///< [m]
+    double scale = 1.0;           ///< of the character to the captured subject
+    double leg_length = 0.8;      ///< [m]
+    double captured_lift = 0.05;  ///< mean of both feet's swings [m]
   };
   /// @pre what is referred to outlives it
   StepPlacer(const Ground& ground, const std::array<FootShape, 2>& shapes, const GaitBlend& blend,
@@ -102,6 +103,7 @@ class StepPlacer {
             const SpeedLimits& limits) const;
   WalkRule swing(Footsteps& steps) const;
   void shapeSwings(WalkSteps& walk, const RootPath& path, const GaitWishes& wishes) const;
+  double askedLift(double lift, Side side) const;
   void support(WalkSteps& walk) const;
   void finish(WalkSteps& walk) const;
 

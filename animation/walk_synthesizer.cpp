@@ -12,7 +12,6 @@
 #include "animation/rotation.h"
 #include "animation/speed_profile.h"
 #include "animation/walk_controller.h"
-#include "animation/walk_effort.h"
 #include "animation/walk_steps.h"
 
 namespace amble {
@@ -107,10 +106,14 @@ struct WalkSynthesizer::Impl {
     lead += leanForStep();
     prepareLowering();
     bendStandingKnees();
-    placer = std::make_unique<StepPlacer>(
-        the_ground, shapes, blend,
-        StepPlacer::Settings{
-            placement, limits, {settings.max_slope, settings.max_climb, settings.max_drop}, scale});
+    StepPlacer::Settings steps;
+    steps.placement = placement;
+    steps.limits = limits;
+    steps.footholds = {settings.max_slope, settings.max_climb, settings.max_drop};
+    steps.scale = scale;
+    steps.leg_length = roles.legLength(skeleton, kLeft);
+    steps.captured_lift = captured_lift;
+    placer = std::make_unique<StepPlacer>(the_ground, shapes, blend, steps);
   }
 
   // How much lower the root must walk at each step length for the legs to reach: long steps lower
@@ -248,8 +251,8 @@ struct WalkSynthesizer::Impl {
     std::vector<JointFrame> joints(skeleton.size());
     double crouch = 0.0;
     for (int i = 0; i < buffer.size(); ++i) {
-      crouch =
-          std::max(crouch, feet.missingHeight(buffer, i, FootController::kUnevenReach, joints));
+      crouch = std::max(crouch, feet.missingHeight(buffer, i, FootController::kUnevenReach, joints,
+                                                   FootController::kUnevenHeel));
     }
     return crouch;
   }
@@ -400,10 +403,8 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
   out.states.push_back(m.stanceState(walk.end, walk.end_feet, path.length()));
   if (!walk.level) spreadCrouch(out.states);
   smoothBlending(out.states, m.settings.frame_time);
-  WalkResult result = m.pose(out, walk.level && !walk.timing, n, walk.end.leading);
-  if (result.refused != WalkRule::kNone) return result;
-  setGait(walk.gait, out);
-  for (const GaitParameters& step : walk.gait) result.effort += effortOf(step, m.captured_lift);
+  const WalkResult result = m.pose(out, walk.level && !walk.timing, n, walk.end.leading);
+  if (result.refused == WalkRule::kNone) setGait(walk.gait, out);
   return result;
 }
 

@@ -39,7 +39,6 @@ struct WalkResult {
   WalkRule refused = WalkRule::kNone;
   int steps = 0;
   Side leading = kLeft;  ///< the foot in front at the end, if the walk ends walking
-  double effort = 0.0;   ///< of all steps (effortOf) [J/kg]; 0 of turns on the spot
 };
 
 /// Const after construction: threads may share it. Buffers are the caller's, and keep their memory
