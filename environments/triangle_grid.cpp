@@ -21,8 +21,8 @@ Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box, double by) {
 }  // namespace
 
 std::optional<double> heightOver(const Triangle3& t, double x, double y) {
-  // Most of those asked are beside it; and a sliver's corner may be farther than a seam from all that
-  // is between its edges.
+  // Most of those asked are beside it; and a sliver's corner may be farther than a seam from all
+  // that is between its edges.
   for (const auto& [axis, value] : {std::pair(0, x), std::pair(1, y)}) {
     const double a = t[0][axis], b = t[1][axis], c = t[2][axis];
     if (value < std::min({a, b, c}) - kSeam || value > std::max({a, b, c}) + kSeam)

@@ -2,10 +2,11 @@
 /// bounding cylinder instead of the body (Kuffner, "Goal-directed navigation for animated
 /// characters using real-time path planning and control", CAPTECH 1998).
 ///
-/// Edges are straight lines on level ground, any heading will do; slopes and steps stop it. The cylinder holds the body in every frame of a
-/// straight walk: its axis goes through the root path's point, its radius is the farthest that any
-/// capsule reaches from there, its height the stature. A capsule inside the cylinder, of the same
-/// radius and height, stands for it: what stops the capsule stops the cylinder.
+/// Edges are straight lines on level ground, any heading will do; slopes and steps stop it. The
+/// cylinder holds the body in every frame of a straight walk: its axis goes through the root path's
+/// point, its radius is the farthest that any capsule reaches from there, its height the stature. A
+/// capsule inside the cylinder, of the same radius and height, stands for it: what stops the
+/// capsule stops the cylinder.
 #pragma once
 
 #include "environments/collision_world.h"

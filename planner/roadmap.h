@@ -49,8 +49,8 @@ class Roadmap {
   /// By node: its strongly connected component, numbered in the order of their lowest nodes.
   std::vector<int> components() const;
 
-  /// Edges of the walk of least cost, time and effort, or none (Dijkstra). Of equal ones the one found from
-  /// lower nodes.
+  /// Edges of the walk of least cost, time and effort, or none (Dijkstra). Of equal ones the one
+  /// found from lower nodes.
   std::optional<std::vector<int>> shortestPath(int from, int to) const;
 
  private:
