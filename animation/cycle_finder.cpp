@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "animation/error.h"
 #include "animation/foot_cycle_fit.h"
@@ -14,6 +15,7 @@ constexpr double kShortestPeriod = 0.7;  // of two steps of a walk [s]
 constexpr double kLongestPeriod = 1.8;   // [s]
 
 // What walks like the most cyclic stretch; by trial on lab walks, whose steps differ by 5 %.
+constexpr double kMostAside = 45.0 * kDegree;  // of travel from the pelvis' heading: ahead still
 constexpr double kSameSpeed = 0.08;       // of the speed
 constexpr double kSameTurn = 0.2;         // of the turn rate of a turn,
 constexpr double kSameHeading = 0.1;      // but always [rad a cycle]
@@ -57,11 +59,14 @@ double closureOf(const GaitTrack& track, double a, double b) {
 }
 
 Stretch stretchOf(const GaitTrack& track, double begin, double middle, double end, Side leading) {
-  Stretch s{begin, middle, end, leading, closureOf(track, begin, end), 0.0, 0.0};
+  Stretch s{begin, middle, end, leading, closureOf(track, begin, end), 0.0, 0.0, 0.0};
   s.turn = wrapAngle(track.headingAt(end) - track.headingAt(begin));
   const Eigen::Vector2d from = track.jointsAt(begin)[0].p_WJ.head<2>();
   const Eigen::Vector2d to = track.jointsAt(end)[0].p_WJ.head<2>();
   s.speed = (to - from).norm() / ((end - begin) * track.clip().frame_time);
+  const double travel = std::atan2(to.y() - from.y(), to.x() - from.x());
+  const double heading = track.headingAt(begin) + 0.5 * s.turn;
+  s.aside = std::abs(wrapAngle(travel - heading));
   return s;
 }
 
@@ -87,6 +92,24 @@ std::vector<Stretch> allStretches(const GaitTrack& track, const CycleOptions& op
   return found;
 }
 
+// Of stretches for a straight walk, those that turn are no choice.
+void keepStraight(std::vector<Stretch>& found, const CycleOptions& options, double frame_time) {
+  if (options.turning) return;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Stretch& s : found) {
+    least = std::min(least, std::abs(s.turn) / ((s.end - s.begin) * frame_time));
+  }
+  if (least > kStraightTurnRate) {
+    throw InputError(options.clip, 0,
+                     "is called straight and turns by " +
+                         std::to_string(std::lround(least / kDegree)) + " degrees/s",
+                     "a straight walk");
+  }
+  std::erase_if(found, [&](const Stretch& s) {
+    return std::abs(s.turn) / ((s.end - s.begin) * frame_time) > kStraightTurnRate;
+  });
+}
+
 bool walksLike(const Stretch& s, const Stretch& best, bool turning) {
   const double turn =
       turning ? std::max(kSameTurn * std::abs(best.turn), kSameHeading) : kSameHeading;
@@ -103,6 +126,11 @@ std::vector<Stretch> findStretches(const GaitTrack& track, const CycleOptions& o
     throw InputError(options.clip, 0, "no whole cycle of a walk was found",
                      "two steps in a row, each foot planted before and after");
   }
+  std::erase_if(found, [](const Stretch& s) { return s.aside > kMostAside; });
+  if (found.empty()) {
+    throw InputError(options.clip, 0, "walks backwards or sideways", "a walk ahead");
+  }
+  keepStraight(found, options, track.clip().frame_time);
   const auto cost = [&](const Stretch& s) {
     return options.turning ? s.closure / std::max(std::abs(s.turn), 1e-3) : s.closure;
   };

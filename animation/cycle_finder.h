@@ -16,10 +16,12 @@ struct Stretch {
   double closure;  ///< rms distance of the joints between the ends, seen from the root [m]
   double turn;     ///< of the pelvis [rad], left positive
   double speed;    ///< from end to end [m/s]
+  double aside;    ///< between travel and the pelvis' heading: 0 ahead, pi backwards [rad]
 };
 
 /// The most cyclic stretch first, then those that walk like it: as fast, turning as much, nearly
 /// as closed. Stretches that begin with either foot count; those of neighbouring steps overlap.
+/// Only stretches that walk ahead; and, unless a turn is looked for, straight ones.
 /// @throws InputError naming the clip, with the reason, where nothing can be cut from it.
 std::vector<Stretch> findStretches(const GaitTrack& track, const CycleOptions& options);
 

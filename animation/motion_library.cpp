@@ -1,10 +1,12 @@
 #include "animation/motion_library.h"
 
+#include <array>
 #include <cmath>
 
 #include "animation/bvh.h"
 #include "animation/data_directory.h"
 #include "animation/error.h"
+#include "animation/motion_library_yaml.h"
 #include "animation/rotation.h"
 #include "animation/strict_yaml.h"
 
@@ -123,26 +125,47 @@ MotionSource readSource(const YamlNode& node) {
   return source;
 }
 
-Motion readMotion(const YamlNode& node, int joints) {
-  node.requireKeys({"name", "kind", "turning", "valid", "joints", "cycle", "posture", "source"});
+Transition readTransition(const YamlNode& node) {
+  node.requireKeys({"speed", "first_speed", "acceleration"});
+  Transition transition;
+  transition.speed = node.at("speed").asPositive("speed [m/s]", 10.0);
+  transition.first_speed = node.at("first_speed").asPositive("speed [m/s]", 10.0);
+  transition.acceleration = node.at("acceleration").asPositive("acceleration [m/s^2]", 100.0);
+  return transition;
+}
+
+void readTurning(const YamlNode& node, Motion& motion) {
+  motion.turning = node.at("turning").asEnum<bool>({{"straight", false}, {"turn", true}});
+  const double rate = std::abs(motion.cycle.turn_rate);
+  if (motion.turning == (rate > kStraightTurnRate)) return;
+  node.at("turning").fail("a walk of " + std::to_string(rate / kDegree) +
+                              " degrees/s is called " + (motion.turning ? "a turn" : "straight"),
+                          motion.turning ? "more than 8.6 degrees/s" : "less than 8.6 degrees/s");
+}
+
+Motion readLibraryMotion(const YamlNode& node, int joints) {
+  node.requireKeys({"name", "kind", "turning", "valid", "joints", "cycle", "posture", "transition",
+                    "source"});
   Motion motion;
   motion.name = node.at("name").asString();
-  motion.kind = node.at("kind").asEnum<MotionKind>(
-      {{"walk", MotionKind::kWalk}, {"posture", MotionKind::kPosture}});
-  if (const YamlNode valid = node["valid"]) valid.indexIn({"always"});
-  if (const YamlNode which = node["joints"]) which.indexIn({"all"});
+  motion.kind = static_cast<MotionKind>(node.at("kind").indexIn(motionKindNames()));
+  if (const YamlNode valid = node["valid"]) motion.valid = readValidity(valid);
+  if (const YamlNode which = node["joints"]) motion.chains = readChains(which);
   motion.source = readSource(node.at("source"));
-  if (motion.kind == MotionKind::kPosture) {
-    motion.posture = readPosture(node.at("posture"), joints);
-    return motion;
-  }
-  motion.turning = node.at("turning").asEnum<bool>({{"straight", false}, {"turn", true}});
-  motion.cycle = readCycle(node.at("cycle"), joints);
-  const double rate = std::abs(motion.cycle.turn_rate);
-  if (motion.turning != (rate > kStraightTurnRate)) {
-    node.at("turning").fail("a walk of " + std::to_string(rate / kDegree) +
-                                " degrees/s is called " + (motion.turning ? "a turn" : "straight"),
-                            motion.turning ? "more than 8.6 degrees/s" : "less than 8.6 degrees/s");
+  switch (motion.kind) {
+    case MotionKind::kWalk:
+    case MotionKind::kMovement:
+      motion.cycle = readCycle(node.at("cycle"), joints);
+      if (motion.kind == MotionKind::kWalk) readTurning(node, motion);
+      break;
+    case MotionKind::kPosture:
+    case MotionKind::kBlocking:
+      motion.posture = readPosture(node.at("posture"), joints);
+      break;
+    case MotionKind::kStart:
+    case MotionKind::kStop:
+      motion.transition = readTransition(node.at("transition"));
+      break;
   }
   return motion;
 }
@@ -175,6 +198,68 @@ void checkMotions(const YamlNode& root, const MotionLibrary& library) {
 
 }  // namespace
 
+const std::vector<std::string>& motionKindNames() {
+  static const std::vector<std::string> kNames = {"walk",  "movement", "posture",
+                                                  "start", "stop",     "blocking"};
+  return kNames;
+}
+
+Validity readValidity(const YamlNode& node) {
+  using When = Validity::When;
+  if (!node.isMap()) {
+    constexpr std::array<When, 3> kWhen = {When::kAlways, When::kAtStart, When::kAtEnd};
+    return {kWhen[node.indexIn({"always", "at_start", "at_end"})]};
+  }
+  node.requireKeys({"from", "to", "clearance_above"});
+  Validity valid;
+  if (node.has("clearance_above")) {
+    valid.when = When::kClearanceAbove;
+    valid.clearance = node.at("clearance_above").asDouble(0.0, 100.0, "clearance [m]");
+    return valid;
+  }
+  valid.when = When::kBetween;
+  valid.from = node.at("from").asDouble(0.0, 1e6, "time [s]");
+  valid.to = node.at("to").asDouble(valid.from, 1e6, "time [s] after `from`");
+  return valid;
+}
+
+std::vector<std::string> readChains(const YamlNode& node) {
+  std::vector<std::string> chains;
+  if (node.isScalar()) {
+    node.indexIn({"all"});
+    return chains;
+  }
+  for (const YamlNode& item : node.items()) {
+    item.indexIn({"left_arm", "right_arm", "trunk", "head", "left_leg", "right_leg"});
+    chains.push_back(item.asString());
+  }
+  return chains;
+}
+
+std::vector<int> chainJoints(const Skeleton& skeleton, const JointRoles& roles,
+                             const std::string& chain) {
+  const auto below = [&](int top, int without) {
+    std::vector<int> joints;
+    for (int j = 0; top >= 0 && j < skeleton.size(); ++j) {
+      if (skeleton.isAncestor(top, j) && (without < 0 || !skeleton.isAncestor(without, j))) {
+        joints.push_back(j);
+      }
+    }
+    return joints;
+  };
+  for (const Side side : {kLeft, kRight}) {
+    const std::string name = side == kLeft ? "left_" : "right_";
+    const ArmJoints& arm = roles.arms[side];
+    if (chain == name + "arm") return below(arm.shoulder >= 0 ? arm.shoulder : arm.arm, -1);
+    if (chain == name + "leg") return below(roles.legs[side].up_leg, -1);
+  }
+  if (chain == "head") return below(roles.neck >= 0 ? roles.neck : roles.head, -1);
+  if (chain != "trunk" || roles.spine < 0 || roles.chest < 0) return {};
+  std::vector<int> joints;  // on the way from the hips to the chest
+  for (int j = roles.chest; j > roles.hips; j = skeleton.joint(j).parent) joints.push_back(j);
+  return joints;
+}
+
 const Motion* MotionLibrary::find(const std::string& motion) const {
   for (const Motion& m : motions) {
     if (m.name == motion) return &m;
@@ -197,7 +282,7 @@ MotionLibrary readMotionLibrary(const std::filesystem::path& file) {
   library.roles = readRoles(root.at("joints"), library.skeleton);
   library.stature = root.at("stature").asDouble(0.3, 3.0, "stature [m]");
   for (const YamlNode& node : root.at("motions").items()) {
-    library.motions.push_back(readMotion(node, library.skeleton.size()));
+    library.motions.push_back(readLibraryMotion(node, library.skeleton.size()));
     const std::string& name = library.motions.back().name;
     if (library.find(name) != &library.motions.back()) {
       node.fail("motion " + name + " is there twice", "names that differ");

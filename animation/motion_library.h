@@ -17,10 +17,30 @@
 
 namespace amble {
 
-enum class MotionKind { kWalk, kPosture };
+enum class MotionKind {
+  kWalk,      ///< a cycle of the whole body
+  kMovement,  ///< what chains of joints do while walking, as a cycle that goes with the steps
+  kPosture,   ///< a pose to hold, of the whole body or of chains of joints
+  kStart,     ///< how walking begins
+  kStop,      ///< how it ends
+  kBlocking,  ///< a pose for which the walker stops
+};
+const std::vector<std::string>& motionKindNames();  ///< as files have them, by MotionKind
 
-/// Slower than this is straight, faster is a turn: walkers sway by as much [rad/s].
-inline constexpr double kStraightTurnRate = 0.15;
+/// When a motion may be used (Pettré §4.1, "chronological validity").
+struct Validity {
+  enum class When { kAlways, kAtStart, kAtEnd, kBetween, kClearanceAbove };
+  When when = When::kAlways;
+  double from = 0.0, to = 0.0;  ///< of kBetween [s]
+  double clearance = 0.0;       ///< of kClearanceAbove [m]
+};
+
+/// How walking begins or ends, measured along the root's way.
+struct Transition {
+  double speed = 0.0;         ///< of the walk that it leads to or comes from [m/s]
+  double first_speed = 0.0;   ///< at the first strike, or the last lift-off [m/s]
+  double acceleration = 0.0;  ///< mean between 10 % and 90 % of the speed [m/s^2, > 0]
+};
 
 struct MotionSource {
   std::string clip;                    ///< path below the captures' folder
@@ -30,13 +50,17 @@ struct MotionSource {
   std::string credit;
 };
 
-/// A walk has a cycle, a posture a pose; checked when read and when built.
+/// Walks and movements have a cycle, postures a pose, starts and stops a transition; checked when
+/// read and when built.
 struct Motion {
   std::string name;
   MotionKind kind = MotionKind::kWalk;
   bool turning = false;  ///< of a walk
-  WalkCycle cycle;       ///< of a walk
-  Posture posture;       ///< of a posture
+  Validity valid;
+  std::vector<std::string> chains;  ///< of joints, by name (chainJoints); empty: all
+  WalkCycle cycle;                  ///< of a walk or a movement
+  Posture posture;                  ///< of a posture or a blocking motion
+  Transition transition;            ///< of a start or a stop
   MotionSource source;
 };
 
@@ -63,6 +87,11 @@ MotionLibrary openMotionLibrary(const std::string& name,
                                 const std::filesystem::path& relative_to = {});
 /// Writes the library and, beside it, the BVH of its skeleton. @throws InputError
 void writeMotionLibrary(const MotionLibrary& library, const std::filesystem::path& file);
+
+/// The joints of a chain: `left_arm`, `right_arm`, `trunk`, `head`, `left_leg`, `right_leg`. None
+/// where the name is no chain's.
+std::vector<int> chainJoints(const Skeleton& skeleton, const JointRoles& roles,
+                             const std::string& chain);
 
 /// Reads a recipe and its captures, and prepares every motion. `captures` is the folder that clip
 /// paths are relative to; where it is empty, the recipe's own `captures:`. @throws InputError

@@ -95,22 +95,58 @@ void writePosture(std::ostream& out, const Posture& posture) {
   }
 }
 
+std::string validText(const Validity& valid) {
+  switch (valid.when) {
+    case Validity::When::kAlways:
+      return "always";
+    case Validity::When::kAtStart:
+      return "at_start";
+    case Validity::When::kAtEnd:
+      return "at_end";
+    case Validity::When::kBetween:
+      return "{from: " + number(valid.from) + ", to: " + number(valid.to) + "}";
+    case Validity::When::kClearanceAbove:
+      return "{clearance_above: " + number(valid.clearance) + "}";
+  }
+  return "always";
+}
+
+std::string chainsText(const std::vector<std::string>& chains) {
+  if (chains.empty()) return "all";
+  std::string text;
+  for (const std::string& chain : chains) text += (text.empty() ? "[" : ", ") + chain;
+  return text + "]";
+}
+
+void writeTransition(std::ostream& out, const Transition& transition) {
+  out << "    transition: {speed: " << number(transition.speed)
+      << ", first_speed: " << number(transition.first_speed)
+      << ", acceleration: " << number(transition.acceleration) << "}\n";
+}
+
 void writeMotion(std::ostream& out, const Motion& motion) {
   out << "  - name: " << motion.name << "\n"
-      << "    kind: " << (motion.kind == MotionKind::kWalk ? "walk" : "posture") << "\n";
+      << "    kind: " << motionKindNames()[static_cast<size_t>(motion.kind)] << "\n";
   if (motion.kind == MotionKind::kWalk) {
     out << "    turning: " << (motion.turning ? "turn" : "straight") << "\n";
   }
-  out << "    valid: always\n    joints: all\n    source:\n"
+  out << "    valid: " << validText(motion.valid) << "\n    joints: " << chainsText(motion.chains)
+      << "\n    source:\n"
       << "      clip: " << quoted(motion.source.clip) << "\n"
       << "      frames: [" << motion.source.frames[0] << ", " << motion.source.frames[1] << "]\n"
       << "      mirrored: " << (motion.source.mirrored ? "true" : "false") << "\n"
       << "      licence: " << quoted(motion.source.licence) << "\n"
       << "      credit: " << quoted(motion.source.credit) << "\n";
-  if (motion.kind == MotionKind::kWalk) {
-    writeCycle(out, motion.cycle);
-  } else {
-    writePosture(out, motion.posture);
+  switch (motion.kind) {
+    case MotionKind::kWalk:
+    case MotionKind::kMovement:
+      return writeCycle(out, motion.cycle);
+    case MotionKind::kPosture:
+    case MotionKind::kBlocking:
+      return writePosture(out, motion.posture);
+    case MotionKind::kStart:
+    case MotionKind::kStop:
+      return writeTransition(out, motion.transition);
   }
 }
 

@@ -63,13 +63,13 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
         std::min(allowedSpeed(knots_[i].arc), limits_.max_turn_rate / std::max(curvature, 1e-9));
     const double from_standing = std::min(ends_.from_standing ? knots_[i].arc : length_,
                                           ends_.to_standing ? length_ - knots_[i].arc : length_);
-    if (from_standing < 0.5 * limits_.law.stepLength(kFirstSpeed)) {
-      speed[i] = std::min(speed[i], kFirstSpeed);
+    if (from_standing < 0.5 * limits_.law.stepLength(limits_.law.onset().first_speed)) {
+      speed[i] = std::min(speed[i], limits_.law.onset().first_speed);
     }
     knots_[i].window = (ends_.from_standing ? 1.0 : smoothstep(knots_[i].arc / fade)) *
                        (ends_.to_standing ? 1.0 : smoothstep((length_ - knots_[i].arc) / fade));
   }
-  const double gain = 2.0 * kAcceleration * spacing;
+  const double gain = 2.0 * limits_.law.onset().acceleration * spacing;
   for (int i = 1; i <= count; ++i) {
     speed[i] = std::min(speed[i], std::sqrt(speed[i - 1] * speed[i - 1] + gain));
   }

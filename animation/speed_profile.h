@@ -35,11 +35,6 @@ struct SpeedProfileEnds {
 class SpeedProfile {
  public:
   enum class Refusal { kNone, kTurnRate, kStepLength };
-  /// People speed up and slow down by about this much within a walk; starting and stopping are one
-  /// step long [m/s^2].
-  static constexpr double kAcceleration = 1.0;
-  /// Fastest that a first step brings a walker to, and a last one stops from; by trial [m/s].
-  static constexpr double kFirstSpeed = 1.0;
   /// Steps are made no shorter and no longer than these shares of the wanted ones; by trial.
   static constexpr double kLeastStretch = 0.35, kMostStretch = 1.35;
 

@@ -22,6 +22,15 @@ class StrideLaw {
   StrideLaw(double speed, double step_length, double power = kStepPower)
       : speed_(speed), step_(step_length), power_(power) {}
 
+  /// How walking begins and ends: captured, or by trial.
+  struct Onset {
+    double first_speed = 1.0;   ///< fastest that a first step leads to, and a last one stops from;
+                                ///< by trial [m/s]
+    double acceleration = 1.0;  ///< people speed up and slow down by about this much [m/s^2]
+  };
+  const Onset& onset() const { return onset_; }
+  void setOnset(const Onset& onset) { onset_ = onset; }
+
   double capturedStep() const { return step_; }  ///< [m]
   double stepLength(double speed) const;         ///< [m]; inverse of speed()
   double speed(double step_length) const;        ///< [m/s]
@@ -30,6 +39,7 @@ class StrideLaw {
   double speed_ = 1.0;
   double step_ = 0.65;
   double power_ = kStepPower;
+  Onset onset_;
 };
 
 /// Share of time with both feet planted, at a speed, for a leg length [m]: norms of Schwartz,

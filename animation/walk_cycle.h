@@ -19,6 +19,9 @@
 
 namespace amble {
 
+/// Slower than this is straight, faster is a turn: walkers sway by as much [rad/s].
+inline constexpr double kStraightTurnRate = 0.15;
+
 /// How one foot goes from a footprint to the next, and rolls. tau runs over the swing, 0 at
 /// lift-off and 1 at strike.
 ///

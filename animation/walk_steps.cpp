@@ -246,7 +246,7 @@ void StepPlacer::adapted(WalkSteps& walk, const RootPath& path, bool any_leading
   Stance other_end = walk.end;
   other_end.leading = other(walk.end.leading);
   const StanceFeet other_feet = stanceFeet(other_end);
-  const double first_step = law.stepLength(std::min(limits.speed, SpeedProfile::kFirstSpeed));
+  const double first_step = law.stepLength(std::min(limits.speed, law.onset().first_speed));
   const auto wanted = [&](double arc) {
     if (wishes.stride) return wishes.stride(arc);
     const double pace = limits.pace ? limits.pace(arc) : 1.0;
@@ -310,7 +310,7 @@ void StepPlacer::time(WalkSteps& walk, const FootstepPlan& plan, const RootPath&
     const double middle = 0.5 * (timed.arcs[i - 1] + timed.arcs[i]);
     double speed = limits.speed * paceAt(middle);
     if ((i == 1 && walk.from.standing) || (i == walk.steps && walk.end.standing))
-      speed = std::min(speed, SpeedProfile::kFirstSpeed);
+      speed = std::min(speed, law.onset().first_speed);
     double duration = law.stepLength(speed) / speed;
     const double height = stepHeight(places[i], places[i + 1]) / (kStairRise * s_.scale);
     duration *= 1.0 + std::abs(height) * (height > 0.0 ? kSlowerUp : kSlowerDown);

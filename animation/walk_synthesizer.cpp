@@ -325,7 +325,7 @@ double WalkSynthesizer::maxTurnRate() const { return impl_->blend.maxTurnRate();
 double WalkSynthesizer::shortestWalk() const {
   // Two steps of half a step's length each.
   const StrideLaw& law = impl_->blend.law();
-  const double wanted = law.stepLength(std::min(impl_->settings.speed, SpeedProfile::kFirstSpeed));
+  const double wanted = law.stepLength(std::min(impl_->settings.speed, law.onset().first_speed));
   return std::max(StrideLaw::kShortestStep * law.capturedStep(),
                   SpeedProfile::kLeastStretch * wanted);
 }
