@@ -15,6 +15,7 @@ constexpr double kShortestPeriod = 0.7;  // of two steps of a walk [s]
 constexpr double kLongestPeriod = 1.8;   // [s]
 
 // What walks like the most cyclic stretch; by trial on lab walks, whose steps differ by 5 %.
+constexpr double kSlowestWalk = 0.2;  // [m/s]
 constexpr double kMostAside = 45.0 * kDegree;  // of travel from the pelvis' heading: ahead still
 constexpr double kSameSpeed = 0.08;       // of the speed
 constexpr double kSameTurn = 0.2;         // of the turn rate of a turn,
@@ -126,6 +127,8 @@ std::vector<Stretch> findStretches(const GaitTrack& track, const CycleOptions& o
     throw InputError(options.clip, 0, "no whole cycle of a walk was found",
                      "two steps in a row, each foot planted before and after");
   }
+  std::erase_if(found, [](const Stretch& s) { return s.speed < kSlowestWalk; });
+  if (found.empty()) throw InputError(options.clip, 0, "steps on the spot", "a walk");
   std::erase_if(found, [](const Stretch& s) { return s.aside > kMostAside; });
   if (found.empty()) {
     throw InputError(options.clip, 0, "walks backwards or sideways", "a walk ahead");
