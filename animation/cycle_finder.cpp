@@ -15,14 +15,14 @@ constexpr double kShortestPeriod = 0.7;  // of two steps of a walk [s]
 constexpr double kLongestPeriod = 1.8;   // [s]
 
 // What walks like the most cyclic stretch; by trial on lab walks, whose steps differ by 5 %.
-constexpr double kSlowestWalk = 0.2;  // [m/s]
+constexpr double kSlowestWalk = 0.2;           // [m/s]
 constexpr double kMostAside = 45.0 * kDegree;  // of travel from the pelvis' heading: ahead still
-constexpr double kSameSpeed = 0.08;       // of the speed
-constexpr double kSameTurn = 0.2;         // of the turn rate of a turn,
-constexpr double kSameHeading = 0.1;      // but always [rad a cycle]
-constexpr double kSameClosure = 2.0;      // of the closure,
-constexpr double kWellClosed = 0.015;     // but always [m]
-constexpr double kLargestClosure = 0.10;  // rms over the joints: more is no cycle [m]
+constexpr double kSameSpeed = 0.08;            // of the speed
+constexpr double kSameTurn = 0.2;              // of the turn rate of a turn,
+constexpr double kSameHeading = 0.1;           // but always [rad a cycle]
+constexpr double kSameClosure = 2.0;           // of the closure,
+constexpr double kWellClosed = 0.015;          // but always [m]
+constexpr double kLargestClosure = 0.10;       // rms over the joints: more is no cycle [m]
 
 // Middles of the double supports in which `leading` has just struck and the other foot is about to
 // leave.

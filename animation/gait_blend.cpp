@@ -108,6 +108,7 @@ GaitBlend::GaitBlend(const MotionLibrary& library, double scale, double speed) {
   std::vector<Pace> paces;
   for (const Cycles& cycles : groups) paces.push_back(meanPace(cycles, harmonics, scale));
   fitLaw(paces);
+  takeOnset(library, scale);
   mixStraight(paces, groups, scale, speed);
   for (const Cycles& side : turns) {
     addTurns(grouped(side, [](const WalkCycle& c) { return std::abs(c.turn_rate); }), harmonics,
@@ -150,6 +151,19 @@ void GaitBlend::fitLaw(const std::vector<Pace>& paces) {
   }
   const double slowest = paces.front().speed;
   law_ = StrideLaw(slowest, std::exp(y + power * (std::log(slowest) - x)), power);
+}
+
+// How walks begin and end: the mean of the library's starts and stops.
+void GaitBlend::takeOnset(const MotionLibrary& library, double scale) {
+  StrideLaw::Onset onset{0.0, 0.0};
+  int count = 0;
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kStart && motion.kind != MotionKind::kStop) continue;
+    onset.first_speed += motion.transition.first_speed * std::sqrt(scale);
+    onset.acceleration += motion.transition.acceleration;
+    ++count;
+  }
+  if (count > 0) law_.setOnset({onset.first_speed / count, onset.acceleration / count});
 }
 
 // Channels, feet and their prints at the plan's speed. Cycles are mixed at its step.

@@ -3,12 +3,11 @@
 /// Walks that go alike are averaged into one captured pace: straight ones of the same speed, left
 /// and right turns of the same rate. The straight walk is mixed of the two paces next to the plan's
 /// speed, once: the walker keeps his carriage where he slows for a turn or a stop, and only the
-/// step is warped. A turn adds what the captured turns do otherwise than that walk at their step, in
-/// its mean and lowest harmonics.
-/// Which is which is told by each cycle's own measured turn rate. (The paper has left turns
-/// negative; ours are positive.) Beyond the captured paces nothing is extrapolated but the step:
-/// the slowest and the fastest walk are warped, turns are held at the fastest captured rate, the
-/// speed drops instead.
+/// step is warped. A turn adds what the captured turns do otherwise than that walk at their step,
+/// in its mean and lowest harmonics. Which is which is told by each cycle's own measured turn rate.
+/// (The paper has left turns negative; ours are positive.) Beyond the captured paces nothing is
+/// extrapolated but the step: the slowest and the fastest walk are warped, turns are held at the
+/// fastest captured rate, the speed drops instead.
 #pragma once
 
 #include <Eigen/Core>
@@ -61,6 +60,7 @@ class GaitBlend {
 
   static Pace meanPace(const Cycles& cycles, int harmonics, double scale);
   void fitLaw(const std::vector<Pace>& paces);
+  void takeOnset(const MotionLibrary& library, double scale);
   void mixStraight(const std::vector<Pace>& paces, const std::vector<Cycles>& cycles, double scale,
                    double speed);
   void addTurns(const std::vector<Cycles>& turns, int harmonics, double scale);

@@ -138,14 +138,14 @@ void readTurning(const YamlNode& node, Motion& motion) {
   motion.turning = node.at("turning").asEnum<bool>({{"straight", false}, {"turn", true}});
   const double rate = std::abs(motion.cycle.turn_rate);
   if (motion.turning == (rate > kStraightTurnRate)) return;
-  node.at("turning").fail("a walk of " + std::to_string(rate / kDegree) +
-                              " degrees/s is called " + (motion.turning ? "a turn" : "straight"),
+  node.at("turning").fail("a walk of " + std::to_string(rate / kDegree) + " degrees/s is called " +
+                              (motion.turning ? "a turn" : "straight"),
                           motion.turning ? "more than 8.6 degrees/s" : "less than 8.6 degrees/s");
 }
 
 Motion readLibraryMotion(const YamlNode& node, int joints) {
-  node.requireKeys({"name", "kind", "turning", "valid", "joints", "cycle", "posture", "transition",
-                    "source"});
+  node.requireKeys(
+      {"name", "kind", "turning", "valid", "joints", "cycle", "posture", "transition", "source"});
   Motion motion;
   motion.name = node.at("name").asString();
   motion.kind = static_cast<MotionKind>(node.at("kind").indexIn(motionKindNames()));

@@ -54,9 +54,8 @@ Clip onLibrarySkeleton(const MotionLibrary& library, const LevelCapture& capture
     return clip;
   }
   const JointRoles& roles = capture.motion.roles;
-  return carriedToLibrary(
-      library, clip, roles, referenceOf(clip, roles),
-      referenceOf(library.skeleton, library.roles, library.stand().rotations));
+  return carriedToLibrary(library, clip, roles, referenceOf(clip, roles),
+                          referenceOf(library.skeleton, library.roles, library.stand().rotations));
 }
 
 // `stand` of the library `default`, on this library's skeleton, whose rig `clip` shows upright.
@@ -68,10 +67,9 @@ void borrowStand(MotionLibrary& library, const Clip& clip) {
   pose.rotations = rotations;
   pose.p_WR.z() = other.stand().root_height;
   for (int i = 0; i < 3; ++i) stand.poses.append(pose);  // that its feet are seen to stand
-  const Clip carried =
-      carriedToLibrary(library, stand, other.roles,
-                       referenceOf(other.skeleton, other.roles, rotations),
-                       referenceOf(clip, library.roles));
+  const Clip carried = carriedToLibrary(library, stand, other.roles,
+                                        referenceOf(other.skeleton, other.roles, rotations),
+                                        referenceOf(clip, library.roles));
   Motion motion = *other.find("stand");
   motion.posture = preparePosture(carried, library.roles, library.feet(), 0, 2);
   library.motions.push_back(std::move(motion));
@@ -95,10 +93,10 @@ void requireFit(const WalkCycle& cycle, const std::string& file) {
                      "at most " + std::to_string(kLargestResidual));
   }
   if (cycle.slide > kLargestSlide) {
-    throw InputError(file, 0,
-                     "its feet slide: a standing ankle moves by " +
-                         std::to_string(1000.0 * cycle.slide) + " mm",
-                     "at most " + std::to_string(1000.0 * kLargestSlide));
+    throw InputError(
+        file, 0,
+        "its feet slide: a standing ankle moves by " + std::to_string(1000.0 * cycle.slide) + " mm",
+        "at most " + std::to_string(1000.0 * kLargestSlide));
   }
 }
 
@@ -127,8 +125,7 @@ void preparePose(const MotionLibrary& library, const MotionRequest& request, con
     throw InputError(request.file.string(), 0, "frames that the clip does not have",
                      "up to " + std::to_string(clip.frames() - 1) + " of its motion");
   }
-  motion.posture =
-      preparePosture(clip, library.roles, library.feet(), frames.first, frames.second);
+  motion.posture = preparePosture(clip, library.roles, library.feet(), frames.first, frames.second);
   motion.source.frames = {frames.first, frames.second};
 }
 
@@ -152,8 +149,12 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
     request.frames->first -= capture.first_frame;
     request.frames->second -= capture.first_frame;
   }
-  Motion motion{request.name, request.kind, false, request.valid, request.chains, {}, {}, {},
-                request.source};
+  Motion motion;
+  motion.name = request.name;
+  motion.kind = request.kind;
+  motion.valid = request.valid;
+  motion.chains = request.chains;
+  motion.source = request.source;
   switch (request.kind) {
     case MotionKind::kWalk:
     case MotionKind::kMovement:

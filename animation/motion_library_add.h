@@ -15,14 +15,14 @@ namespace amble {
 struct MotionRequest {
   std::string name;
   MotionKind kind = MotionKind::kWalk;
-  std::optional<bool> turning;       ///< of a walk; none: straight where the clip walks straight
+  std::optional<bool> turning;  ///< of a walk; none: straight where the clip walks straight
   Validity valid;
-  std::vector<std::string> chains;   ///< of a movement or a posture; empty: all
-  std::filesystem::path file;        ///< the capture
-  MotionReadOptions read;            ///< how to read it
-  MotionSource source;               ///< `clip` is what the library calls it; `frames` come out
+  std::vector<std::string> chains;  ///< of a movement or a posture; empty: all
+  std::filesystem::path file;       ///< the capture
+  MotionReadOptions read;           ///< how to read it
+  MotionSource source;              ///< `clip` is what the library calls it; `frames` come out
   std::optional<std::pair<int, int>> frames;  ///< of the file: look only there
-  int harmonics = 0;                 ///< of a cycle [1, 12]; 0: chosen by error
+  int harmonics = 0;                          ///< of a cycle [1, 12]; 0: chosen by error
 };
 
 /// Prepares the motion and appends it. The first capture's skeleton is the library's; others are

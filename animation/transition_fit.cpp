@@ -11,7 +11,7 @@
 namespace amble {
 namespace {
 
-constexpr double kHalfWindow = 0.1;  // over which speed is taken, both ways [s]
+constexpr double kHalfWindow = 0.1;                // over which speed is taken, both ways [s]
 constexpr double kStanding = 0.1, kWalking = 0.9;  // of the speed that is reached
 constexpr double kSlowestWalk = 0.4;               // [m/s]
 
@@ -66,9 +66,8 @@ Transition fitTransition(const Clip& level, const JointRoles& roles, bool start,
   std::sort(sorted.begin(), sorted.end());
   Transition transition;
   transition.speed = sorted[sorted.size() * 3 / 4];  // most of the clip walks
-  const auto walking = std::find_if(speeds.begin(), speeds.end(), [&](double v) {
-    return v > kWalking * transition.speed;
-  });
+  const auto walking = std::find_if(speeds.begin(), speeds.end(),
+                                    [&](double v) { return v > kWalking * transition.speed; });
   const auto standing = std::find_if(std::make_reverse_iterator(walking), speeds.rend(),
                                      [&](double v) { return v < kStanding * transition.speed; });
   if (transition.speed < kSlowestWalk || standing == speeds.rend()) {
@@ -80,8 +79,7 @@ Transition fitTransition(const Clip& level, const JointRoles& roles, bool start,
   const int last = static_cast<int>(walking - speeds.begin());
   transition.acceleration =
       (kWalking - kStanding) * transition.speed / ((last - first) * level.frame_time);
-  transition.first_speed =
-      speeds[firstStrike(plants, first, static_cast<int>(speeds.size()) - 1)];
+  transition.first_speed = speeds[firstStrike(plants, first, static_cast<int>(speeds.size()) - 1)];
   const int end = static_cast<int>(speeds.size()) - 1;
   frames = start ? std::array{first, last} : std::array{end - last, end - first};
   return transition;

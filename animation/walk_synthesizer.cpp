@@ -9,6 +9,7 @@
 #include "animation/foot_controller.h"
 #include "animation/footsteps.h"
 #include "animation/gait_blend.h"
+#include "animation/movement_controller.h"
 #include "animation/rotation.h"
 #include "animation/speed_profile.h"
 #include "animation/walk_controller.h"
@@ -64,6 +65,18 @@ void checkSettings(const CharacterSettings& s) {
   if (!(s.max_climb >= 0.0 && s.max_climb <= 1.0 && s.max_drop >= 0.0 && s.max_drop <= 1.0)) {
     throw std::invalid_argument("highest steps: 0 to 1 m");
   }
+}
+
+std::unique_ptr<const SubController> controllerOf(const MotionLibrary& library,
+                                                  const std::string& action) {
+  const Motion* motion = library.find(action);
+  if (motion != nullptr && motion->kind == MotionKind::kMovement) {
+    return std::make_unique<MovementController>(library, *motion);
+  }
+  if (motion != nullptr && motion->kind == MotionKind::kPosture) {
+    return std::make_unique<PostureController>(library, *motion);
+  }
+  throw std::invalid_argument("the library has no movement or posture " + action);
 }
 
 }  // namespace
@@ -280,6 +293,7 @@ struct WalkSynthesizer::Impl {
     if (out.poses.joints() != skeleton.size()) out.poses = PoseArray(skeleton.size());
     out.poses.resize(static_cast<int>(out.states.size()));
     walk->apply(out);
+    for (const auto& action : actions) action->apply(out);
     if (!(level ? feet.apply(out) : feet.applyUneven(out)))
       return {WalkRule::kReach, steps, leading};
     out.markFootprints();
@@ -300,6 +314,7 @@ struct WalkSynthesizer::Impl {
   double lead = 0.0;           // of the walking root over the path's point [m]
   SpeedLimits limits;
   std::unique_ptr<WalkController> walk;
+  std::vector<std::unique_ptr<const SubController>> actions;
   std::unique_ptr<StepPlacer> placer;
 };
 
@@ -307,6 +322,9 @@ WalkSynthesizer::WalkSynthesizer(const MotionLibrary& library, const Ground& gro
                                  const CharacterSettings& settings) {
   checkSettings(settings);
   impl_ = std::make_unique<Impl>(library, ground, settings);
+  for (const std::string& action : settings.actions) {
+    impl_->actions.push_back(controllerOf(library, action));
+  }
 }
 
 WalkSynthesizer::~WalkSynthesizer() = default;

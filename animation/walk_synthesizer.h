@@ -33,6 +33,9 @@ struct CharacterSettings {
   /// Highest step up and down: stairs of dwellings rise by 0.14 to 0.20 m (DIN 18065) [m, 0 to 1].
   double max_climb = 0.25;
   double max_drop = 0.25;
+  /// Movements and postures of the library that are held for the whole walk, the later over the
+  /// earlier.
+  std::vector<std::string> actions = {};
 };
 
 struct WalkResult {
@@ -45,7 +48,9 @@ struct WalkResult {
 /// from call to call.
 class WalkSynthesizer {
  public:
-  /// @pre ground outlives the synthesizer. @throws std::invalid_argument for settings out of range.
+  /// @pre ground and, where there are actions, library outlive the synthesizer. @throws
+  /// std::invalid_argument for settings out of range and for an action that the library does not
+  /// have or that is no movement or posture.
   WalkSynthesizer(const MotionLibrary& library, const Ground& ground,
                   const CharacterSettings& settings);
   ~WalkSynthesizer();

@@ -29,6 +29,7 @@ struct Options {
   std::string bvh_units = "m";
   std::string out;
   std::string stride, lift, incline_deg, stairs;  // as they were written; empty: not asked
+  std::vector<std::string> actions;
   bool quality = false;
 };
 
@@ -84,6 +85,15 @@ int run(const Options& options) {
   settings.height = options.height;
   settings.speed = options.speed;
   settings.frame_time = 1.0 / options.fps;
+  settings.actions = options.actions;
+  for (const std::string& action : options.actions) {
+    const Motion* motion = library.find(action);
+    if (motion == nullptr ||
+        (motion->kind != MotionKind::kMovement && motion->kind != MotionKind::kPosture)) {
+      throw InputError("--action", 0, "'" + action + "' is no movement or posture of the library",
+                       "one that `amble library show` names");
+    }
+  }
   const WalkSynthesizer synthesizer(library, *ground, settings);
   const double fastest_deg = synthesizer.maxTurnRate() / kDegree;
   if (std::abs(options.turn_deg) > fastest_deg) {
@@ -143,6 +153,7 @@ void addAnimate(CLI::App& app, Command& chosen) {
       ->excludes("--turn");
   command->add_option("--height", options->height, "Stature; default: the library's own")
       ->check(number(0.5, 2.5, "m"));
+  command->add_option("--action", options->actions, "A movement or posture of the library to hold");
   command->add_option("--library", options->library, "Motion library: default, or a file")
       ->capture_default_str();
   command->add_option("--fps", options->fps, "Frames a second")

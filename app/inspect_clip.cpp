@@ -112,7 +112,8 @@ Findings inspectLibrary(const std::filesystem::path& file) {
         fmt::format("{} frames {} to {}{} ({})", source.clip, source.frames[0], source.frames[1],
                     source.mirrored ? ", mirrored" : "", source.licence);
     nlohmann::ordered_json entry = {{"name", motion.name}};
-    std::string text = "posture; ";
+    std::string text = motionKindNames()[static_cast<size_t>(motion.kind)] + "; ";
+    entry["kind"] = motionKindNames()[static_cast<size_t>(motion.kind)];
     if (motion.kind == MotionKind::kWalk) {
       const WalkCycle& cycle = motion.cycle;
       text =

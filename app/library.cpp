@@ -1,4 +1,4 @@
-// amble library build|show|find: prepared motion libraries from captures.
+// amble library build|show|add|check|find: prepared motion libraries from captures.
 
 #include <fmt/format.h>
 
@@ -8,6 +8,8 @@
 #include "animation/motion_library.h"
 #include "app/command.h"
 #include "app/findings.h"
+#include "app/library_add.h"
+#include "app/library_check.h"
 #include "app/library_find.h"
 
 namespace amble {
@@ -72,6 +74,8 @@ void addLibrary(CLI::App& app, Command& chosen) {
   library->require_subcommand(1);
   addBuild(*library, chosen);
   addShow(*library, chosen);
+  addLibraryAdd(*library, chosen);
+  addLibraryCheck(*library, chosen);
   addLibraryFind(*library, chosen);
 }
 

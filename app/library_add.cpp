@@ -27,8 +27,8 @@ std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip, const O
   MotionRequest request;
   request.name = options.name.empty() ? clip.stem().string() : options.name;
   const auto& kinds = motionKindNames();
-  request.kind = static_cast<MotionKind>(
-      std::find(kinds.begin(), kinds.end(), options.kind) - kinds.begin());
+  request.kind =
+      static_cast<MotionKind>(std::find(kinds.begin(), kinds.end(), options.kind) - kinds.begin());
   if (!options.turning.empty()) request.turning = options.turning == "turn";
   request.chains = options.chains;
   request.file = clip;
@@ -90,19 +90,16 @@ void addLibraryAdd(CLI::App& library, Command& chosen) {
   CLI::App* command = library.add_subcommand(
       "add", "Add motions of captures to a library; where there is none it is made");
   command->add_option("LIBRARY", options->library, "Library file (YAML)")->required();
-  command->add_option("CLIP", options->clips, "Captures: BVH, AMC, FBX, glTF, Collada")
-      ->required();
+  command->add_option("CLIP", options->clips, "Captures: BVH, AMC, FBX, glTF, Collada")->required();
   command->add_option("--name", options->name, "Of the motion; default: the clip's");
   command->add_option("--kind", options->kind, "What it is")
       ->check(CLI::IsMember(motionKindNames()))
       ->capture_default_str();
   command->add_option("--turning", options->turning, "Of a walk; default: as it is found")
       ->check(CLI::IsMember({"straight", "turn"}));
-  command
-      ->add_option("--joints", options->chains, "Chains that a movement or posture moves: all")
+  command->add_option("--joints", options->chains, "Chains that a movement or posture moves: all")
       ->delimiter(',')
-      ->check(CLI::IsMember(
-          {"left_arm", "right_arm", "trunk", "head", "left_leg", "right_leg"}));
+      ->check(CLI::IsMember({"left_arm", "right_arm", "trunk", "head", "left_leg", "right_leg"}));
   command->add_option("--frames", options->frames, "First and last frame to look at; default: all")
       ->expected(2);
   command->add_flag("--no-mirror", options->no_mirror, "Leave out a walk's mirror image");

@@ -40,6 +40,25 @@ Scene loadScene(const Scenario& scenario) {
   return readScene(scenario.scene);
 }
 
+// Actions are held for the whole walk: what is valid for a part of it only cannot be one.
+void requireActions(const Scenario& scenario, const MotionLibrary& library) {
+  for (const auto& [action, line] : scenario.walk.actions) {
+    const Motion* motion = library.find(action);
+    const bool held = motion != nullptr && (motion->kind == MotionKind::kMovement ||
+                                            motion->kind == MotionKind::kPosture);
+    if (held && motion->valid.when == Validity::When::kAlways) continue;
+    std::string names;
+    for (const Motion& other : library.motions) {
+      if (other.kind != MotionKind::kMovement && other.kind != MotionKind::kPosture) continue;
+      if (other.valid.when == Validity::When::kAlways) names += " " + other.name;
+    }
+    throw InputError(
+        scenario.file.string(), line,
+        "'" + action + "' is no movement or posture of the library that is always valid",
+        "of" + names);
+  }
+}
+
 MotionLibrary loadLibrary(const Scenario& scenario) {
   const CharacterSpec& character = scenario.character;
   if (character.library != "default" && !std::filesystem::exists(character.library)) {
@@ -47,7 +66,9 @@ MotionLibrary loadLibrary(const Scenario& scenario) {
                      "the library '" + character.library + "' is not there",
                      "'default', or the path of a motion library, relative to this file");
   }
-  return openMotionLibrary(character.library);
+  MotionLibrary library = openMotionLibrary(character.library);
+  requireActions(scenario, library);
+  return library;
 }
 
 CharacterSettings settingsOf(const Scenario& scenario, double frame_time) {
@@ -58,6 +79,7 @@ CharacterSettings settingsOf(const Scenario& scenario, double frame_time) {
   settings.max_slope = scenario.character.max_slope;
   settings.max_climb = scenario.character.max_climb;
   settings.max_drop = scenario.character.max_drop;
+  for (const auto& [action, line] : scenario.walk.actions) settings.actions.push_back(action);
   return settings;
 }
 

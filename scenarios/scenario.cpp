@@ -73,18 +73,6 @@ Bounds readBounds(const YamlNode& node) {
   return bounds;
 }
 
-// Movements and postures beside walking have no motions in any library yet, so that none can be
-// asked for.
-void readActions(const YamlNode& node) {
-  for (const YamlNode& action : node.items()) {
-    std::string kind = "any";
-    if (action.isScalar()) kind = action.asString();
-    if (action.isMap() && action.has("kind")) kind = action.at("kind").asString();
-    if (action.isMap() && action.has("name")) kind = action.at("name").asString();
-    action.fail("no motion of kind '" + kind + "' in the library", "an empty list");
-  }
-}
-
 WalkSpec readWalk(const YamlNode& node) {
   node.requireKeys({"speed", "from", "to", "actions"});
   WalkSpec walk;
@@ -95,7 +83,11 @@ WalkSpec readWalk(const YamlNode& node) {
   if (const YamlNode n = node["to"]) {
     walk.to_standing = n.asEnum<bool>({{"stand", true}, {"walking", false}});
   }
-  if (const YamlNode n = node["actions"]) readActions(n);
+  if (const YamlNode n = node["actions"]) {
+    for (const YamlNode& action : n.items()) {
+      walk.actions.emplace_back(action.asString(), action.line());
+    }
+  }
   return walk;
 }
 

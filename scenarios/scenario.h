@@ -40,6 +40,9 @@ struct WalkSpec {
   double speed = 1.2;         ///< on the straight [m/s, 0.3 to 2]
   bool from_standing = true;  ///< `from: stand`; else the walk begins in mid-walk
   bool to_standing = true;
+  /// Movements and postures of the library that are held for the whole walk, and the lines that
+  /// name them.
+  std::vector<std::pair<std::string, int>> actions;
 };
 
 struct PlannerSpec {

@@ -1,0 +1,101 @@
+#include "app/library_check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "animation/error.h"
+#include "animation/motion_library_add.h"
+#include "animation/rotation.h"
+
+namespace amble {
+namespace {
+
+struct Options {
+  std::string library = "default", captures;
+};
+
+// A cycle prepared once more may differ in the last digits that the file keeps.
+constexpr double kSame = 1e-4;
+
+// What the motion measures, prepared once more from its capture, on the library's own skeleton.
+Motion preparedAgain(const MotionLibrary& library, const Motion& motion,
+                     const std::filesystem::path& captures) {
+  MotionLibrary again = library;
+  again.motions.clear();
+  if (motion.name != "stand") again.motions.push_back(*library.find("stand"));
+  MotionRequest request;
+  request.name = motion.name;
+  request.kind = motion.kind;
+  if (motion.kind == MotionKind::kWalk) request.turning = motion.turning;
+  request.chains = motion.chains;
+  request.valid = motion.valid;
+  request.source = motion.source;
+  request.file = captures / motion.source.clip;
+  addMotion(again, request);
+  return again.motions.back();
+}
+
+// In one line why the motion is not what the library says; empty where it is.
+std::string difference(const Motion& says, const Motion& is) {
+  const auto off = [](double a, double b) {
+    return std::abs(a - b) > kSame * std::max(1.0, std::abs(b));
+  };
+  const WalkCycle &a = says.cycle, &b = is.cycle;
+  if (off(a.speed, b.speed)) return fmt::format("speed {:.4f}, measured {:.4f}", a.speed, b.speed);
+  if (off(a.turn_rate, b.turn_rate)) {
+    return fmt::format("turn rate {:.2f}, measured {:.2f} degrees/s", a.turn_rate / kDegree,
+                       b.turn_rate / kDegree);
+  }
+  if (off(a.period, b.period))
+    return fmt::format("period {:.4f}, measured {:.4f}", a.period, b.period);
+  if (off(says.posture.root_height, is.posture.root_height)) return "another posture";
+  if (off(says.transition.acceleration, is.transition.acceleration)) return "another transition";
+  return "";
+}
+
+std::string facts(const Motion& motion) {
+  if (motion.kind != MotionKind::kWalk && motion.kind != MotionKind::kMovement) return "";
+  return fmt::format(
+      "{:.2f} m/s {:+.0f} degrees/s, closes to {:.0f} mm, leaves out {:.2f} degrees, "
+      "feet slide {:.0f} mm",
+      motion.cycle.speed, motion.cycle.turn_rate / kDegree, 1000.0 * motion.cycle.closure,
+      motion.cycle.residual / kDegree, 1000.0 * motion.cycle.slide);
+}
+
+int run(const Options& options) {
+  const MotionLibrary library = openMotionLibrary(options.library);  // refuses what cannot be
+  int wrong = 0;
+  for (const Motion& motion : library.motions) {
+    std::string problem;
+    if (!options.captures.empty()) {
+      try {
+        problem = difference(motion, preparedAgain(library, motion, options.captures));
+      } catch (const InputError& error) {
+        problem = error.what();
+      }
+    }
+    if (!problem.empty()) ++wrong;
+    fmt::print("{:<6} {:<26} {:<9} {}\n", problem.empty() ? "ok" : "WRONG", motion.name,
+               motionKindNames()[static_cast<size_t>(motion.kind)],
+               problem.empty() ? facts(motion) : problem);
+  }
+  fmt::print("{} motions, {} wrong{}\n", library.motions.size(), wrong,
+             options.captures.empty() ? "; captures were not read: give --captures DIR" : "");
+  return wrong == 0 ? kExitDone : kExitNone;
+}
+
+}  // namespace
+
+void addLibraryCheck(CLI::App& library, Command& chosen) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      library.add_subcommand("check", "Check a library, and its motions against their captures");
+  command->add_option("LIBRARY", options->library, "default, or a file")->capture_default_str();
+  command->add_option("--captures", options->captures,
+                      "Folder of the clips: prepare every motion again and compare");
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace amble
