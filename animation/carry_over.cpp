@@ -141,6 +141,7 @@ class Matching {
       follow(following, bone.joint, swing);
       swings.emplace_back(bone.joint, swing);
     }
+    followNames(following);
     for (const std::string side : {"left_", "right_"}) {  // soles are flat: they only face alike
       const BoneRole foot{side + "foot", side + "toe", ""};
       const Eigen::Quaterniond turn = aboutZ(yawOf(foot));
@@ -151,6 +152,20 @@ class Matching {
   }
 
  private:
+  // Joints of the trunk without a role follow those of their name, which rigs of one make have.
+  void followNames(std::vector<Following>& following) const {
+    for (int j = 0; j < to_.skeleton.size(); ++j) {
+      if (following[j].source >= 0 || to_.roles.head < 0 ||
+          !to_.skeleton.isAncestor(j, to_.roles.head))
+        continue;
+      const int source = from_.skeleton.find(to_.skeleton.joint(j).name);
+      if (source < 0 || from_.roles.head < 0 ||
+          !from_.skeleton.isAncestor(source, from_.roles.head))
+        continue;
+      following[j] = {source, from_.reference.q_HJ[source].conjugate() * to_.reference.q_HJ[j]};
+    }
+  }
+
   Eigen::Vector3d boneOf(const UprightRig& rig, const std::vector<JointFrame>& frames,
                          const BoneRole& bone) const {
     const int joint = roleJoint(rig.roles, bone.joint), next = roleJoint(rig.roles, bone.next);

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "animation/carry_over.h"
-#include "animation/cycle_finder.h"
 #include "animation/error.h"
 #include "animation/level_capture.h"
 #include "animation/mirror_clip.h"
+#include "animation/motion_measures.h"
 #include "animation/rotation.h"
 #include "animation/transition_fit.h"
 
@@ -15,8 +15,9 @@ namespace {
 
 constexpr double kSameOffset = 1e-3;  // of joints of one subject in two clips [m]
 // What is unfit for a library; by trial, good captures have 0.5 degrees and 20 mm.
-constexpr double kLargestResidual = 2.0;  // of a cycle's angles [degrees]
-constexpr double kLargestSlide = 0.06;    // of a standing ankle [m]
+constexpr double kTurnOfClip = 25.0 * kDegree;  // walkers sway by ten
+constexpr double kLargestResidual = 2.0;        // of a cycle's angles [degrees]
+constexpr double kLargestSlide = 0.06;          // of a standing ankle [m]
 
 bool sameSkeleton(const Skeleton& a, const Skeleton& b) {
   bool same = a.size() == b.size();
@@ -75,13 +76,10 @@ void borrowStand(MotionLibrary& library, const Clip& clip) {
   library.motions.push_back(std::move(motion));
 }
 
-bool walksStraight(const MotionLibrary& library, const Clip& clip, const CycleOptions& options) {
-  try {
-    findStretches(GaitTrack(clip, library.roles, library.feet()), options);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
+// A clip that ends facing elsewhere than it began was captured for its turn.
+bool isTurn(const Clip& clip, const JointRoles& roles) {
+  const std::vector<double> headings = pelvisHeadings(clip, roles);
+  return std::abs(headings.back() - headings.front()) > kTurnOfClip;
 }
 
 void requireFit(const WalkCycle& cycle, const std::string& file) {
@@ -104,9 +102,9 @@ void prepareCycle(const MotionLibrary& library, const MotionRequest& request, co
                   Motion& motion) {
   const std::string file = request.file.string();
   CycleOptions options{file, false, request.harmonics, request.frames};
-  options.turning =
-      request.turning ? *request.turning
-                      : motion.kind == MotionKind::kWalk && !walksStraight(library, clip, options);
+  options.turning = request.turning
+                        ? *request.turning
+                        : motion.kind == MotionKind::kWalk && isTurn(clip, library.roles);
   std::pair<int, int> used;
   motion.cycle = prepareWalkCycle(clip, library.roles, library.feet(), library.stand().rotations,
                                   options, &used);

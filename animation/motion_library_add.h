@@ -15,7 +15,7 @@ namespace amble {
 struct MotionRequest {
   std::string name;
   MotionKind kind = MotionKind::kWalk;
-  std::optional<bool> turning;  ///< of a walk; none: straight where the clip walks straight
+  std::optional<bool> turning;  ///< of a walk; none: a turn if the clip ends facing elsewhere
   Validity valid;
   std::vector<std::string> chains;  ///< of a movement or a posture; empty: all
   std::filesystem::path file;       ///< the capture

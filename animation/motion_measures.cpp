@@ -201,8 +201,9 @@ PathError pathError(const Clip& clip, const JointRoles& roles,
                     std::span<const PlannedPoint> planned) {
   const int frames = clip.frames();
   assert(frames > 0 && static_cast<int>(planned.size()) == frames);
-  const std::vector<Eigen::Vector3d> root =
-      smoothed(pelvisPath(clip, roles), clip.frame_time, kPathWindow);
+  std::vector<Eigen::Vector3d> root;
+  for (int i = 0; i < frames; ++i) root.push_back(clip.poses.p_WR(i));
+  root = smoothed(root, clip.frame_time, kPathWindow);
   const int reach = static_cast<int>(std::lround(kPathReach / clip.frame_time));
   PathError error;
   for (int i = 0; i < frames; ++i) {

@@ -128,7 +128,7 @@ QualityAnchors anchorsOf(const MotionLibrary& library, double scale, double spee
     const CaptureQuality& capture = motion.cycle.capture;
     anchors.root_acceleration = std::max(anchors.root_acceleration, capture.root_acceleration);
     if (capture.pops < kFlip) anchors.pops = std::max(anchors.pops, capture.pops);
-    if (motion.turning) continue;
+    if (motion.turning || motion.source.mirrored) continue;
     jerk.emplace_back(motion.cycle.speed * std::sqrt(scale), capture.joint_jerk / std::sqrt(scale));
   }
   std::sort(jerk.begin(), jerk.end());

@@ -19,7 +19,8 @@ namespace amble {
 /// What the captures measure that a walk is made from, by measureGait.
 struct QualityAnchors {
   double root_acceleration = 0.0;  ///< the largest of all walks of the library [m/s²]
-  double joint_jerk = 0.0;  ///< of the straight walks at the walk's speed, between those captured
+  double joint_jerk = 0.0;  ///< of the straight walks, not of their mirror images, at the walk's
+                            ///< speed, between those captured
                             ///< [m/s³]
   double pops = 0.0;        ///< the largest of all walks but those whose joints flip over [1]
 };

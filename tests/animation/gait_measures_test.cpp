@@ -110,7 +110,7 @@ TEST(GaitMeasures, FootprintsOfACircleTurnWithIt) {
 TEST(GaitMeasures, ALimpIsAsymmetric) {
   const Puppet puppet{.right_phase = 0.55};
   const GaitMeasures gait = measured(puppet);
-  EXPECT_NEAR(gait.time_asymmetry, 0.2, 0.02);    // 0.55 against 0.45 of the period
+  EXPECT_NEAR(gait.time_asymmetry, 0.2, 0.02);  // 0.55 against 0.45 of the period
   EXPECT_NEAR(gait.step_time_variation, 0.1, 0.01);
   EXPECT_NEAR(gait.length_asymmetry, 0.2, 1e-6);  // and of the way
 }

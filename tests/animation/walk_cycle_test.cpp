@@ -61,8 +61,8 @@ TEST(WalkCycle, SpeedAndPeriodOfAStraightWalkAreFound) {
       EXPECT_NEAR(cycle.period, period, 1e-6);
       EXPECT_EQ(cycle.turn_rate, 0.0);
       EXPECT_NEAR(cycle.stepLength(), 0.5 * speed * period, 1e-6);
-      EXPECT_LT(cycle.closure, 1e-6);
-      EXPECT_LT(cycle.slide, 1e-5);  // slerp between frames
+      EXPECT_LT(cycle.closure, 1e-5);  // the largest of several cycles
+      EXPECT_LT(cycle.slide, 1e-5);    // slerp between frames
     }
   }
 }
@@ -77,7 +77,7 @@ TEST(WalkCycle, SpeedAndTurnRateOfAWalkOnACircleAreFoundLeftPositive) {
     EXPECT_NEAR(cycle.speed, 1.0, 1e-5);  // chords of a circle between frames
     EXPECT_NEAR(cycle.turn_rate, turn_rate, 1e-6);
     EXPECT_NEAR(cycle.period, puppet.period, 1e-6);
-    EXPECT_LT(cycle.closure, 1e-6);
+    EXPECT_LT(cycle.closure, 1e-5);  // the largest of several cycles
   }
 }
 
@@ -148,7 +148,7 @@ TEST(WalkCycle, ACapturedWalkClosesAndHasItsSpeed) {
   clip = levelClip(clip, fitFloor(clip, roles), library.feet()[kLeft].ankle_height);
   const WalkCycle cycle = prepareWalkCycle(clip, roles, library.feet(), library.stand().rotations,
                                            {"B03", false, 8, {}});
-  EXPECT_LT(cycle.closure, 0.02);
+  EXPECT_LT(cycle.closure, 0.03);                        // the largest of several cycles
   EXPECT_NEAR(cycle.speed, 1.061, 0.05 * 1.061);         // MANIFEST: mean_speed_by_unit_mps
   EXPECT_NEAR(0.5 * cycle.period, 0.623, 0.05 * 0.623);  // step_time_s
 }
