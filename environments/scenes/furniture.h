@@ -31,7 +31,7 @@ std::vector<Furniture> makeLivingRoomFurniture();
 Furniture makeCupboard();
 
 /// Rolling ground of 16 x 10 m about the origin, on a block that reaches down to z = -1: two waves
-/// across one another, slopes of up to 15 degrees, heights within 0.41 m of 0.
+/// across one another, slopes of up to 15 degrees, heights within 0.47 m of 0.
 Furniture makeTerrain();
 
 }  // namespace amble

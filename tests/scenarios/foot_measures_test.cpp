@@ -83,10 +83,10 @@ TEST_F(SoleTracksTest, StridesAreMeasuredAlongTheFootsHeading) {
   const Eigen::Vector3d ahead(std::cos(heading), std::sin(heading), 0.0);
   const Eigen::Vector3d aside(-ahead.y(), ahead.x(), 0.0);
   const Eigen::Vector3d left = 0.1 * aside, right = -0.1 * aside + Eigen::Vector3d(0, 0, 0.1);
-  walk.footprints = {{kLeft, left, heading, 0, 5},
-                     {kRight, right, heading, 0, 8},
-                     {kLeft, left + 0.6 * ahead, heading, 8, 14},
-                     {kRight, right + 1.2 * ahead, heading, 12, 20}};
+  walk.footprints = {{kLeft, left, heading, 0, 5, {}},
+                     {kRight, right, heading, 0, 8, {}},
+                     {kLeft, left + 0.6 * ahead, heading, 8, 14, {}},
+                     {kRight, right + 1.2 * ahead, heading, 12, 20, {}}};
   const std::vector<StepReport> steps = measureSteps(walk, tracks());
   ASSERT_EQ(steps.size(), 4u);
   EXPECT_EQ(steps[0].stride, 0.0);
