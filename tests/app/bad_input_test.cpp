@@ -59,6 +59,13 @@ TEST_F(BadInput, AWrongCommandLineIsRefused) {
   expectRefused("animate --fps 0 -o a.bvh", {"--fps", "'0'; expected 24 to 240"});
   expectRefused("animate --duration 1e999 -o a.bvh", {"--duration", "'1e999'"});
   expectRefused("animate --turn 170 -o a.bvh", {"--turn", "170", "; expected "});
+  expectRefused("animate --stride 0.5.. -o a.bvh", {"--stride", "'0.5..'; expected 0.05 to 2"});
+  expectRefused("animate --stride 0.1 -o a.bvh", {"--stride", "0.1", "; expected "});
+  expectRefused("animate --lift 0.4 -o a.bvh", {"--lift", "0.4", "; expected "});
+  expectRefused("animate --incline 50 -o a.bvh", {"--incline", "'50'; expected -45 to 45"});
+  expectRefused("animate --stairs 0.17 -o a.bvh", {"--stairs", "'0.17'; expected"});
+  expectRefused("animate --stairs 0.17,nan -o a.bvh", {"--stairs", "'0.17,nan'; expected"});
+  expectRefused("animate --stairs .17,.29 --incline 5 -o a.bvh", {"--stairs", "; expected "});
   expectRefused("plan in/scenario.yaml -o out --threads 0", {"--threads", "'0'; expected"});
   expectRefused("plan in/scenario.yaml -o out --seed -1", {"--seed", "'-1'; expected"});
   expectRefused("plan in/scenario.yaml -o out --time-limit 0", {"--time-limit", "'0'; expected"});

@@ -129,6 +129,22 @@ TEST_F(Commands, AnimateWritesToStandardOutput) {
   EXPECT_EQ(files().size(), 2u);
 }
 
+TEST_F(Commands, AnimateShowsStrideLiftInclineAndStairsEach) {
+  for (const char* options :
+       {"--stride 0.5..0.75", "--lift 0.08..0.15", "--incline -12", "--incline 0..15",
+        "--stairs .17,.29", "--stairs -.17,.29", "--incline 8 --turn 15 --lift 0.1"}) {
+    const Ran ran = run(std::string("animate --duration 7 -o a.bvh --quality ") + options);
+    EXPECT_EQ(ran.status, 0) << options << "\n" << ran.out << ran.err;
+  }
+}
+
+TEST_F(Commands, AnimateSaysWhichRuleRefused) {
+  const Ran steep = run("animate --incline 30 -o a.bvh");
+  EXPECT_EQ(steep.status, 1);
+  EXPECT_NE(steep.err.find("slope refused"), std::string::npos) << steep.err;
+  EXPECT_EQ(run("animate --stairs .4,.29 -o a.bvh").status, 1);
+}
+
 TEST_F(Commands, InspectSaysSizesForMachines) {
   const Ran ran = run("inspect in/room.yaml in/scenario.yaml --json");
   ASSERT_EQ(ran.status, 0) << ran.err;
