@@ -101,6 +101,37 @@ FootTarget footTarget(const FootState& state, const FootCycle& cycle, const Foot
   return targetOf(shape, sole);
 }
 
+double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape) {
+  constexpr int kPoints = 100;
+  const auto endsOf = [&](const FootState& s) {
+    const FootTarget target = targetOf(shape, solePose(s, cycle));
+    return soleEnds(shape, target.ankle, target.q_WF);
+  };
+  const auto flat = [&](const FootPlace& place) {
+    FootState stood;
+    stood.from = stood.to = place;
+    stood.at = 0.5;
+    stood.strike_roll = stood.lift_roll = 0.0;
+    return endsOf(stood);
+  };
+  const SoleEnds from = flat(state.from), to = flat(state.to);
+  double highest = 0.0;
+  for (int i = 1; i < kPoints; ++i) {
+    state.at = 1.0 + static_cast<double>(i) / kPoints;
+    highest = std::max(highest, heightOver(from, to, endsOf(state)));
+  }
+  return highest;
+}
+
+double liftFactor(double lift, FootState state, const FootCycle& cycle, const FootShape& shape) {
+  double low = 0.0, high = 20.0;
+  for (int i = 0; i < 30; ++i) {
+    state.swing.lift = 0.5 * (low + high);
+    (swingLift(state, cycle, shape) < lift ? low : high) = state.swing.lift;
+  }
+  return 0.5 * (low + high);
+}
+
 FootController::FootController(const Skeleton& skeleton, const JointRoles& roles,
                                const std::array<FootShape, 2>& shapes, const GaitBlend& blend,
                                const std::array<Eigen::Vector3d, 2>& knee_axes)

@@ -29,6 +29,13 @@ struct FootTarget {
 FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
                       const Eigen::Vector3d& hip, double longest, double heel_share = 1.0);
 
+/// The lift of a swing (GaitParameters::lift), from the prints, rolls and shape that a state of it
+/// has [m].
+double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape);
+/// SwingShape::lift that makes the swing's lift what is asked [m]; what is added to clear things
+/// stays beside it.
+double liftFactor(double lift, FootState state, const FootCycle& cycle, const FootShape& shape);
+
 class FootController : public SubController {
  public:
   /// A leg stretched farther than this share of thigh and shank is refused: the knee would snap.

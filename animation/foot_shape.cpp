@@ -1,5 +1,6 @@
 #include "animation/foot_shape.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "animation/rotation.h"
@@ -75,6 +76,29 @@ Eigen::Quaterniond soleFrame(double heading, const Eigen::Vector3d& normal) {
   const Eigen::Quaterniond turned = aboutZ(heading);
   if (normal.x() == 0.0 && normal.y() == 0.0) return turned;
   return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * turned;
+}
+
+SoleEnds soleEnds(const FootShape& shape, const Eigen::Vector3d& ankle,
+                  const Eigen::Quaterniond& q_WF) {
+  const Eigen::Quaterniond q_WS = q_WF * shape.q_SF.conjugate();
+  const Eigen::Vector3d under(0.0, 0.0, shape.radius);
+  const auto end = [&](double x) -> Eigen::Vector3d {
+    return ankle +
+           q_WS * Eigen::Vector3d(x - shape.ankle_x, 0.0, shape.radius - shape.ankle_height) -
+           under;
+  };
+  return {end(shape.heel_x), end(shape.ball_x)};
+}
+
+double heightOver(const SoleEnds& from, const SoleEnds& to, const SoleEnds& sole) {
+  const auto over = [](const Eigen::Vector3d& begin, const Eigen::Vector3d& end,
+                       const Eigen::Vector3d& at) {
+    const Eigen::Vector3d line = end - begin;
+    const double span = line.head<2>().squaredNorm();
+    const double share = span > 1e-9 ? (at - begin).head<2>().dot(line.head<2>()) / span : 0.0;
+    return (at - begin).z() - share * line.z();
+  };
+  return std::min(over(from.heel, to.heel, sole.heel), over(from.ball, to.ball, sole.ball));
 }
 
 Eigen::Vector3d rolledAnkle(const FootShape& shape, double pitch) {

@@ -56,6 +56,17 @@ Eigen::Quaterniond restToHeading(const Skeleton& skeleton, const JointRoles& rol
 /// Exactly the first where the normal is vertical.
 Eigen::Quaterniond soleFrame(double heading, const Eigen::Vector3d& normal);
 
+/// Undersides of the round ends of a foot's sole [m, World].
+struct SoleEnds {
+  Eigen::Vector3d heel, ball;
+};
+/// Of a foot whose ankle is at `ankle` and whose joint is turned by q_WF.
+SoleEnds soleEnds(const FootShape& shape, const Eigen::Vector3d& ankle,
+                  const Eigen::Quaterniond& q_WF);
+/// How high a sole is over the lines that its ends go along from print to print: the less of heel
+/// and ball [m].
+double heightOver(const SoleEnds& from, const SoleEnds& to, const SoleEnds& sole);
+
 /// Where the ankle is over a sole whose frame lies at the origin and that is rolled by `pitch`
 /// [rad, toes down positive]: about heel or ball, in the sole frame [m].
 Eigen::Vector3d rolledAnkle(const FootShape& shape, double pitch);

@@ -7,6 +7,7 @@
 namespace amble {
 namespace {
 
+constexpr double kFar = 1.5;       // up to which ground that is out of a step's reach is seen [m]
 constexpr double kSpacing = 0.02;  // of the places that are tried [m]
 // Steps up and down are shorter: by half at this height; by trial [m].
 constexpr double kHalvingHeight = 0.25;
@@ -90,7 +91,9 @@ class Planner {
     for (int k = 1; k < count; ++k) {
       const double arc = begin_arc_ + k * kSpacing;
       const GroundPoint point = pathPoint(r_.path, arc, z);
-      z = holds_.heightNear(point.position, reach).value_or(z);
+      const auto near = holds_.heightNear(point.position, reach);
+      if (!near && holds_.heightNear(point.position, kFar)) ++out_of_step_;
+      z = near.value_or(z);
       for (const Side side : {kLeft, kRight}) {
         Trial trial;
         trial.arc = arc;
@@ -316,8 +319,8 @@ class Planner {
     const int edge = count(Foothold::Refusal::kEdge), slope = count(Foothold::Refusal::kSlope);
     const int none = count(Foothold::Refusal::kNoGround);
     if (slope > std::max(edge, none)) return WalkRule::kSlope;
-    if (none > edge) return WalkRule::kNoGround;
-    return too_high_ > 0 ? WalkRule::kStepHeight : WalkRule::kFoothold;
+    if (none > edge && out_of_step_ == 0) return WalkRule::kNoGround;
+    return too_high_ + out_of_step_ > 0 ? WalkRule::kStepHeight : WalkRule::kFoothold;
   }
 
   const FootstepRequest& r_;
@@ -326,6 +329,7 @@ class Planner {
   std::array<std::vector<Trial>, 2> lines_;  // by Side, every kSpacing from begin_arc_ on
   std::array<int, 4> refusals_ = {0, 0, 0, 0};
   int too_high_ = 0;
+  int out_of_step_ = 0;  // places whose ground lies higher or lower than a step
 };
 
 }  // namespace

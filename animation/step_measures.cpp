@@ -22,17 +22,15 @@ constexpr double kCutOff = 0.2;
 // A foot as it is in a frame.
 struct Sole {
   Eigen::Quaterniond q_WS;
-  Eigen::Vector3d middle;      // of the sole, as if flat [m, World]
-  Eigen::Vector3d heel, ball;  // undersides [m, World]
+  Eigen::Vector3d middle;  // of the sole, as if flat [m, World]
+  SoleEnds ends;
 };
 
 Sole soleAt(const JointFrame& foot_joint, const FootShape& foot) {
   Sole sole;
   sole.q_WS = foot_joint.q_WJ * foot.q_SF.conjugate();
   sole.middle = foot_joint.p_WJ - sole.q_WS * Eigen::Vector3d(foot.ankle_x, 0.0, foot.ankle_height);
-  const Eigen::Vector3d under(0.0, 0.0, foot.radius);
-  sole.heel = sole.middle + sole.q_WS * Eigen::Vector3d(foot.heel_x, 0.0, foot.radius) - under;
-  sole.ball = sole.middle + sole.q_WS * Eigen::Vector3d(foot.ball_x, 0.0, foot.radius) - under;
+  sole.ends = soleEnds(foot, foot_joint.p_WJ, foot_joint.q_WJ);
   return sole;
 }
 
@@ -111,19 +109,9 @@ std::vector<StepMeasure> measureWalkSteps(const Skeleton& skeleton, const JointR
       const Eigen::Vector3d d = sole.middle - other.sole.middle;
       step.achieved.stride = d.x() * std::cos(along) + d.y() * std::sin(along);
       step.achieved.climb = d.z();
-      // Heel and ball, each over its own line from print to print.
-      const auto over = [](const Eigen::Vector3d& end, const Eigen::Vector3d& begin,
-                           const Eigen::Vector3d& land) {
-        const Eigen::Vector3d line = land - begin;
-        const double span = line.head<2>().squaredNorm();
-        const double share = span > 1e-9 ? (end - begin).head<2>().dot(line.head<2>()) / span : 0.0;
-        return (end - begin).z() - share * line.z();
-      };
       for (int frame = own.last + 1; frame < print.first_frame; ++frame) {
-        const Sole swinging = soleOf(frame, side);
-        const double lift = std::min(over(swinging.heel, own.sole.heel, sole.heel),
-                                     over(swinging.ball, own.sole.ball, sole.ball));
-        step.achieved.lift = std::max(step.achieved.lift, lift);
+        step.achieved.lift = std::max(
+            step.achieved.lift, heightOver(own.sole.ends, sole.ends, soleOf(frame, side).ends));
       }
       steps.push_back(step);
     }

@@ -74,38 +74,6 @@ double swingHeight(const SwingShape& shape, const FootCycle& cycle, double tau) 
   return shape.extra > 0.0 ? height + shape.extra * bump(shape, tau) : height;
 }
 
-double swingLift(const SwingShape& shape, const FootCycle& cycle, const FootShape& foot,
-                 double strike_roll) {
-  constexpr int kPoints = 100;
-  double highest = 0.0;
-  for (int i = 0; i <= kPoints; ++i) {
-    const double tau = static_cast<double>(i) / kPoints;
-    // As FootController rolls it: by the pitch about heel or ball, then about the ankle.
-    const double pitch =
-        footPitch(cycle, 1.0 + tau) * (1.0 + smoothstep(tau) * (strike_roll - 1.0));
-    const Eigen::Quaterniond rolled =
-        Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
-        Eigen::AngleAxisd(swingPolynomial(cycle.roll, tau), Eigen::Vector3d::UnitX());
-    const Eigen::Vector3d ankle = rolledAnkle(foot, pitch);
-    const auto under = [&](double x) {
-      const Eigen::Vector3d end(x - foot.ankle_x, 0.0, foot.radius - foot.ankle_height);
-      return (ankle + rolled * end).z() - foot.radius;
-    };
-    highest = std::max(
-        highest, swingHeight(shape, cycle, tau) + std::min(under(foot.heel_x), under(foot.ball_x)));
-  }
-  return highest;
-}
-
-double liftFactor(double lift, const FootCycle& cycle, const FootShape& foot) {
-  double low = 0.0, high = 20.0;
-  for (int i = 0; i < 30; ++i) {
-    const double middle = 0.5 * (low + high);
-    (swingLift({.lift = middle}, cycle, foot) < lift ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 // What lies along a swing: cells of it, by distance from where the foot stood.
 struct SwingClearance::Strip {
   double length = 0.0;                    // from print to print [m]

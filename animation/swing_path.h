@@ -18,13 +18,6 @@ namespace amble {
 double swingAlong(const SwingShape& shape, const FootCycle& cycle, double tau);
 /// Height of the sole over the line from print to print [m].
 double swingHeight(const SwingShape& shape, const FootCycle& cycle, double tau);
-/// The swing's lift: the highest that the sole comes, at the lower of heel and ball, over the line
-/// from print to print [m]. @param strike_roll  FootState::strike_roll at its end
-double swingLift(const SwingShape& shape, const FootCycle& cycle, const FootShape& foot,
-                 double strike_roll = 1.0);
-/// The factor of the captured height that gives a lift [m].
-double liftFactor(double lift, const FootCycle& cycle, const FootShape& foot);
-
 /// How to swing over what is there. Const: threads share it.
 class SwingClearance {
  public:

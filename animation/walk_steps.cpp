@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "animation/foot_controller.h"
 #include "animation/rotation.h"
 
 namespace amble {
@@ -325,8 +326,8 @@ void StepPlacer::time(WalkSteps& walk, const FootstepPlan& plan, const RootPath&
 // go on doing so, and the captured lift gives the captured walk back.
 double StepPlacer::askedLift(double lift, Side side) const {
   constexpr double kNear = 0.1;  // of the captured lift
-  const double captured = s_.captured_lift;
-  const double own = swingLift({}, blend_.foot(side), shapes_[side]) / captured;
+  const double captured = 0.5 * (s_.captured_lift[kLeft] + s_.captured_lift[kRight]);
+  const double own = s_.captured_lift[side] / captured;
   const double keep = std::max(0.0, 1.0 - std::abs(lift / captured - 1.0) / kNear);
   return lift * std::pow(own, keep);
 }
@@ -342,14 +343,6 @@ void StepPlacer::shapeSwings(WalkSteps& walk, const RootPath& path,
     const FootCycle& cycle = blend_.foot(feet.side(i));
     const FootShape& foot = shapes_[feet.side(i)];
     Footsteps::Landing& landing = feet.landings()[i + 1];
-    if (wishes.lift) {
-      const double arc = path.length() * (i - 0.5) / walk.steps;
-      landing.swing.lift = liftFactor(askedLift(wishes.lift(arc), feet.side(i)), cycle, foot);
-    }
-    if (!clearance_.clear(places[i - 1], places[i + 1], feet.side(i), cycle, landing.swing)) {
-      walk.refused = WalkRule::kStepHeight;
-      return;
-    }
     const double height = stepHeight(places[i], places[i + 1]);
     landing.strike_roll = slopeStrike(places[i + 1]);
     // The last foot of a walking stance lands as every walk's.
@@ -358,12 +351,22 @@ void StepPlacer::shapeSwings(WalkSteps& walk, const RootPath& path,
       landing.strike_roll *= 1.0 - flat;
       if (height < 0.0) landing.strike_roll -= flat;
     }
+    const auto swinging = [&] { return feet.at(i - 0.5)[feet.side(i)]; };
+    if (wishes.lift) {
+      const double arc = path.length() * (i - 0.5) / walk.steps;
+      landing.swing.lift =
+          liftFactor(askedLift(wishes.lift(arc), feet.side(i)), swinging(), cycle, foot);
+    }
+    if (!clearance_.clear(places[i - 1], places[i + 1], feet.side(i), cycle, landing.swing)) {
+      walk.refused = WalkRule::kStepHeight;
+      return;
+    }
     const Eigen::Vector3d step = places[i + 1].position - places[i].position;
     // Left and right feet's toeing out cancel.
     const double heading =
         places[i].heading + 0.5 * wrapAngle(places[i + 1].heading - places[i].heading);
     walk.gait.push_back({step.x() * std::cos(heading) + step.y() * std::sin(heading),
-                         swingLift(landing.swing, cycle, foot, landing.strike_roll), step.z()});
+                         swingLift(swinging(), cycle, foot), step.z()});
   }
 }
 

@@ -75,9 +75,9 @@ class StepPlacer {
     FootPlacement placement;  ///< at the plan's speed on the level
     SpeedLimits limits;
     FootholdLimits footholds;
-    double scale = 1.0;           ///< of the character to the captured subject
-    double leg_length = 0.8;      ///< [m]
-    double captured_lift = 0.05;  ///< mean of both feet's swings [m]
+    double scale = 1.0;       ///< of the character to the captured subject
+    double leg_length = 0.8;  ///< [m]
+    std::array<double, 2> captured_lift = {0.05, 0.05};  ///< by Side [m]
   };
   /// @pre what is referred to outlives it
   StepPlacer(const Ground& ground, const std::array<FootShape, 2>& shapes, const GaitBlend& blend,

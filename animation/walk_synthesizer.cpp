@@ -106,8 +106,11 @@ struct WalkSynthesizer::Impl {
     placement.half_support = 0.5 * doubleSupport(settings.speed, roles.legLength(skeleton, kLeft));
     stand_channels = Eigen::VectorXd::Zero(3 + 3 * skeleton.size());
     stand_channels[2] = stand.root_height * scale;
+    // Over a step of the captured length on the level.
+    FootState swing;
+    swing.to.position.x() = 2.0 * blend.law().capturedStep();
     for (const Side side : {kLeft, kRight}) {
-      captured_lift += 0.5 * swingLift({}, blend.foot(side), shapes[side]);
+      captured_lift[side] = swingLift(swing, blend.foot(side), shapes[side]);
     }
     limits.law = blend.law();
     limits.speed = settings.speed;
@@ -310,8 +313,8 @@ struct WalkSynthesizer::Impl {
   FootController feet;
   FootPlacement placement;
   Eigen::VectorXd stand_channels;
-  double captured_lift = 0.0;  // mean of both feet [m]
-  double lead = 0.0;           // of the walking root over the path's point [m]
+  std::array<double, 2> captured_lift;  // by Side [m]
+  double lead = 0.0;                    // of the walking root over the path's point [m]
   SpeedLimits limits;
   std::unique_ptr<WalkController> walk;
   std::vector<std::unique_ptr<const SubController>> actions;
@@ -334,7 +337,9 @@ const Skeleton& WalkSynthesizer::skeleton() const { return impl_->skeleton; }
 const JointRoles& WalkSynthesizer::roles() const { return impl_->roles; }
 const std::array<FootShape, 2>& WalkSynthesizer::feet() const { return impl_->shapes; }
 double WalkSynthesizer::capturedStep() const { return impl_->blend.law().capturedStep(); }
-double WalkSynthesizer::capturedLift() const { return impl_->captured_lift; }
+double WalkSynthesizer::capturedLift() const {
+  return 0.5 * (impl_->captured_lift[kLeft] + impl_->captured_lift[kRight]);
+}
 double WalkSynthesizer::stature() const { return impl_->stature; }
 double WalkSynthesizer::ankleHeight() const { return impl_->shapes[kLeft].ankle_height; }
 double WalkSynthesizer::toeHeight() const { return impl_->shapes[kLeft].radius; }

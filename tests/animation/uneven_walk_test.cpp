@@ -103,7 +103,7 @@ void expectGoodSteps(const WalkSynthesizer& walker, const Ground& ground,
   const GaitParameters miss = largestMiss(steps);
   EXPECT_LE(miss.stride, 0.02) << what;
   EXPECT_LE(miss.climb, 0.02) << what;
-  EXPECT_LE(miss.lift, 0.03) << what;
+  EXPECT_LE(miss.lift, 0.02) << what;
   for (const StepMeasure& step : steps) {
     EXPECT_LE(step.tilt, 3.0 * kDegree) << what;
     EXPECT_GE(step.supported, 0.7) << what;
