@@ -132,7 +132,7 @@ TEST_F(Commands, AnimateWritesToStandardOutput) {
 TEST_F(Commands, AnimateShowsStrideLiftInclineAndStairsEach) {
   for (const char* options :
        {"--stride 0.5..0.75", "--lift 0.08..0.15", "--incline -12", "--incline 0..15",
-        "--stairs .17,.29", "--stairs -.17,.29", "--incline 8 --turn 15 --lift 0.1"}) {
+        "--stairs .17,.29", "--stairs -.17,.29", "--incline 8 --lift 0.1"}) {
     const Ran ran = run(std::string("animate --duration 7 -o a.bvh --quality ") + options);
     EXPECT_EQ(ran.status, 0) << options << "\n" << ran.out << ran.err;
   }
