@@ -5,8 +5,8 @@
 namespace amble {
 namespace {
 
-// Amplitude [m] times wave number [1/m] is the steepest slope of each, across its crests; where both
-// are steepest the sum of these vectors is 0.261 long: 14.6 degrees.
+// Amplitude [m] times wave number [1/m] is the steepest slope of each, across its crests; where
+// both are steepest the sum of these vectors is 0.261 long: 14.6 degrees.
 double heightAt(double x, double y) {
   return 0.40 * std::sin(0.45 * x + 0.3 * y) + 0.0635 * std::sin(1.1 * x - 0.7 * y + 1.0);
 }
