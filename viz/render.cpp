@@ -44,18 +44,23 @@ std::vector<int> bodyFrames(const WalkView& view, double every) {
   return frames;
 }
 
+// What of a body must be seen, over the ground under it; the first is taken for its feet [m].
+constexpr std::array<double, 4> kWatchedHeights = {RoomSight::kFeet, 0.6, 1.1, 1.6};
+
 // What the picture is about: bodies where there are any, else start and goal.
 std::vector<Vector3d> watchedPoints(const WalkView& view, const std::vector<int>& frames) {
-  std::vector<Vector2d> places;
-  for (const int frame : frames) places.push_back(view.animation->poses.p_WR(frame).head<2>());
+  std::vector<Vector3d> places;  // on the ground
+  for (const int frame : frames) {
+    const Vector3d& p_WR = view.animation->poses.p_WR(frame);
+    places.emplace_back(p_WR.x(), p_WR.y(), view.animation->states[frame].position.z());
+  }
   if (places.empty()) {
     for (const auto& place : {view.start, view.goal})
-      if (place) places.push_back(place->position);
+      if (place) places.emplace_back(place->position.x(), place->position.y(), view.floor);
   }
   std::vector<Vector3d> points;
-  for (const Vector2d& p : places)
-    for (const double height : {0.1, 0.6, 1.1, 1.6})
-      points.emplace_back(p.x(), p.y(), view.floor + height);
+  for (const Vector3d& p : places)
+    for (const double height : kWatchedHeights) points.push_back(p + height * Vector3d::UnitZ());
   return points;
 }
 
@@ -73,6 +78,7 @@ AlignedBox3d focusBox(const WalkView& view, const std::vector<Vector3d>& watched
   }
   box.min().z() = view.floor;
   box.max().z() = view.floor + std::clamp(scene.max().z() - view.floor, 1.8, kHeadroom);
+  for (const Vector3d& p : watched) box.max().z() = std::max(box.max().z(), p.z());
   return box;
 }
 
@@ -148,16 +154,37 @@ void addPlace(const PlaceView& place, double height, const Color& color,
       height, color, triangles);
 }
 
+// The root path as a ribbon; where a walk climbs, on the ground under its frames.
+void addPath(const WalkView& view, std::vector<DrawTriangle>& triangles) {
+  constexpr double kWidth = 0.022;  // [m]
+  const auto climbs = [&](const FrameState& state) { return state.position.z() != view.floor; };
+  if (view.animation == nullptr ||
+      std::none_of(view.animation->states.begin(), view.animation->states.end(), climbs)) {
+    addRibbon(pathLine(view), kWidth, view.floor + kPathLift, kPathColor, triangles);
+    return;
+  }
+  const std::vector<FrameState>& states = view.animation->states;
+  for (size_t i = 1; i < states.size(); ++i) {
+    const Vector3d &a = states[i - 1].position, &b = states[i].position;
+    const std::array<Vector2d, 2> line = {a.head<2>(), b.head<2>()};
+    if ((line[1] - line[0]).norm() < 1e-6) continue;
+    addRibbon(line, kWidth, std::max(a.z(), b.z()) + kPathLift, kPathColor, triangles);
+  }
+}
+
 void addFloorMarks(const WalkView& view, std::vector<DrawTriangle>& triangles) {
   for (const PlaceView& place : view.via)
     addPlace(place, view.floor + kPlaceLift, rgb(109, 91, 176), triangles);
-  if (view.start) addPlace(*view.start, view.floor + kPlaceLift, kStartColor, triangles);
-  if (view.goal) addPlace(*view.goal, view.floor + kPlaceLift, kGoalColor, triangles);
-  addRibbon(pathLine(view), 0.022, view.floor + kPathLift, kPathColor, triangles);
+  const bool walks = view.animation != nullptr && !view.animation->states.empty();
+  const double from = walks ? view.animation->states.front().position.z() : view.floor;
+  const double to = walks ? view.animation->states.back().position.z() : view.floor;
+  if (view.start) addPlace(*view.start, from + kPlaceLift, kStartColor, triangles);
+  if (view.goal) addPlace(*view.goal, to + kPlaceLift, kGoalColor, triangles);
+  addPath(view, triangles);
   if (view.animation == nullptr) return;
   const double length = soleLength(view);
   for (const Footprint& print : view.animation->footprints)
-    addPolygon(placedShoe(print, length), view.floor + kPrintLift, sideColor(print.side),
+    addPolygon(placedShoe(print, length), print.position.z() + kPrintLift, sideColor(print.side),
                triangles);
 }
 

@@ -141,6 +141,17 @@ bool hangsOn(const RoomSurface& thing, const std::vector<const RoomSurface*>& cu
   });
 }
 
+// Whether the walk stands on top of the surface, above the floor.
+bool isWalkedOn(const RoomSurface& s, const RoomSight& sight) {
+  constexpr double kNear = 0.12;  // less than a step's height [m]
+  const double top = s.box.max().z();
+  if (top < sight.floor + kNear) return false;
+  return std::any_of(sight.watched.begin(), sight.watched.end(), [&](const Eigen::Vector3d& p) {
+    return std::abs(p.z() - RoomSight::kFeet - top) < kNear && p.x() > s.box.min().x() &&
+           p.x() < s.box.max().x() && p.y() > s.box.min().y() && p.y() < s.box.max().y();
+  });
+}
+
 }  // namespace
 
 std::vector<RoomSurface> sortRoom(const Scene& scene, double floor) {
@@ -175,9 +186,15 @@ void addRoom(const std::vector<RoomSurface>& room, const RoomSight& sight,
              std::vector<DrawTriangle>& triangles) {
   std::vector<const RoomSurface*> cut;
   for (const RoomSurface& surface : room)
-    if (surface.part == RoomPart::kWall && onEyeSide(room, surface, sight)) cut.push_back(&surface);
+    if (surface.part == RoomPart::kWall && onEyeSide(room, surface, sight) &&
+        !isWalkedOn(surface, sight))
+      cut.push_back(&surface);
   for (const RoomSurface& s : room) {
     const uint8_t sides = s.closed ? 0 : kTwoSided;
+    if (isWalkedOn(s, sight)) {
+      addMesh(s.mesh, s.color, sides, triangles);
+      continue;
+    }
     const bool is_cut = std::find(cut.begin(), cut.end(), &s) != cut.end();
     if (s.part == RoomPart::kCeiling || hangsOn(s, cut)) continue;
     if (is_cut) {

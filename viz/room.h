@@ -37,11 +37,14 @@ struct RoomSight {
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();  ///< World [m]
   std::vector<Eigen::Vector3d> watched;           ///< points of the walk [m]
   double floor = 0.0;                             ///< [m]
+
+  /// Height over the ground of the lowest watched points: what such a point is over is walked on.
+  static constexpr double kFeet = 0.1;  // [m]
 };
 
 /// Triangles to draw from there: walls on the eye's side of the room are cut to a skirting, others
 /// that hide a watched point to a parapet with a ghost above, ceilings are left out, all else is
-/// whole.
+/// whole, and so is what the walk stands on.
 void addRoom(const std::vector<RoomSurface>& room, const RoomSight& sight,
              std::vector<DrawTriangle>& triangles);
 
