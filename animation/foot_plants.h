@@ -47,8 +47,8 @@ FootPlants plantsOf(const std::array<std::vector<bool>, 2>& planted);
 /// Defaults found by trial on CMU and ACCAD walks and runs, but for the two durations (thesis: a
 /// window of some frames). The cut-off and the two leads are from the eight trials with force
 /// plates, each in the middle of a range in which the scores hardly change (8 to 10 Hz, 8 to 10
-/// ms, 13 to 16 ms); the leads come out the same, to 2 ms, whichever of three of the four children
-/// they are found on.
+/// ms, 13 to 16 ms). Found on three of the four children only, the lead of the strike comes out the
+/// same to 2 ms, that of the lift-off as 12 to 14 ms but for one choice of three, as 20 ms.
 struct PlantOptions {
   double cutoff = 8.5;   ///< low-pass of the joints' places [Hz, > 0]
   double height = 0.06;  ///< a planted joint is lower over its standing height [leg lengths, > 0]
