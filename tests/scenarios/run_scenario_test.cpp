@@ -33,6 +33,11 @@ TEST_F(RunScenario, WhatIsNotThereIsNamedWithItsLine) {
   EXPECT_TRUE(holds(errorOf("scene: none.yaml\n" + ends), "case.yaml:1: the scene"));
   EXPECT_TRUE(holds(errorOf(std::string(kScenario) + "character:\n  library: none.yaml\n"),
                     "case.yaml:5: the library"));
+  for (const char* const action : {"wave", "walk-slow", "start"}) {  // none; a walk; a start
+    EXPECT_TRUE(holds(errorOf(std::string(kScenario) + "walk:\n  actions: [" + action + "]\n"),
+                      "case.yaml:5: '" + std::string(action) + "' is no movement or posture"))
+        << action;
+  }
   const std::string error = errorOf(std::string(kScenario) + "planner:\n  name: visibilty\n");
   EXPECT_TRUE(holds(error, "case.yaml:5:") && holds(error, "'visibility'")) << error;
 }
