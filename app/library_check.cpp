@@ -33,6 +33,9 @@ Motion preparedAgain(const MotionLibrary& library, const Motion& motion,
   request.valid = motion.valid;
   request.source = motion.source;
   request.file = captures / motion.source.clip;
+  if (motion.kind == MotionKind::kPosture || motion.kind == MotionKind::kBlocking) {
+    request.frames = {motion.source.frames[0], motion.source.frames[1]};
+  }
   addMotion(again, request);
   return again.motions.back();
 }
