@@ -68,9 +68,9 @@ struct PathError {
       0.0;  ///< of the pelvis at the last frame against the planned one [rad, >= 0]
 };
 
-/// The root is the middle of the hip joints. Its distance is to the nearest point of the path
-/// within half a second, so that a root which is a little early or late is not blamed for it; a
-/// path that crosses itself is not mistaken.
+/// Of the root joint, smoothed. Its distance is to the nearest point of the path within half a
+/// second, so that a root which is a little early or late is not blamed for it; a path that crosses
+/// itself is not mistaken.
 /// @pre planned.size() == clip.frames() > 0
 PathError pathError(const Clip& clip, const JointRoles& roles,
                     std::span<const PlannedPoint> planned);
