@@ -6,13 +6,13 @@
 #include <memory>
 #include <thread>
 
-#include "animation/output_file.h"
 #include "app/analysis_report.h"
 #include "app/clip_sources.h"
 #include "app/command.h"
 #include "app/progress.h"
 #include "app/read_options.h"
 #include "app/stop.h"
+#include "base/output_file.h"
 #include "viz/gait_plot.h"
 
 namespace amble {

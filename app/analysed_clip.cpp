@@ -2,10 +2,10 @@
 
 #include <atomic>
 
-#include "animation/error.h"
-#include "animation/good_frames.h"
-#include "animation/level_capture.h"
-#include "planner/parallel.h"
+#include "animation/clips/good_frames.h"
+#include "animation/clips/level_capture.h"
+#include "base/error.h"
+#include "base/parallel.h"
 
 namespace amble {
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "animation/clip_analysis.h"
-#include "animation/floor_fit.h"
-#include "animation/motion_reader.h"
+#include "animation/analysis/clip_analysis.h"
+#include "animation/captures/motion_reader.h"
+#include "animation/clips/floor_fit.h"
 
 namespace amble {
 

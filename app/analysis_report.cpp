@@ -6,8 +6,8 @@
 #include <cmath>
 #include <iostream>
 
-#include "animation/rotation.h"
 #include "app/read_options.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {

@@ -7,14 +7,14 @@
 #include <cstdio>
 #include <memory>
 
-#include "animation/bvh.h"
-#include "animation/error.h"
-#include "animation/ground.h"
-#include "animation/rotation.h"
-#include "animation/walk_quality.h"
-#include "animation/walk_synthesizer.h"
+#include "animation/captures/bvh.h"
+#include "animation/ground/ground.h"
+#include "animation/quality/walk_quality.h"
+#include "animation/synthesis/walk_synthesizer.h"
 #include "app/command.h"
 #include "app/demo_walk.h"
+#include "base/error.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {

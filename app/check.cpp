@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "animation/output_file.h"
 #include "app/command.h"
 #include "app/progress.h"
 #include "app/stop.h"
+#include "base/output_file.h"
 #include "scenarios/check_scenarios.h"
 
 namespace amble {

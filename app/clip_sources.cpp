@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "animation/error.h"
-#include "animation/motion_reader.h"
+#include "animation/captures/motion_reader.h"
+#include "base/error.h"
 
 namespace amble {
 namespace {

@@ -7,14 +7,14 @@
 #include <iostream>
 #include <memory>
 
-#include "animation/bvh.h"
-#include "animation/error.h"
-#include "animation/good_frames.h"
-#include "animation/mirror_clip.h"
-#include "animation/node_animation.h"
-#include "animation/resample_clip.h"
+#include "animation/captures/bvh.h"
+#include "animation/captures/node_animation.h"
+#include "animation/clips/good_frames.h"
+#include "animation/clips/mirror_clip.h"
+#include "animation/clips/resample_clip.h"
 #include "app/command.h"
 #include "app/read_options.h"
+#include "base/error.h"
 
 namespace amble {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "animation/rotation.h"
-#include "animation/slope_ground.h"
-#include "animation/stair_ground.h"
-#include "animation/walk_steps.h"
+#include "animation/ground/slope_ground.h"
+#include "animation/ground/stair_ground.h"
+#include "animation/steps/step_placer.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {

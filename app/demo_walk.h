@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "animation/ground.h"
-#include "animation/walk_synthesizer.h"
+#include "animation/ground/ground.h"
+#include "animation/synthesis/walk_synthesizer.h"
 #include "app/command.h"
 
 namespace amble {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "animation/motion_reader.h"
+#include "animation/captures/motion_reader.h"
 
 namespace amble {
 

@@ -5,11 +5,11 @@
 #include <iterator>
 #include <memory>
 
-#include "animation/assimp_motion.h"
-#include "animation/strict_yaml.h"
+#include "animation/captures/assimp_motion.h"
 #include "app/command.h"
 #include "app/findings.h"
 #include "app/read_options.h"
+#include "base/strict_yaml.h"
 
 namespace amble {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "animation/motion_library.h"
-#include "animation/rotation.h"
+#include "animation/library/motion_library.h"
 #include "app/findings.h"
 #include "app/read_options.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "animation/rotation.h"
 #include "app/findings.h"
-#include "environments/scene.h"
-#include "environments/scene_ground.h"
+#include "base/rotation.h"
+#include "environments/ground/scene_ground.h"
+#include "environments/scene/scene.h"
 #include "scenarios/scenario.h"
 
 namespace amble {

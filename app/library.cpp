@@ -4,13 +4,13 @@
 
 #include <memory>
 
-#include "animation/error.h"
-#include "animation/motion_library.h"
+#include "animation/library/motion_library.h"
 #include "app/command.h"
 #include "app/findings.h"
 #include "app/library_add.h"
 #include "app/library_check.h"
 #include "app/library_find.h"
+#include "base/error.h"
 
 namespace amble {
 namespace {

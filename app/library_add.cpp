@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "animation/motion_library_add.h"
-#include "animation/rotation.h"
+#include "animation/preparation/motion_library_add.h"
 #include "app/read_options.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {

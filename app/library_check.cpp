@@ -5,9 +5,9 @@
 #include <cmath>
 #include <memory>
 
-#include "animation/error.h"
-#include "animation/motion_library_add.h"
-#include "animation/rotation.h"
+#include "animation/preparation/motion_library_add.h"
+#include "base/error.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {

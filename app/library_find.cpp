@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "animation/motion_library.h"
+#include "animation/library/motion_library.h"
 #include "app/analysed_clip.h"
 #include "app/clip_sources.h"
 #include "app/progress.h"

@@ -7,10 +7,10 @@
 #include <iostream>
 #include <new>
 
-#include "animation/error.h"
-#include "animation/version.h"
 #include "app/command.h"
 #include "app/stop.h"
+#include "base/error.h"
+#include "base/version.h"
 
 namespace amble {
 namespace {

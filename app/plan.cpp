@@ -10,11 +10,11 @@
 #include <memory>
 #include <thread>
 
-#include "animation/error.h"
 #include "app/command.h"
 #include "app/progress.h"
 #include "app/stop.h"
 #include "app/view_of.h"
+#include "base/error.h"
 #include "scenarios/run_scenario.h"
 #include "scenarios/write_results.h"
 #include "viz/plan_view.h"

@@ -1,7 +1,7 @@
 #include "app/read_options.h"
 
-#include "animation/rotation.h"
 #include "app/command.h"
+#include "base/rotation.h"
 
 namespace amble {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "animation/motion_reader.h"
+#include "animation/captures/motion_reader.h"
 #include "app/findings.h"
 
 namespace amble {

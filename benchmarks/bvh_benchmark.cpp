@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include "animation/bvh.h"
-#include "animation/rotation.h"
+#include "animation/captures/bvh.h"
+#include "base/rotation.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/collision_object.h>
 
-#include "animation/data_directory.h"
+#include "base/data_directory.h"
 #include "scenarios/run_scenario.h"
 
 namespace amble {

@@ -10,10 +10,10 @@
 #include <memory>
 #include <random>
 
-#include "animation/foothold.h"
-#include "animation/motion_library.h"
-#include "animation/walk_synthesizer.h"
-#include "environments/scene_ground.h"
+#include "animation/library/motion_library.h"
+#include "animation/steps/foothold.h"
+#include "animation/synthesis/walk_synthesizer.h"
+#include "environments/ground/scene_ground.h"
 
 namespace amble {
 namespace {

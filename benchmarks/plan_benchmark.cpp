@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "planner/walk_steering.h"
+#include "planner/steering/walk_steering.h"
 #include "scenarios/check_scenarios.h"
 #include "scenarios/problem.h"
 #include "scenarios/run_scenario.h"

@@ -7,10 +7,10 @@
 
 #include <cmath>
 
-#include "animation/classify_clip.h"
-#include "animation/foot_plants.h"
-#include "animation/gait_events.h"
-#include "animation/rotation.h"
+#include "animation/analysis/classify_clip.h"
+#include "animation/analysis/foot_plants.h"
+#include "animation/analysis/gait_events.h"
+#include "base/rotation.h"
 
 namespace {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "animation/ground.h"
-#include "animation/rotation.h"
-#include "animation/walk_synthesizer.h"
+#include "animation/ground/ground.h"
+#include "animation/synthesis/walk_synthesizer.h"
+#include "base/rotation.h"
 
 namespace {
 

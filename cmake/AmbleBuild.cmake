@@ -49,17 +49,18 @@ function(amble_flags target)
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}")
 endfunction()
 
-# The library amble_<folder>, as amble::<folder>, of every .cpp in this folder.
-#   USES     our libraries to the left
+# The library amble_<folder>, as amble::<folder>, of every .cpp in this folder and its rooms.
+#   USES     our libraries below
 #   PRIVATE  third-party libraries, whose headers stay in the .cpp files
+#   WITHOUT  rooms that are no part of it
 function(amble_library folder)
-  cmake_parse_arguments(arg "" "" "USES;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS "*.cpp")
-  file(GLOB headers CONFIGURE_DEPENDS "*.h")
-  if(NOT sources)  # not written yet: a library needs one source
-    set(sources "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")
-    file(CONFIGURE OUTPUT "${sources}" CONTENT "")
-  endif()
+  cmake_parse_arguments(arg "" "" "USES;PRIVATE;WITHOUT" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "*.cpp")
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS "*.h")
+  foreach(room ${arg_WITHOUT})
+    list(FILTER sources EXCLUDE REGEX "/${folder}/${room}/")
+    list(FILTER headers EXCLUDE REGEX "/${folder}/${room}/")
+  endforeach()
   set(target amble_${folder})
   add_library(${target} STATIC ${sources} ${headers})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder} LINKER_LANGUAGE CXX)
@@ -71,15 +72,23 @@ function(amble_library folder)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen ${arg_USES} PRIVATE ${arg_PRIVATE})
   install(TARGETS ${target} EXPORT amble-targets)
-  install(FILES ${headers} DESTINATION include/amble/${folder})
+  foreach(header ${headers})
+    file(RELATIVE_PATH path "${PROJECT_SOURCE_DIR}" "${header}")
+    get_filename_component(room "${path}" DIRECTORY)
+    install(FILES "${header}" DESTINATION "include/amble/${room}")
+  endforeach()
 endfunction()
 
-# The program amble_<folder>_tests of tests/<folder>/*.cpp. It is linked to that folder's library only, so that
-# a test which reaches to the right does not link.
+# The program amble_<folder>_tests of tests/<folder>/ and its rooms. It is linked to that folder's library only, so
+# that a test which reaches up does not link.
 #   PRIVATE  third-party libraries whose headers the tests include
+#   WITHOUT  rooms that have a program of their own
 function(amble_tests folder)
-  cmake_parse_arguments(arg "" "" "PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp" "${folder}/*.h")
+  cmake_parse_arguments(arg "" "" "PRIVATE;WITHOUT" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${folder}/*.cpp" "${folder}/*.h")
+  foreach(room ${arg_WITHOUT})
+    list(FILTER sources EXCLUDE REGEX "/${folder}/${room}/")
+  endforeach()
   if(NOT sources MATCHES "_test\\.cpp")
     return()
   endif()

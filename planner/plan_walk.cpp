@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "animation/rotation.h"
-#include "planner/leg_planner.h"
-#include "planner/walk_steering.h"
+#include "base/rotation.h"
+#include "planner/legs/leg_planner.h"
+#include "planner/steering/walk_steering.h"
 
 namespace amble {
 namespace {

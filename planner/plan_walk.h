@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "animation/walk_synthesizer.h"
-#include "environments/collision_world.h"
-#include "environments/scene_ground.h"
+#include "animation/synthesis/walk_synthesizer.h"
+#include "environments/collision/collision_world.h"
+#include "environments/ground/scene_ground.h"
 #include "planner/refine_walk.h"
-#include "planner/roadmap.h"
+#include "planner/roadmap/roadmap.h"
 #include "planner/search_limits.h"
 
 namespace amble {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "animation/rotation.h"
-#include "planner/parallel.h"
-#include "planner/sample_stream.h"
+#include "base/parallel.h"
+#include "base/rotation.h"
+#include "base/sample_stream.h"
 
 namespace amble {
 namespace {

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "planner/search_limits.h"
-#include "planner/steering.h"
+#include "planner/steering/steering.h"
 
 namespace amble {
 

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "animation/data_directory.h"
-#include "animation/error.h"
-#include "animation/output_file.h"
+#include "base/data_directory.h"
+#include "base/error.h"
+#include "base/output_file.h"
 
 namespace amble {
 namespace {

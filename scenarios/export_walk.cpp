@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "animation/bvh.h"
+#include "animation/captures/bvh.h"
 
 namespace amble {
 namespace {

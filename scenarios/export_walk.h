@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "animation/animation_buffer.h"
-#include "animation/clip.h"
+#include "animation/body/clip.h"
+#include "animation/synthesis/animation_buffer.h"
 
 namespace amble {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "animation/rotation.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {

@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "animation/animation_buffer.h"
-#include "animation/ground.h"
-#include "environments/body.h"
+#include "animation/ground/ground.h"
+#include "animation/synthesis/animation_buffer.h"
+#include "environments/body/body.h"
 #include "scenarios/report.h"
 
 namespace amble {

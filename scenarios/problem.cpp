@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "animation/error.h"
+#include "base/error.h"
 
 namespace amble {
 namespace {

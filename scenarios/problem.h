@@ -2,12 +2,12 @@
 /// pictures are drawn of.
 #pragma once
 
-#include "animation/motion_library.h"
-#include "animation/walk_synthesizer.h"
-#include "environments/body.h"
-#include "environments/collision_world.h"
-#include "environments/scene.h"
-#include "environments/scene_ground.h"
+#include "animation/library/motion_library.h"
+#include "animation/synthesis/walk_synthesizer.h"
+#include "environments/body/body.h"
+#include "environments/collision/collision_world.h"
+#include "environments/ground/scene_ground.h"
+#include "environments/scene/scene.h"
 #include "scenarios/scenario.h"
 
 namespace amble {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "animation/rotation.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "animation/joint_roles.h"
-#include "animation/walk_quality.h"
-#include "environments/body.h"
+#include "animation/body/joint_roles.h"
+#include "animation/quality/walk_quality.h"
+#include "environments/body/body.h"
 #include "scenarios/scenario.h"
 
 namespace amble {

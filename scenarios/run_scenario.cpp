@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "animation/error.h"
-#include "animation/rotation.h"
-#include "animation/sha256.h"
-#include "animation/version.h"
+#include "base/error.h"
+#include "base/rotation.h"
+#include "base/sha256.h"
+#include "base/version.h"
 #include "scenarios/export_walk.h"
 #include "scenarios/foot_measures.h"
 

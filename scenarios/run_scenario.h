@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "animation/clip.h"
+#include "animation/body/clip.h"
 #include "planner/plan_walk.h"
 #include "scenarios/problem.h"
 #include "scenarios/report.h"

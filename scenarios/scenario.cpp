@@ -4,9 +4,9 @@
 #include <iostream>
 #include <iterator>
 
-#include "animation/error.h"
-#include "animation/rotation.h"
-#include "animation/sha256.h"
+#include "base/error.h"
+#include "base/rotation.h"
+#include "base/sha256.h"
 
 namespace amble {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "animation/rotation.h"
-#include "animation/strict_yaml.h"
+#include "base/rotation.h"
+#include "base/strict_yaml.h"
 #include "planner/plan_walk.h"
 
 namespace amble {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "animation/error.h"
+#include "base/error.h"
 #include "scenarios/check_scenarios.h"
 
 namespace amble {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "animation/error.h"
-#include "animation/foot_plants.h"
-#include "animation/foot_shape.h"
-#include "animation/motion_reader.h"
+#include "animation/analysis/foot_plants.h"
+#include "animation/body/foot_shape.h"
+#include "animation/captures/motion_reader.h"
+#include "base/error.h"
 #include "scenarios/foot_measures.h"
 #include "scenarios/problem.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "animation/bvh.h"
-#include "environments/collision_world.h"
+#include "animation/captures/bvh.h"
+#include "environments/collision/collision_world.h"
 
 namespace amble {
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <system_error>
 
-#include "animation/error.h"
+#include "base/error.h"
 
 namespace amble {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "animation/output_file.h"
+#include "base/output_file.h"
 #include "scenarios/run_scenario.h"
 
 namespace amble {

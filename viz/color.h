@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "animation/joint_roles.h"
+#include "animation/body/joint_roles.h"
 
 namespace amble {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "environments/mesh.h"
+#include "environments/scene/mesh.h"
 #include "viz/rasterizer.h"
 #include "viz/walk_view.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "animation/output_file.h"
+#include "base/output_file.h"
 #include "viz/color.h"
 #include "viz/svg.h"
 

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "animation/clip_analysis.h"
+#include "animation/analysis/clip_analysis.h"
 
 namespace amble {
 

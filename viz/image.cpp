@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "animation/output_file.h"
+#include "base/output_file.h"
 
 namespace amble {
 namespace {

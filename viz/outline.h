@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "environments/mesh.h"
+#include "environments/scene/mesh.h"
 
 namespace amble {
 

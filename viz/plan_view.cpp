@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "animation/output_file.h"
+#include "base/output_file.h"
 #include "viz/color.h"
 #include "viz/outline.h"
 #include "viz/svg.h"

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "environments/scene.h"
+#include "environments/scene/scene.h"
 #include "viz/rasterizer.h"
 
 namespace amble {

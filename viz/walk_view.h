@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "animation/animation_buffer.h"
-#include "animation/root_path.h"
-#include "animation/skeleton.h"
-#include "environments/body.h"
-#include "environments/scene.h"
+#include "animation/body/skeleton.h"
+#include "animation/steps/root_path.h"
+#include "animation/synthesis/animation_buffer.h"
+#include "environments/body/body.h"
+#include "environments/scene/scene.h"
 
 namespace amble {
 

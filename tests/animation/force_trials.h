@@ -8,8 +8,8 @@
 #include <sstream>
 #include <vector>
 
-#include "animation/bvh.h"
-#include "animation/joint_roles.h"
+#include "animation/body/joint_roles.h"
+#include "animation/captures/bvh.h"
 #include "tests/animation/captures.h"
 
 namespace amble {

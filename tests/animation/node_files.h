@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "animation/clip.h"
-#include "animation/rotation.h"
+#include "animation/body/clip.h"
+#include "base/rotation.h"
 
 namespace amble {
 

@@ -1,7 +1,7 @@
 /// A whole person who walks, for readers: the walking Rig with neck, head and arms.
 #pragma once
 
-#include "animation/bvh.h"
+#include "animation/captures/bvh.h"
 #include "tests/animation/rig.h"
 #include "tests/environments/test_files.h"
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <functional>
 
-#include "animation/clip.h"
-#include "animation/foot_plants.h"
-#include "animation/joint_roles.h"
-#include "animation/rotation.h"
+#include "animation/analysis/foot_plants.h"
+#include "animation/body/clip.h"
+#include "animation/body/joint_roles.h"
+#include "base/rotation.h"
 
 namespace amble {
 

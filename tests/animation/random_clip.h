@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-#include "animation/clip.h"
+#include "animation/body/clip.h"
 
 namespace amble {
 

@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
-#include "animation/foot_shape.h"
-#include "animation/two_link.h"
+#include "animation/body/foot_shape.h"
+#include "animation/body/two_link.h"
 #include "tests/animation/puppet.h"
 
 namespace amble {

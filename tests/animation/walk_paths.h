@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "animation/root_path.h"
-#include "animation/rotation.h"
-#include "animation/stance.h"
+#include "animation/steps/root_path.h"
+#include "animation/steps/stance.h"
+#include "base/rotation.h"
 
 namespace amble {
 

@@ -1,10 +1,10 @@
 // `amble convert` and what the other commands take of captures, from the outside.
 #include <nlohmann/json.hpp>
 
-#include "animation/good_frames.h"
-#include "animation/mirror_clip.h"
-#include "animation/motion_reader.h"
-#include "animation/resample_clip.h"
+#include "animation/captures/motion_reader.h"
+#include "animation/clips/good_frames.h"
+#include "animation/clips/mirror_clip.h"
+#include "animation/clips/resample_clip.h"
 #include "tests/animation/captures.h"
 #include "tests/animation/node_files.h"
 #include "tests/animation/person.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "environments/scene.h"
+#include "environments/scene/scene.h"
 
 namespace amble {
 namespace {

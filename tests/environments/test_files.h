@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "animation/error.h"
+#include "base/error.h"
 
 namespace amble {
 

@@ -4,9 +4,9 @@
 #include <random>
 #include <string>
 
-#include "environments/capsule.h"
-#include "environments/obstacle_set.h"
-#include "environments/scene.h"
+#include "environments/body/capsule.h"
+#include "environments/collision/obstacle_set.h"
+#include "environments/scene/scene.h"
 
 namespace amble {
 

@@ -4,13 +4,13 @@
 
 #include <vector>
 
-#include "animation/animation_buffer.h"
-#include "animation/foot_shape.h"
-#include "animation/joint_roles.h"
-#include "animation/pose.h"
-#include "animation/rotation.h"
-#include "animation/skeleton.h"
-#include "environments/body.h"
+#include "animation/body/foot_shape.h"
+#include "animation/body/joint_roles.h"
+#include "animation/body/pose.h"
+#include "animation/body/skeleton.h"
+#include "animation/synthesis/animation_buffer.h"
+#include "base/rotation.h"
+#include "environments/body/body.h"
 
 namespace amble {
 

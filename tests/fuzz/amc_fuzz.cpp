@@ -1,5 +1,5 @@
 // An AMC of any bytes, on a skeleton with every degree of freedom.
-#include "animation/asf_amc.h"
+#include "animation/captures/asf_amc.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace {

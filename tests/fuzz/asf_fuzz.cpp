@@ -1,5 +1,5 @@
 // An ASF of any bytes, with an AMC that names no bone but the root.
-#include "animation/asf_amc.h"
+#include "animation/captures/asf_amc.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

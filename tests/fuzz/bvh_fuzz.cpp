@@ -1,5 +1,5 @@
 // BVH of any bytes.
-#include "animation/bvh.h"
+#include "animation/captures/bvh.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

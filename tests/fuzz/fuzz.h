@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "animation/clip.h"
-#include "animation/error.h"
+#include "animation/body/clip.h"
+#include "base/error.h"
 
 namespace amble {
 

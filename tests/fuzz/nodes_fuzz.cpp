@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "animation/node_animation.h"
+#include "animation/captures/node_animation.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <map>
 
-#include "animation/error.h"
-#include "animation/motion_reader.h"
+#include "animation/captures/motion_reader.h"
+#include "base/error.h"
 
 namespace amble {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "animation/bvh.h"
+#include "animation/captures/bvh.h"
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "animation/rotation.h"
-#include "planner/steering.h"
+#include "base/rotation.h"
+#include "planner/steering/steering.h"
 
 namespace amble {
 

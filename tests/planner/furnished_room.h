@@ -1,12 +1,12 @@
 /// A small furnished room with the default walker in it, for tests of what plans whole bodies.
 #pragma once
 
-#include "animation/motion_library.h"
-#include "animation/walk_synthesizer.h"
-#include "environments/body.h"
-#include "environments/collision_world.h"
-#include "environments/scene.h"
-#include "environments/scene_ground.h"
+#include "animation/library/motion_library.h"
+#include "animation/synthesis/walk_synthesizer.h"
+#include "environments/body/body.h"
+#include "environments/collision/collision_world.h"
+#include "environments/ground/scene_ground.h"
+#include "environments/scene/scene.h"
 
 namespace amble {
 

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "animation/rotation.h"
+#include "base/rotation.h"
 #include "tests/planner/furnished_room.h"
 
 namespace amble {

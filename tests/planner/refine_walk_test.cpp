@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "planner/visibility_roadmap.h"
+#include "planner/roadmap/visibility_roadmap.h"
 #include "tests/planner/disc_steering.h"
 
 namespace amble {

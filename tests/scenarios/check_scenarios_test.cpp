@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "animation/sha256.h"
+#include "base/sha256.h"
 #include "tests/scenarios/small_room.h"
 
 namespace amble {

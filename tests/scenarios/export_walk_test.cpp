@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "animation/rotation.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "animation/motion_library.h"
-#include "animation/walk_synthesizer.h"
+#include "animation/library/motion_library.h"
+#include "animation/synthesis/walk_synthesizer.h"
 
 namespace amble {
 namespace {

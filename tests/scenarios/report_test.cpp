@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "animation/rotation.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {

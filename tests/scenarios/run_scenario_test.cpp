@@ -4,9 +4,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "animation/bvh.h"
-#include "animation/rotation.h"
-#include "animation/sha256.h"
+#include "animation/captures/bvh.h"
+#include "base/rotation.h"
+#include "base/sha256.h"
 #include "tests/scenarios/small_room.h"
 
 namespace amble {

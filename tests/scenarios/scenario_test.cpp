@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "animation/error.h"
-#include "animation/rotation.h"
+#include "base/error.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {

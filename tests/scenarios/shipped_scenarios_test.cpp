@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "animation/output_file.h"
-#include "animation/rotation.h"
+#include "base/output_file.h"
+#include "base/rotation.h"
 #include "scenarios/check_scenarios.h"
 #include "scenarios/validate_walk.h"
 

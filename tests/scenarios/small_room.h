@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string>
 
-#include "animation/error.h"
+#include "base/error.h"
 
 namespace amble {
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <sstream>
 
-#include "animation/rotation.h"
+#include "base/rotation.h"
 #include "scenarios/run_scenario.h"
 #include "tests/scenarios/small_room.h"
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "animation/error.h"
+#include "base/error.h"
 #include "viz/tiny_text.h"
 
 namespace amble {

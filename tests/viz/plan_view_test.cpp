@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "animation/error.h"
+#include "base/error.h"
 #include "test_walk.h"
 #include "viz/svg.h"
 

@@ -1,0 +1,284 @@
+#include "animation/analysis/foot_plants.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "animation/analysis/low_pass.h"
+#include "animation/clips/floor_fit.h"
+#include "base/statistics.h"
+
+namespace amble {
+namespace {
+
+// Heights of a standing joint are read from its slow frames at this quantile: low enough to leave
+// out a heel that has risen while the foot is still slow, high enough to pass over noise.
+constexpr double kStandingQuantile = 0.25;
+
+// Frames that count as slow there: below this share of the foot's own speed quantile. By trial.
+constexpr double kSwingQuantile = 0.95;
+
+// The point between toe (0) and ankle (1) whose vertical velocity tells of strike and lift-off:
+// O'Connor's middle of the foot. Scores hardly change from 0.5 to 0.7.
+constexpr double kAnkleShare = 0.5;
+
+// A foot whose ankle comes in (whose toe goes off) faster than this share of its swing is in the
+// air, whatever its vertical velocity says: drawn motion often lands and leaves softer than people
+// do. People strike at 0.2 and lift off at 0.3 of it.
+constexpr double kLandingShare = 0.35;
+constexpr double kLeavingShare = 0.5;
+
+/// A foot's joints over the floor, low-passed: in leg lengths and leg lengths a second. A row a
+/// frame.
+struct FootSignals {
+  Eigen::MatrixXd height;                // ankle, toe over the floor
+  Eigen::MatrixXd speed;                 // of ankle, toe
+  Eigen::VectorXd rise;                  // velocity of the foot's middle along the floor's normal
+  std::array<double, 2> swing = {0, 0};  // how fast ankle and toe swing
+
+  Eigen::Index frames() const { return speed.rows(); }
+};
+
+/// The frames of a foot, told apart by how low and slow its ankle and toe are.
+struct FootStates {
+  std::vector<bool> planted;  // stage 1: one of them is low and slow
+  std::vector<bool> still;    // one of them is low and stands as good as still: certainly planted
+};
+
+FootSignals footSignals(Eigen::MatrixXd path, const FloorFit& floor, double leg, double rate,
+                        double cutoff) {
+  path /= leg;
+  lowPass(path, rate, cutoff);
+  const Eigen::MatrixXd velocity = derivative(path, rate);
+  const Eigen::Vector3d& n = floor.normal;
+  const auto along = [&n](const Eigen::MatrixXd& rows, int j) -> Eigen::VectorXd {
+    return n.x() * rows.col(3 * j) + n.y() * rows.col(3 * j + 1) + n.z() * rows.col(3 * j + 2);
+  };
+  FootSignals signals;
+  signals.height.resize(path.rows(), 2);
+  signals.speed.resize(path.rows(), 2);
+  for (int j = 0; j < 2; ++j) {
+    signals.height.col(j) = along(path, j).array() - floor.height / leg;
+    signals.speed.col(j) =
+        (velocity.col(3 * j).array().square() + velocity.col(3 * j + 1).array().square() +
+         velocity.col(3 * j + 2).array().square())
+            .sqrt();
+    const Eigen::VectorXd speed = signals.speed.col(j);
+    signals.swing[j] = quantile({speed.begin(), speed.end()}, kSwingQuantile);
+  }
+  signals.rise = kAnkleShare * along(velocity, 0) + (1.0 - kAnkleShare) * along(velocity, 1);
+  return signals;
+}
+
+/// Stage 1: ankle or toe low and slow.
+FootStates lowAndSlow(const FootSignals& signals, const PlantOptions& options) {
+  const Eigen::Index frames = signals.frames();
+  FootStates states{std::vector<bool>(frames, false), std::vector<bool>(frames, false)};
+  for (int j = 0; j < 2; ++j) {
+    const double limit =
+        std::clamp(options.speed_of_swing * signals.swing[j], options.min_speed, options.max_speed);
+    std::vector<double> slow_heights;
+    for (Eigen::Index i = 0; i < frames; ++i) {
+      if (signals.speed(i, j) < limit) slow_heights.push_back(signals.height(i, j));
+    }
+    if (slow_heights.empty()) continue;
+    const double highest = quantile(slow_heights, kStandingQuantile) + options.height;
+    for (Eigen::Index i = 0; i < frames; ++i) {
+      if (signals.height(i, j) >= highest) continue;
+      if (signals.speed(i, j) < limit) states.planted[i] = true;
+      if (signals.speed(i, j) < options.min_speed) states.still[i] = true;
+    }
+  }
+  return states;
+}
+
+/// Runs of `value` shorter than `shortest` frames are turned over; at the clip's ends they stay,
+/// being cut off there.
+void dropShortRuns(std::vector<bool>& flags, bool value, double shortest) {
+  for (size_t begin = 0; begin < flags.size();) {
+    size_t end = begin;
+    while (end < flags.size() && flags[end] == flags[begin]) ++end;
+    const bool inside = begin > 0 && end < flags.size();
+    if (inside && flags[begin] == value && static_cast<double>(end - begin) < shortest) {
+      std::fill(flags.begin() + static_cast<std::ptrdiff_t>(begin),
+                flags.begin() + static_cast<std::ptrdiff_t>(end), !value);
+    }
+    begin = end;
+  }
+}
+
+/// The highest point of `sign` * `values` that is reached uphill from `start` within `reach` frames
+/// and while `speed` is below `limit`, between frames by a parabola; `crossing` where that is no
+/// clear peak.
+struct Climb {
+  int start, reach;
+  double sign;
+  double limit;  // of speed
+  double clear;  // least height of a peak
+  double crossing;
+};
+
+double climb(const Eigen::VectorXd& values, const Eigen::Ref<const Eigen::VectorXd>& speed,
+             const Climb& how) {
+  const auto at = [&](int i) { return how.sign * values[i]; };
+  const int last = static_cast<int>(values.size()) - 1;
+  const int step = how.start > 0 && at(how.start - 1) > at(how.start) ? -1 : 1;
+  int top = how.start;
+  for (int moved = 0; moved < how.reach; ++moved) {
+    const int next = top + step;
+    if (next < 0 || next > last || at(next) <= at(top)) break;
+    if (speed[next] > how.limit)
+      return top;  // the foot swings: it has left the ground here at the latest
+    top = next;
+  }
+  if (at(top) < how.clear || top == 0 || top == last) return how.crossing;
+  const double before = at(top - 1), after = at(top + 1);
+  const double bend = before - 2.0 * at(top) + after;
+  if (!(bend < 0.0) || before > at(top) || after > at(top)) return how.crossing;
+  return top + 0.5 * (before - after) / bend;
+}
+
+/// The ends of a run of frames moved to strike and lift-off.
+FootPlant refined(const FootPlant& run, const FootSignals& signals, const std::vector<bool>& still,
+                  const PlantOptions& options, double rate) {
+  const int reach = static_cast<int>(std::lround(options.reach * rate));
+  const int frames = static_cast<int>(signals.frames());
+  int first_still = run.first, last_still = run.last;
+  while (first_still < run.last && !still[first_still]) ++first_still;
+  while (last_still > run.first && !still[last_still]) --last_still;
+  FootPlant plant = run;
+  if (run.first > 0) {
+    const double trough = climb(signals.rise, signals.speed.col(0),
+                                {run.first, reach, -1.0, kLandingShare * signals.swing[0],
+                                 options.clear_velocity, run.strike});
+    plant.strike = std::min(trough, static_cast<double>(first_still));
+    const double planted_from = plant.strike - options.strike_lead * rate;
+    plant.first = std::clamp(static_cast<int>(std::ceil(planted_from)), 0, run.last);
+  }
+  if (run.last < frames - 1) {
+    const double peak = climb(signals.rise, signals.speed.col(1),
+                              {run.last, reach, 1.0, kLeavingShare * signals.swing[1],
+                               options.clear_velocity, run.lift_off});
+    plant.lift_off = std::max(peak - options.lift_off_lead * rate, last_still + 0.5);
+    plant.last =
+        std::clamp(static_cast<int>(std::ceil(plant.lift_off)) - 1, plant.first, frames - 1);
+  }
+  return plant;
+}
+
+// Two plants that were moved over one another become one.
+void mergeTouching(std::vector<FootPlant>& plants) {
+  std::vector<FootPlant> merged;
+  for (const FootPlant& plant : plants) {
+    if (!merged.empty() && plant.first <= merged.back().last + 1) {
+      merged.back().last = std::max(merged.back().last, plant.last);
+      merged.back().lift_off = std::max(merged.back().lift_off, plant.lift_off);
+    } else {
+      merged.push_back(plant);
+    }
+  }
+  plants = std::move(merged);
+}
+
+/// Rows at `factor` times the rate, on a Catmull-Rom spline through them.
+Eigen::MatrixXd finer(const Eigen::MatrixXd& rows, int factor) {
+  const Eigen::Index last = rows.rows() - 1;
+  Eigen::MatrixXd fine(last * factor + 1, rows.cols());
+  for (Eigen::Index i = 0; i <= last * factor; ++i) {
+    const Eigen::Index k = std::min(i / factor, std::max<Eigen::Index>(0, last - 1));
+    const double t = static_cast<double>(i - k * factor) / factor;
+    const auto row = [&](Eigen::Index r) { return rows.row(std::clamp<Eigen::Index>(r, 0, last)); };
+    const Eigen::RowVectorXd from = row(k), to = row(k + 1);
+    const Eigen::RowVectorXd slope_from = 0.5 * (to - row(k - 1)),
+                             slope_to = 0.5 * (row(k + 2) - from);
+    const double s = t * t * (3.0 - 2.0 * t);
+    fine.row(i) = (1.0 - s) * from + s * to + t * (1.0 - t) * (1.0 - t) * slope_from -
+                  t * t * (1.0 - t) * slope_to;
+  }
+  return fine;
+}
+
+/// Plants of `fine`, which has `factor` times the frames, on the frames that are there.
+FootPlants coarser(const FootPlants& fine, int factor, int frames) {
+  FootPlants result;
+  result.frames = frames;
+  for (const Side side : {kLeft, kRight}) {
+    for (const FootPlant& from : fine.plants[side]) {
+      FootPlant plant;
+      plant.first = from.first == 0 ? 0 : (from.first + factor - 1) / factor;
+      plant.last = from.last == fine.frames - 1 ? frames - 1 : from.last / factor;
+      if (plant.first > plant.last) continue;
+      plant.strike = from.first == 0 ? -0.5 : from.strike / factor;
+      plant.lift_off = from.last == fine.frames - 1 ? frames - 0.5 : from.lift_off / factor;
+      result.plants[side].push_back(plant);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+bool FootPlants::planted(Side side, int frame) const {
+  return std::any_of(plants[side].begin(), plants[side].end(), [&](const FootPlant& plant) {
+    return plant.first <= frame && frame <= plant.last;
+  });
+}
+
+std::vector<bool> FootPlants::planted(Side side) const {
+  std::vector<bool> flags(frames, false);
+  for (const FootPlant& plant : plants[side]) {
+    for (int i = plant.first; i <= plant.last; ++i) flags[i] = true;
+  }
+  return flags;
+}
+
+FootPlants plantsOf(const std::array<std::vector<bool>, 2>& planted) {
+  FootPlants result;
+  result.frames = static_cast<int>(planted[kLeft].size());
+  for (const Side side : {kLeft, kRight}) {
+    for (int i = 0; i < result.frames; ++i) {
+      if (!planted[side][i]) continue;
+      if (i == 0 || !planted[side][i - 1]) result.plants[side].push_back({i, i, i - 0.5, i + 0.5});
+      result.plants[side].back().last = i;
+      result.plants[side].back().lift_off = i + 0.5;
+    }
+  }
+  return result;
+}
+
+FootPlants detectPlants(const Clip& clip, const JointRoles& roles, const PlantOptions& options) {
+  return detectPlants(footPaths(clip, roles), legLengths(clip, roles), clip.frame_time, options);
+}
+
+FootPlants detectPlants(const FootPaths& paths, const std::array<double, 2>& legs,
+                        double frame_time, const PlantOptions& options) {
+  FootPlants result;
+  result.frames = static_cast<int>(paths[kLeft].rows());
+  if (result.frames == 0) return result;
+  const double rate = 1.0 / frame_time;
+  if (rate < kPlantRate && result.frames > 1) {
+    const int factor = static_cast<int>(std::ceil(kPlantRate / rate));
+    const FootPaths fine = {finer(paths[kLeft], factor), finer(paths[kRight], factor)};
+    return coarser(detectPlants(fine, legs, frame_time / factor, options), factor, result.frames);
+  }
+  const FloorFit floor = fitFloor(paths, legs, frame_time);
+  std::array<FootSignals, 2> signals;
+  std::array<std::vector<bool>, 2> planted, still;
+  for (const Side side : {kLeft, kRight}) {
+    signals[side] = footSignals(paths[side], floor, legs[side], rate, options.cutoff);
+    FootStates states = lowAndSlow(signals[side], options);
+    planted[side] = std::move(states.planted);
+    still[side] = std::move(states.still);
+    dropShortRuns(planted[side], false, options.shortest_gap * rate);
+    dropShortRuns(planted[side], true, options.shortest_plant * rate);
+  }
+  result.plants = plantsOf(planted).plants;
+  for (const Side side : {kLeft, kRight}) {
+    for (FootPlant& plant : result.plants[side])
+      plant = refined(plant, signals[side], still[side], options, rate);
+    mergeTouching(result.plants[side]);
+  }
+  return result;
+}
+
+}  // namespace amble

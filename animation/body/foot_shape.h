@@ -1,0 +1,74 @@
+/// The foot as a walker rolls over it: a flat sole between two round ends, heel and ball.
+///
+/// Sole frame: origin in the middle of the sole's length on the ground, x towards the toes, z up,
+/// while the foot is flat. The foot rolls about the centre of its heel when the toes are up and
+/// about the toe joint (ball) when the heel is up; both lie `radius` above a flat sole, so that a
+/// round end stays tangent to the ground while it rolls and its point of contact stays where it is.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "animation/body/joint_roles.h"
+#include "animation/body/skeleton.h"
+
+namespace amble {
+
+struct FootShape {
+  double radius = 0.0;        ///< of heel and ball, height of the toe joint over a flat sole [m]
+  double ankle_height = 0.0;  ///< over a flat sole [m]
+  double ankle_x =
+      0.0;  ///< of the ankle, of heel centre, toe joint and toe tip's centre, in the sole frame [m]
+  double heel_x = 0.0;
+  double ball_x = 0.0;
+  double tip_x = 0.0;
+  double half_width = 0.0;  ///< of the sole [m]
+  Eigen::Quaterniond q_SF =
+      Eigen::Quaterniond::Identity();  ///< foot joint in the sole frame while flat
+  Eigen::Quaterniond q_FT =
+      Eigen::Quaterniond::Identity();  ///< toe joint in the foot joint while flat
+  Eigen::Vector3d lateral_T =
+      Eigen::Vector3d::UnitY();  ///< sole frame's y in the toe joint's frame while flat
+};
+
+/// Drillis & Contini (1966): foot length 0.152 of stature; thigh and shank together 0.491.
+inline constexpr double kFootLengthOfStature = 0.152;
+inline constexpr double kLegOfStature = 0.491;
+/// Breadth of the foot: Gordon et al. (1989), 0.101 of 1.756 m, as the body's soles have it.
+inline constexpr double kFootBreadthOfStature = 0.0575;
+/// Height of the toe joint over the sole; chosen so that the ankle of our captures comes to Drillis
+/// & Contini's 0.039 of stature.
+inline constexpr double kBallHeightOfStature = 0.0095;
+
+/// Stature from leg length (thigh + shank) [m].
+double statureOf(const Skeleton& skeleton, const JointRoles& roles);
+
+/// Feet are flat in the rest pose (all rotations zero), as in every common rig. @pre the roles have
+/// a toe joint.
+FootShape makeFootShape(const Skeleton& skeleton, const JointRoles& roles, Side side,
+                        double stature);
+
+/// Rest pose's frame in the heading frame (x forward, y left, z up): forward is where the feet
+/// point.
+Eigen::Quaterniond restToHeading(const Skeleton& skeleton, const JointRoles& roles);
+
+/// The sole frame in World, of a foot that heads so and stands on a plane with this normal [need
+/// not be a unit vector, z > 0]: turned about the vertical, then tilted on the shortest way.
+/// Exactly the first where the normal is vertical.
+Eigen::Quaterniond soleFrame(double heading, const Eigen::Vector3d& normal);
+
+/// Undersides of the round ends of a foot's sole [m, World].
+struct SoleEnds {
+  Eigen::Vector3d heel, ball;
+};
+/// Of a foot whose ankle is at `ankle` and whose joint is turned by q_WF.
+SoleEnds soleEnds(const FootShape& shape, const Eigen::Vector3d& ankle,
+                  const Eigen::Quaterniond& q_WF);
+/// How high a sole is over the lines that its ends go along from print to print: the less of heel
+/// and ball [m].
+double heightOver(const SoleEnds& from, const SoleEnds& to, const SoleEnds& sole);
+
+/// Where the ankle is over a sole whose frame lies at the origin and that is rolled by `pitch`
+/// [rad, toes down positive]: about heel or ball, in the sole frame [m].
+Eigen::Vector3d rolledAnkle(const FootShape& shape, double pitch);
+
+}  // namespace amble

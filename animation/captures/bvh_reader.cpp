@@ -1,0 +1,275 @@
+/// BVH reader: the hierarchy by a stack (no recursion), then one line a frame. No count in the file
+/// is trusted: memory grows with what is really there.
+#include <algorithm>
+#include <cmath>
+
+#include "animation/captures/bvh.h"
+#include "animation/captures/text_cursor.h"
+#include "base/error.h"
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+enum class Quantity { kPosition, kRotation };
+
+// A column of the motion table.
+struct Column {
+  int joint;  // -1: a column of an End Site, which is passed over
+  Quantity quantity;
+  int axis;  // 0 x, 1 y, 2 z; of a rotation: place in the joint's order
+};
+
+struct Hierarchy {
+  std::vector<Joint> joints;  // offsets in file units
+  std::vector<Column> columns;
+  std::vector<bool> has_channels;  // by joint: CHANNELS was read
+};
+
+class BvhReader {
+ public:
+  BvhReader(std::string_view text, const std::string& name, const BvhReadOptions& options)
+      : in_(text, name), options_(options) {}
+
+  Clip read();
+
+ private:
+  void readHierarchy();
+  void openJoint(int parent);
+  void openEndSite(int parent);
+  void readOffset(Eigen::Vector3d& offset);
+  void readChannels(int joint);
+  Column readChannel(int joint);
+  void completeOrder(RotationOrder& order, int rotations) const;
+  void readMotion(Clip& clip);
+  int readFrameCount();
+  double readFrameTime();
+  void readFrame(Clip& clip, int frame);
+  void setPose(Clip& clip, int frame) const;
+
+  TextCursor in_;
+  BvhReadOptions options_;
+  Hierarchy tree_;
+  std::vector<Eigen::Vector3d> positions_;  // of the frame being read, by joint, file units
+  std::vector<Eigen::Vector3d> angles_;     // the same, in each joint's order [rad]
+  bool moving_joints_ = false;              // a joint other than the root has position channels
+};
+
+Clip BvhReader::read() {
+  in_.expectWord("HIERARCHY");
+  readHierarchy();
+  Clip clip;
+  clip.name = in_.name();
+  clip.poses = PoseArray(static_cast<int>(tree_.joints.size()));
+  readMotion(clip);
+  settleOffsets(options_.metres_per_unit, tree_.joints, clip.joint_positions);
+  for (Joint& joint : tree_.joints) {
+    joint.offset *= options_.metres_per_unit;
+    for (Eigen::Vector3d& tip : joint.end_sites) tip *= options_.metres_per_unit;
+  }
+  tree_.joints[0].offset.setZero();
+  clip.skeleton = Skeleton(std::move(tree_.joints));
+  return clip;
+}
+
+void BvhReader::readHierarchy() {
+  in_.expectWord("ROOT");
+  openJoint(-1);
+  std::vector<int> open = {0};
+  while (!open.empty()) {
+    const std::string_view word = in_.word();
+    const int parent = open.back();
+    if (word == "}") {
+      open.pop_back();
+    } else if (sameWord(word, "OFFSET")) {
+      readOffset(tree_.joints[parent].offset);
+    } else if (sameWord(word, "CHANNELS")) {
+      readChannels(parent);
+    } else if (sameWord(word, "JOINT")) {
+      if (open.size() >= kMaxDepth) in_.fail("joints nested too deep", "at most 1,000 levels");
+      openJoint(parent);
+      open.push_back(static_cast<int>(tree_.joints.size()) - 1);
+    } else if (sameWord(word, "End") || sameWord(word, "EndSite") || sameWord(word, "End_Site")) {
+      openEndSite(parent);
+    } else {
+      in_.failAt(word, "OFFSET, CHANNELS, JOINT, End Site or }");
+    }
+  }
+}
+
+void BvhReader::openJoint(int parent) {
+  if (tree_.joints.size() >= kMaxJoints) in_.fail("too many joints", "at most 10,000");
+  Joint joint;
+  joint.parent = parent;
+  // A name is the rest of its line, spaces and all; some exporters put the brace behind it.
+  std::string_view name = in_.restOfLine();
+  const bool opened = !name.empty() && name.back() == '{';
+  if (opened) name.remove_suffix(1);
+  joint.name = trimmed(name);
+  tree_.joints.push_back(std::move(joint));
+  tree_.has_channels.push_back(false);
+  if (!opened) in_.expectWord("{");
+}
+
+void BvhReader::openEndSite(int parent) {
+  const std::string_view name = in_.restOfLine();
+  if (name.empty() || name.back() != '{') in_.expectWord("{");
+  Eigen::Vector3d tip = Eigen::Vector3d::Zero();
+  for (std::string_view word = in_.word(); word != "}"; word = in_.word()) {
+    if (sameWord(word, "OFFSET")) {
+      readOffset(tip);
+    } else if (sameWord(word, "CHANNELS")) {
+      readChannels(-1);
+    } else {
+      in_.failAt(word, "OFFSET or } in an End Site");
+    }
+  }
+  tree_.joints[parent].end_sites.push_back(tip);
+}
+
+void BvhReader::readOffset(Eigen::Vector3d& offset) {
+  for (int i = 0; i < 3; ++i) offset[i] = in_.number(kMaxCaptureNumber);
+}
+
+void BvhReader::readChannels(int joint) {
+  const int count = in_.count();
+  if (count > 6) in_.fail("a joint with more than 6 channels", "0 to 6");
+  if (joint >= 0) {
+    if (tree_.has_channels[joint]) in_.fail("a second CHANNELS of one joint", "one");
+    tree_.has_channels[joint] = true;
+  }
+  const size_t first = tree_.columns.size();
+  int rotations = 0;
+  for (int i = 0; i < count; ++i) {
+    Column column = readChannel(joint);
+    for (size_t c = first; c < tree_.columns.size(); ++c) {
+      if (tree_.columns[c].quantity == column.quantity && tree_.columns[c].axis == column.axis) {
+        in_.fail("a channel twice in one joint", "each once");
+      }
+    }
+    tree_.columns.push_back(column);
+  }
+  if (joint < 0) return;
+  // From here on a rotation's axis is its place in the joint's order.
+  RotationOrder& order = tree_.joints[joint].order;
+  for (size_t c = first; c < tree_.columns.size(); ++c) {
+    Column& column = tree_.columns[c];
+    if (column.quantity == Quantity::kPosition) {
+      moving_joints_ = moving_joints_ || joint > 0;
+    } else {
+      order[rotations] = static_cast<char>('X' + column.axis);
+      column.axis = rotations++;
+    }
+  }
+  completeOrder(order, rotations);
+}
+
+Column BvhReader::readChannel(int joint) {
+  const std::string_view word = in_.word();
+  const int axis = (word[0] | 0x20) - 'x';
+  const bool rotation = sameWord(word.substr(1), "rotation");
+  if (axis < 0 || axis > 2 || (!rotation && !sameWord(word.substr(1), "position"))) {
+    in_.failAt(word, "Xposition, Yposition, Zposition, Xrotation, Yrotation or Zrotation");
+  }
+  return {joint, rotation ? Quantity::kRotation : Quantity::kPosition, axis};
+}
+
+// Axes without a channel are zero, wherever they stand in the order: they come last.
+void BvhReader::completeOrder(RotationOrder& order, int rotations) const {
+  if (rotations == 0) {
+    order = Joint().order;
+    return;
+  }
+  for (const char axis : {'Z', 'X', 'Y'}) {
+    const auto end = order.begin() + rotations;
+    if (rotations < 3 && std::find(order.begin(), end, axis) == end) order[rotations++] = axis;
+  }
+}
+
+void BvhReader::readMotion(Clip& clip) {
+  in_.expectWord("MOTION");
+  const int frames = readFrameCount();
+  const int count_line = in_.line();
+  clip.frame_time = readFrameTime();
+  if (frames > 0 && tree_.columns.empty())
+    in_.fail("frames of joints without a channel", "a channel");
+  // A number takes two bytes at least, so this is room enough whatever the file says.
+  const size_t room = in_.remaining() / (2 * std::max<size_t>(1, tree_.columns.size())) + 1;
+  const size_t expected = std::min<size_t>(frames, room);
+  if (expected * tree_.joints.size() > kMaxJointPosesPerByte * in_.size()) {
+    in_.fail("too many joints without channels for so many frames", "channels on most joints");
+  }
+  clip.poses.resize(static_cast<int>(expected));
+  positions_.resize(tree_.joints.size());
+  angles_.assign(tree_.joints.size(), Eigen::Vector3d::Zero());
+  for (size_t j = 0; j < tree_.joints.size(); ++j) positions_[j] = tree_.joints[j].offset;
+  const std::string promised =
+      std::to_string(frames) + " as line " + std::to_string(count_line) + " says";
+  for (int frame = 0; frame < frames; ++frame) {
+    if (!in_.skipBlankLines())
+      in_.fail("the file ends after frame " + std::to_string(frame), promised);
+    readFrame(clip, frame);
+  }
+  if (in_.skipBlankLines()) in_.fail("more lines than frames", promised);
+}
+
+int BvhReader::readFrameCount() {
+  in_.expectLabel("Frames");
+  return in_.count();
+}
+
+double BvhReader::readFrameTime() {
+  in_.expectLabel("Frame Time");
+  const double seconds = in_.number(kMaxCaptureNumber);
+  if (!(seconds > 0.0)) in_.fail("frame time " + std::to_string(seconds), "seconds above 0");
+  in_.expectLineEnd();
+  return seconds;
+}
+
+void BvhReader::readFrame(Clip& clip, int frame) {
+  for (size_t i = 0; i < tree_.columns.size(); ++i) {
+    const Column& column = tree_.columns[i];
+    double value = 0.0;
+    if (!in_.numberInLine(kMaxCaptureNumber, value)) {
+      in_.fail(std::to_string(i) + " numbers in a frame", std::to_string(tree_.columns.size()));
+    }
+    if (column.joint < 0) continue;
+    if (column.quantity == Quantity::kPosition) {
+      positions_[column.joint][column.axis] = value;
+    } else {
+      angles_[column.joint][column.axis] = value * kDegree;
+    }
+  }
+  if (!in_.atLineEnd()) {
+    in_.fail("too many numbers in a frame", std::to_string(tree_.columns.size()));
+  }
+  setPose(clip, frame);
+}
+
+void BvhReader::setPose(Clip& clip, int frame) const {
+  const std::span<Eigen::Quaterniond> q = clip.poses.rotations(frame);
+  for (size_t j = 0; j < q.size(); ++j) q[j] = fromEuler(angles_[j], tree_.joints[j].order);
+  if (options_.up == UpAxis::kY) q[0] = yUpToWorld() * q[0];
+  clip.poses.p_WR(frame) = fileToWorld(options_.metres_per_unit * positions_[0], options_.up);
+  if (!moving_joints_) return;
+  for (const Eigen::Vector3d& p : positions_) {
+    clip.joint_positions.push_back(options_.metres_per_unit * p);
+  }
+  clip.joint_positions[frame * q.size()].setZero();
+}
+
+}  // namespace
+
+Clip parseBvh(std::string_view text, const std::string& name, const BvhReadOptions& options) {
+  return BvhReader(text, name, options).read();
+}
+
+Clip readBvh(std::istream& in, const std::string& name, const BvhReadOptions& options) {
+  return parseBvh(readText(in, name, "a BVH file"), name, options);
+}
+
+Clip readBvh(const std::filesystem::path& file, const BvhReadOptions& options) {
+  return parseBvh(readText(file, "a BVH file"), file.string(), options);
+}
+
+}  // namespace amble

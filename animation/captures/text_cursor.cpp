@@ -1,0 +1,163 @@
+#include "animation/captures/text_cursor.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+
+namespace amble {
+namespace {
+
+constexpr size_t kMaxQuoted = 40;  // longest piece of a file that a message shows [bytes]
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool isSpace(char c) { return isBlank(c) || c == '\n'; }
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+bool sameWord(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  for (size_t i = 0; i < a.size(); ++i) {
+    if (lower(a[i]) != lower(b[i])) return false;
+  }
+  return true;
+}
+
+TextCursor::TextCursor(std::string_view text, std::string name)
+    : at_(text.data()),
+      end_(text.data() + text.size()),
+      size_(text.size()),
+      name_(std::move(name)) {
+  if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
+}
+
+void TextCursor::skipBlanks() {
+  while (at_ != end_ && isBlank(*at_)) ++at_;
+}
+
+void TextCursor::skipSpace() {
+  for (; at_ != end_ && isSpace(*at_); ++at_) line_ += *at_ == '\n';
+}
+
+std::string_view TextCursor::peekWord() {
+  skipSpace();
+  const char* end = at_;
+  while (end != end_ && !isSpace(*end)) ++end;
+  return {at_, static_cast<size_t>(end - at_)};
+}
+
+std::string_view TextCursor::word() {
+  const std::string_view word = peekWord();
+  if (word.empty()) fail("the file ends here", "more");
+  at_ += word.size();
+  return word;
+}
+
+std::string_view TextCursor::restOfLine() {
+  const char* begin = at_;
+  while (at_ != end_ && *at_ != '\n') ++at_;
+  return trimmed({begin, static_cast<size_t>(at_ - begin)});
+}
+
+void TextCursor::expectWord(std::string_view expected) {
+  skipSpace();
+  if (at_ == end_) fail("the file ends here", std::string(expected));
+  const std::string_view found = word();
+  if (!sameWord(found, expected)) failAt(found, std::string(expected));
+}
+
+void TextCursor::expectLabel(std::string_view label) {
+  skipSpace();
+  const std::string_view rest(at_, remaining());
+  const bool same = rest.size() >= label.size() && sameWord(rest.substr(0, label.size()), label);
+  if (same) {
+    at_ += label.size();
+    skipBlanks();
+    if (at_ != end_ && *at_ == ':') {
+      ++at_;
+      return;
+    }
+  }
+  fail("no '" + std::string(label) + ":'", "it here");
+}
+
+double TextCursor::parseNumber(double max) {
+  const char* begin = at_;
+  // from_chars knows no plus sign.
+  const bool plus = *at_ == '+' && remaining() > 1 && at_[1] != '-';
+  const char* digits = plus ? at_ + 1 : at_;
+  double value = 0.0;
+  const std::from_chars_result result = std::from_chars(digits, end_, value);
+  at_ = result.ptr;
+  if (result.ec == std::errc() && (at_ == end_ || isSpace(*at_)) && std::abs(value) <= max)
+    return value;
+  while (at_ != end_ && !isSpace(*at_)) ++at_;
+  const std::string_view text(begin, static_cast<size_t>(at_ - begin));
+  // Too small for a double is zero; too large is not.
+  const bool tiny = result.ec == std::errc::result_out_of_range && result.ptr == at_ &&
+                    (text.find("e-") != text.npos || text.find("E-") != text.npos);
+  if (tiny) return 0.0;
+  if (result.ec == std::errc() && result.ptr == at_ && std::isfinite(value)) {
+    failAt(text, "a number of at most 1e" + std::to_string(static_cast<int>(std::log10(max))) +
+                     " in size");
+  }
+  failAt(text, "a finite number");
+}
+
+double TextCursor::number(double max) {
+  skipSpace();
+  if (at_ == end_) fail("the file ends here", "a number");
+  return parseNumber(max);
+}
+
+bool TextCursor::numberInLine(double max, double& value) {
+  skipBlanks();
+  if (at_ == end_ || *at_ == '\n') return false;
+  value = parseNumber(max);
+  return true;
+}
+
+int TextCursor::count() {
+  const std::string_view text = word();
+  int value = 0;
+  const std::from_chars_result result =
+      std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size() || value < 0) {
+    failAt(text, "a whole number, 0 to 2147483647");
+  }
+  return value;
+}
+
+bool TextCursor::atLineEnd() {
+  skipBlanks();
+  return at_ == end_ || *at_ == '\n';
+}
+
+void TextCursor::expectLineEnd() {
+  if (!atLineEnd()) failAt(word(), "the end of the line");
+}
+
+bool TextCursor::skipBlankLines() {
+  skipSpace();
+  return at_ != end_;
+}
+
+void TextCursor::fail(const std::string& problem, const std::string& expected) const {
+  throw InputError(name_, line_, problem, expected);
+}
+
+void TextCursor::failAt(std::string_view word, const std::string& expected) const {
+  const std::string quoted(word.substr(0, kMaxQuoted));
+  fail("'" + quoted + (word.size() > kMaxQuoted ? "..." : "") + "'", expected);
+}
+
+}  // namespace amble

@@ -1,0 +1,83 @@
+#include "animation/clips/floor_fit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <vector>
+
+#include "animation/body/foot_shape.h"
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+// Slower than this, in leg lengths a second, a foot stands. Walking feet swing at four; found by
+// trial.
+constexpr double kStandingSpeed = 0.3;
+// Weight that holds the tilt towards level, as so many metres of spread squared: less than 0.2 m
+// across says nothing.
+constexpr double kLevelSpread = 0.2;
+
+std::vector<Eigen::Vector3d> standingAnkles(const FootPaths& paths,
+                                            const std::array<double, 2>& legs, double frame_time) {
+  std::vector<Eigen::Vector3d> standing;
+  for (const Side side : {kLeft, kRight}) {
+    const Eigen::MatrixXd& path = paths[side];
+    const double slow = kStandingSpeed * legs[side] * 2.0 * frame_time, limit = slow * slow;
+    for (Eigen::Index i = 1; i + 1 < path.rows(); ++i) {
+      const auto way = path.row(i + 1) - path.row(i - 1);
+      if (way.head<3>().squaredNorm() < limit && way.tail<3>().squaredNorm() < limit) {
+        standing.emplace_back(path.row(i).head<3>().transpose());
+      }
+    }
+  }
+  return standing;
+}
+
+}  // namespace
+
+FloorFit fitFloor(const Clip& clip, const JointRoles& roles) {
+  return fitFloor(footPaths(clip, roles), legLengths(clip, roles), clip.frame_time);
+}
+
+FloorFit fitFloor(const FootPaths& paths, const std::array<double, 2>& legs, double frame_time) {
+  const std::vector<Eigen::Vector3d> standing = standingAnkles(paths, legs, frame_time);
+  FloorFit fit;
+  fit.samples = static_cast<int>(standing.size());
+  if (standing.empty()) {
+    if (paths[kLeft].rows() == 0) return fit;
+    fit.height = std::min(paths[kLeft].col(2).minCoeff(), paths[kRight].col(2).minCoeff());
+    return fit;
+  }
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& p : standing) mean += p / static_cast<double>(standing.size());
+  Eigen::Matrix2d moments = Eigen::Matrix2d::Identity() * kLevelSpread * kLevelSpread * 0.25 *
+                            static_cast<double>(standing.size());
+  Eigen::Vector2d rise = Eigen::Vector2d::Zero();
+  for (const auto& p : standing) {
+    const Eigen::Vector2d d = (p - mean).head<2>();
+    moments += d * d.transpose();
+    rise += d * (p.z() - mean.z());
+  }
+  const Eigen::Vector2d slope = moments.ldlt().solve(rise);
+  fit.normal = Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
+  fit.height = fit.normal.dot(mean);
+  double squares = 0.0;
+  for (const auto& p : standing) squares += std::pow(fit.normal.dot(p) - fit.height, 2);
+  fit.residual = std::sqrt(squares / static_cast<double>(standing.size()));
+  return fit;
+}
+
+Clip levelClip(const Clip& clip, const FloorFit& floor, double ankle_height) {
+  const Eigen::Quaterniond turn =
+      Eigen::Quaterniond::FromTwoVectors(floor.normal, Eigen::Vector3d::UnitZ());
+  Clip level = clip;
+  for (int i = 0; i < level.frames(); ++i) {
+    level.poses.p_WR(i) = turn * clip.poses.p_WR(i);
+    level.poses.p_WR(i).z() += ankle_height - floor.height;
+    Eigen::Quaterniond& q_WR = level.poses.rotations(i)[0];
+    q_WR = turn * q_WR;
+  }
+  return level;
+}
+
+}  // namespace amble

@@ -1,0 +1,32 @@
+/// The floor of a capture, fitted to its standing feet: captures are tilted by a degree or so
+/// (QUALITY.md).
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "animation/body/clip.h"
+#include "animation/body/joint_roles.h"
+#include "animation/clips/foot_paths.h"
+
+namespace amble {
+
+/// The plane on which the ankles of standing feet lie, in World.
+struct FloorFit {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, up
+  double height = 0.0;    ///< of the ankles' plane above the origin, along the normal [m]
+  double residual = 0.0;  ///< rms distance of the ankles from it [m]
+  int samples = 0;        ///< standing feet that were found: frames, both feet counted
+};
+
+/// Least squares over frames in which a foot stands (ankle and toe slower than 0.3 leg lengths a
+/// second). The tilt is held towards level where the feet do not spread: a straight walk says
+/// nothing of the tilt across it. No samples: the level plane of the lowest ankle.
+FloorFit fitFloor(const Clip& clip, const JointRoles& roles);
+/// The same of paths that are there already: leg lengths [m], frame time [s].
+FloorFit fitFloor(const FootPaths& paths, const std::array<double, 2>& legs, double frame_time);
+
+/// The clip turned so that the floor is level, and lifted so that standing ankles are
+/// `ankle_height` above z = 0 [m].
+Clip levelClip(const Clip& clip, const FloorFit& floor, double ankle_height);
+
+}  // namespace amble

@@ -1,0 +1,35 @@
+#include "animation/clips/level_capture.h"
+
+#include "animation/body/foot_shape.h"
+#include "animation/clips/good_frames.h"
+#include "base/error.h"
+
+namespace amble {
+namespace {
+
+constexpr double kAnkleOfStature = 0.039;  // for rigs without a toe: Drillis & Contini (1966)
+
+}  // namespace
+
+Clip levelled(const Clip& clip, const JointRoles& roles, FloorFit* floor) {
+  const FloorFit fit = fitFloor(clip, roles);
+  if (floor != nullptr) *floor = fit;
+  const double stature = statureOf(clip.skeleton, roles);
+  const bool toes = roles.legs[kLeft].toe >= 0 && roles.legs[kRight].toe >= 0;
+  const double ankle = toes ? makeFootShape(clip.skeleton, roles, kLeft, stature).ankle_height
+                            : kAnkleOfStature * stature;
+  return levelClip(clip, fit, ankle);
+}
+
+LevelCapture readLevelCapture(const std::filesystem::path& file, const MotionReadOptions& options) {
+  LevelCapture capture;
+  capture.motion = readMotion(file, options);
+  Clip& clip = capture.motion.clip;
+  if (clip.frames() == 0) throw InputError(file.string(), 0, "holds no frames", "a motion");
+  const GoodFrames good = goodFrames(clip);
+  capture.first_frame = good.first;
+  clip = levelled(trimmed(clip, good.first, good.last), capture.motion.roles, &capture.floor);
+  return capture;
+}
+
+}  // namespace amble

@@ -1,0 +1,24 @@
+/// A capture made ready to be measured and cut: its motion only, in metres, on a level floor.
+#pragma once
+
+#include <filesystem>
+
+#include "animation/captures/motion_reader.h"
+#include "animation/clips/floor_fit.h"
+
+namespace amble {
+
+struct LevelCapture {
+  CapturedMotion motion;  ///< `clip` is level: standing feet are flat on z = 0
+  int first_frame = 0;    ///< of the file that is frame 0 of the clip (good_frames.h)
+  FloorFit floor;         ///< as it was
+};
+
+/// @throws InputError as readMotion does, and for a file without a frame.
+LevelCapture readLevelCapture(const std::filesystem::path& file,
+                              const MotionReadOptions& options = {});
+
+/// A clip, level on its fitted floor. @param floor  if not null, what was fitted
+Clip levelled(const Clip& clip, const JointRoles& roles, FloorFit* floor = nullptr);
+
+}  // namespace amble

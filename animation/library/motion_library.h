@@ -1,0 +1,101 @@
+/// The motion library (Pettré §4.1): prepared motions of one skeleton, with where they come from.
+///
+/// Written by `amble library build RECIPE` from captures, and read as YAML (DESIGN.md, section 5).
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "animation/body/foot_shape.h"
+#include "animation/body/joint_roles.h"
+#include "animation/body/skeleton.h"
+#include "animation/library/walk_cycle.h"
+
+namespace amble {
+
+enum class MotionKind {
+  kWalk,      ///< a cycle of the whole body
+  kMovement,  ///< what chains of joints do while walking, as a cycle that goes with the steps
+  kPosture,   ///< a pose to hold, of the whole body or of chains of joints
+  kStart,     ///< how walking begins
+  kStop,      ///< how it ends
+  kBlocking,  ///< a pose for which the walker stops
+};
+const std::vector<std::string>& motionKindNames();  ///< as files have them, by MotionKind
+
+/// When a motion may be used (Pettré §4.1, "chronological validity").
+struct Validity {
+  enum class When { kAlways, kAtStart, kAtEnd, kBetween, kClearanceAbove };
+  When when = When::kAlways;
+  double from = 0.0, to = 0.0;  ///< of kBetween [s]
+  double clearance = 0.0;       ///< of kClearanceAbove [m]
+};
+
+/// How walking begins or ends, measured along the root's way.
+struct Transition {
+  double speed = 0.0;         ///< of the walk that it leads to or comes from [m/s]
+  double first_speed = 0.0;   ///< at the first strike, or the last lift-off [m/s]
+  double acceleration = 0.0;  ///< mean between 10 % and 90 % of the speed [m/s^2, > 0]
+};
+
+struct MotionSource {
+  std::string clip;                    ///< path below the captures' folder
+  std::array<int, 2> frames = {0, 0};  ///< of the clip: first and last
+  bool mirrored = false;
+  std::string licence;
+  std::string credit;
+};
+
+/// Walks and movements have a cycle, postures a pose, starts and stops a transition; checked when
+/// read and when built.
+struct Motion {
+  std::string name;
+  MotionKind kind = MotionKind::kWalk;
+  bool turning = false;  ///< of a walk
+  Validity valid;
+  std::vector<std::string> chains;  ///< of joints, by name (chainJoints); empty: all
+  WalkCycle cycle;                  ///< of a walk or a movement
+  Posture posture;                  ///< of a posture or a blocking motion
+  Transition transition;            ///< of a start or a stop
+  MotionSource source;
+};
+
+struct MotionLibrary {
+  std::filesystem::path file;
+  std::string skeleton_file;  ///< BVH beside the library; its hierarchy only is read
+  Skeleton skeleton;          ///< [m]
+  JointRoles roles;
+  double stature = 0.0;  ///< of the captured subject, from leg length [m]
+  std::vector<Motion> motions;
+
+  const Motion* find(const std::string& motion) const;  ///< by name; null where there is none
+  /// The posture `stand`, whose rotations are the reference of every cycle's rotation vectors.
+  const Posture& stand() const { return find("stand")->posture; }
+  std::array<FootShape, 2> feet() const;  ///< by Side
+};
+
+/// @throws InputError with file and line: unknown keys, sizes that do not fit the skeleton, a walk
+/// that is called straight and turns, no posture `stand`, no straight walk.
+MotionLibrary readMotionLibrary(const std::filesystem::path& file);
+/// The library called `default`, or the one at a path (relative to `relative_to`). @throws
+/// InputError
+MotionLibrary openMotionLibrary(const std::string& name,
+                                const std::filesystem::path& relative_to = {});
+/// Writes the library and, beside it, the BVH of its skeleton. @throws InputError
+void writeMotionLibrary(const MotionLibrary& library, const std::filesystem::path& file);
+
+/// The joints of a chain: `left_arm`, `right_arm`, `trunk`, `head`, `left_leg`, `right_leg`. None
+/// where the name is no chain's.
+std::vector<int> chainJoints(const Skeleton& skeleton, const JointRoles& roles,
+                             const std::string& chain);
+
+/// Reads a recipe and its captures, and prepares every motion. `captures` is the folder that clip
+/// paths are relative to; where it is empty, the recipe's own `captures:`. @throws InputError
+MotionLibrary buildMotionLibrary(const std::filesystem::path& recipe,
+                                 const std::filesystem::path& captures = {});
+
+}  // namespace amble

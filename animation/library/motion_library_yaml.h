@@ -1,0 +1,17 @@
+/// What libraries and their recipes write alike.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "animation/library/motion_library.h"
+#include "base/strict_yaml.h"
+
+namespace amble {
+
+/// `valid:` always | at_start | at_end | {from: , to: } | {clearance_above: }. @throws InputError
+Validity readValidity(const YamlNode& node);
+/// `joints:` all, or a list of chains. @throws InputError
+std::vector<std::string> readChains(const YamlNode& node);
+
+}  // namespace amble

@@ -1,0 +1,243 @@
+#include "animation/library/walk_cycle.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "animation/analysis/gait_measures.h"
+#include "animation/preparation/cycle_finder.h"
+#include "animation/preparation/foot_cycle_fit.h"
+#include "animation/preparation/gait_track.h"
+#include "base/error.h"
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+constexpr int kSamples = 64;  // of a cycle, to fit the series to; even
+constexpr int kFewestHarmonics = 4;
+constexpr int kMostHarmonics = 6;  // eight carry the shaking of captures
+constexpr double kSmallResidual = 0.5 * kDegree;
+
+// The fitted line or circle: the path's point and heading at phase 0, and how they go on.
+struct FittedPath {
+  Eigen::Vector2d start;
+  double heading, length, turn;  // of one cycle
+
+  Eigen::Vector2d at(double u) const {  // u in cycles
+    const double half = 0.5 * turn * u;
+    const double chord = std::abs(half) < 1e-9 ? length * u : length * u * std::sin(half) / half;
+    return start + chord * Eigen::Vector2d(std::cos(heading + half), std::sin(heading + half));
+  }
+};
+
+// Time of phase [cycles] after `begin`, such that the middle double support comes at 0.5 and the
+// ends keep their rate.
+double frameAt(const Stretch& s, double phase) {
+  const double period = s.end - s.begin;
+  const double late = (s.middle - s.begin) / period - 0.5;
+  const double bump = std::sin(kPi * phase);
+  return s.begin + period * (phase + late * bump * bump);
+}
+
+FittedPath fitPath(const GaitTrack& track, const Stretch& s, bool turning) {
+  const Eigen::Vector2d from = track.jointsAt(s.begin)[0].p_WJ.head<2>();
+  const Eigen::Vector2d to = track.jointsAt(s.end)[0].p_WJ.head<2>();
+  FittedPath path;
+  path.turn = turning ? s.turn : 0.0;
+  const double half = 0.5 * path.turn;
+  path.length = (to - from).norm() * (std::abs(half) < 1e-9 ? 1.0 : half / std::sin(half));
+  path.heading = std::atan2(to.y() - from.y(), to.x() - from.x()) - half;
+  path.start = from;
+  // Across the path, the root's errors have no mean.
+  double across = 0.0;
+  for (int i = 0; i < kSamples; ++i) {
+    const double u = static_cast<double>(i) / kSamples;
+    const double heading = path.heading + path.turn * u;
+    const Eigen::Vector2d d = track.jointsAt(frameAt(s, u))[0].p_WJ.head<2>() - path.at(u);
+    across += (-std::sin(heading) * d.x() + std::cos(heading) * d.y()) / kSamples;
+  }
+  path.start += across * Eigen::Vector2d(-std::sin(path.heading), std::cos(path.heading));
+  return path;
+}
+
+// Column of channels at a phase of the stretch; see WalkCycle::series.
+Eigen::VectorXd channelsAt(const GaitTrack& track, const Stretch& s, const FittedPath& path,
+                           const std::vector<Eigen::Quaterniond>& reference, double u) {
+  Pose pose;
+  pose.rotations.resize(reference.size());
+  track.poseAt(frameAt(s, u), pose);
+  const double heading = path.heading + path.turn * u;
+  const Eigen::Vector2d d = pose.p_WR.head<2>() - path.at(u);
+  Eigen::VectorXd c(3 + 3 * static_cast<Eigen::Index>(reference.size()));
+  c[0] = std::cos(heading) * d.x() + std::sin(heading) * d.y();
+  c[1] = -std::sin(heading) * d.x() + std::cos(heading) * d.y();
+  c[2] = pose.p_WR.z();
+  pose.rotations[0] = aboutZ(-heading) * pose.rotations[0];
+  for (size_t j = 0; j < reference.size(); ++j) {
+    c.segment<3>(3 + 3 * static_cast<Eigen::Index>(j)) =
+        logRotation(reference[j].conjugate() * pose.rotations[j]);
+  }
+  return c;
+}
+
+// Rows: channels; columns: kSamples even phases. What the ends differ by is spread over the cycle.
+Eigen::MatrixXd closedSamples(const GaitTrack& track, const Stretch& s, const FittedPath& path,
+                              const std::vector<Eigen::Quaterniond>& reference) {
+  const Eigen::VectorXd first = channelsAt(track, s, path, reference, 0.0);
+  const Eigen::VectorXd gap = channelsAt(track, s, path, reference, 1.0) - first;
+  Eigen::MatrixXd samples(first.size(), kSamples);
+  for (int i = 0; i < kSamples; ++i) {
+    const double u = static_cast<double>(i) / kSamples;
+    samples.col(i) = channelsAt(track, s, path, reference, u) - (u - 0.5) * gap;
+  }
+  return samples;
+}
+
+// Root mean square of what the series leaves out of the joints' channels.
+double residualOf(const FourierSeries& series, const Eigen::MatrixXd& samples,
+                  const std::vector<double>& phases) {
+  double squares = 0.0;
+  std::vector<double> basis(2 * static_cast<size_t>(series.harmonics()) + 2);
+  for (Eigen::Index i = 0; i < samples.cols(); ++i) {
+    fourierBasis(phases[i], series.harmonics(), basis.data());
+    Eigen::VectorXd value = Eigen::VectorXd::Zero(series.channels());
+    for (int k = 0; k <= series.harmonics(); ++k) {
+      value += basis[2 * k] * series.alpha.col(k) + basis[2 * k + 1] * series.beta.col(k);
+    }
+    squares += (samples.col(i) - value).tail(series.channels() - 3).squaredNorm();
+  }
+  return std::sqrt(squares / static_cast<double>(samples.cols() * (series.channels() - 3)));
+}
+
+// Mean of the stretches' samples: column i is phase i / kSamples, whichever foot led.
+Eigen::MatrixXd meanSamples(const GaitTrack& track, const std::vector<Stretch>& stretches,
+                            const std::vector<FittedPath>& paths,
+                            const std::vector<Eigen::Quaterniond>& reference) {
+  Eigen::MatrixXd mean;
+  for (size_t k = 0; k < stretches.size(); ++k) {
+    const Eigen::MatrixXd one = closedSamples(track, stretches[k], paths[k], reference);
+    if (mean.size() == 0) mean = Eigen::MatrixXd::Zero(one.rows(), one.cols());
+    const int late = stretches[k].leading == kLeft ? 0 : kSamples / 2;
+    for (int i = 0; i < kSamples; ++i) mean.col((i + late) % kSamples) += one.col(i);
+  }
+  return mean / static_cast<double>(stretches.size());
+}
+
+// With as many harmonics as asked, or as few as leave out little enough.
+void fitSeries(const Eigen::MatrixXd& samples, int harmonics, WalkCycle& cycle) {
+  std::vector<double> phases;
+  for (int i = 0; i < kSamples; ++i) phases.push_back(static_cast<double>(i) / kSamples);
+  const int first = harmonics > 0 ? harmonics : kFewestHarmonics;
+  const int last = harmonics > 0 ? harmonics : kMostHarmonics;
+  for (int h = first; h <= last; ++h) {
+    cycle.series = fitFourier(samples, phases, h);
+    cycle.residual = residualOf(cycle.series, samples, phases);
+    if (cycle.residual <= kSmallResidual) return;
+  }
+}
+
+// Feet of the stretches, averaged; phases as if the left foot had led.
+void fitFeet(const GaitTrack& track, const std::vector<Stretch>& stretches,
+             const std::array<FootShape, 2>& shapes, const std::string& clip, WalkCycle& cycle) {
+  for (const Side side : {kLeft, kRight}) {
+    std::vector<FootCycle> feet;
+    for (const Stretch& s : stretches) {
+      feet.push_back(fitFootCycle(track, side, shapes[side], s.begin, s.end, clip));
+      if (s.leading == kLeft) continue;
+      feet.back().strike = std::fmod(feet.back().strike + 0.5, 1.0);
+      feet.back().lift_off = std::fmod(feet.back().lift_off + 0.5, 1.0);
+    }
+    cycle.feet[side] = meanFoot(feet);
+  }
+}
+
+void fitPlacing(const GaitTrack& track, const std::vector<Stretch>& stretches,
+                const std::vector<FittedPath>& paths, WalkCycle& cycle) {
+  const double share = 1.0 / static_cast<double>(stretches.size());
+  for (size_t k = 0; k < stretches.size(); ++k) {
+    const Stretch& s = stretches[k];
+    const FootPlacing placing =
+        measurePlacing(track, s.begin, paths[k].start, paths[k].heading, s.leading);
+    cycle.step_width += share * placing.width;
+    cycle.foot_forward += share * placing.forward;
+    for (int side = 0; side < 2; ++side) cycle.toe_out[side] += share * placing.toe_out[side];
+    cycle.slide = std::max(cycle.slide, placing.slide);
+  }
+}
+
+CaptureQuality measureCapture(const Clip& level, const JointRoles& roles) {
+  const GaitMeasures gait = measureGait(level, roles, detectPlants(level, roles));
+  return {gait.toe_skate, gait.root_acceleration, gait.joint_jerk, gait.pops};
+}
+
+}  // namespace
+
+WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
+                           const std::array<FootShape, 2>& feet,
+                           const std::vector<Eigen::Quaterniond>& reference,
+                           const CycleOptions& options, std::pair<int, int>* used_frames) {
+  const GaitTrack track(level, roles, feet);
+  const std::vector<Stretch> stretches = findStretches(track, options);
+  std::vector<FittedPath> paths;
+  WalkCycle cycle;
+  cycle.cycles = static_cast<int>(stretches.size());
+  double first = level.frames(), last = 0.0, length = 0.0, turn = 0.0;
+  for (const Stretch& s : stretches) {
+    paths.push_back(fitPath(track, s, options.turning));
+    cycle.period += (s.end - s.begin) * level.frame_time / cycle.cycles;
+    length += paths.back().length / cycle.cycles;
+    turn += paths.back().turn / cycle.cycles;
+    cycle.closure = std::max(cycle.closure, s.closure);
+    first = std::min(first, s.begin);
+    last = std::max(last, s.end);
+  }
+  cycle.speed = length / cycle.period;
+  cycle.turn_rate = turn / cycle.period;
+  fitSeries(meanSamples(track, stretches, paths, reference), options.harmonics, cycle);
+  fitFeet(track, stretches, feet, options.clip, cycle);
+  fitPlacing(track, stretches, paths, cycle);
+  cycle.capture = measureCapture(level, roles);
+  if (used_frames != nullptr) {
+    *used_frames = {static_cast<int>(std::lround(first)), static_cast<int>(std::lround(last))};
+  }
+  return cycle;
+}
+
+Posture preparePosture(const Clip& level, const JointRoles& roles,
+                       const std::array<FootShape, 2>& feet, int first, int last) {
+  const GaitTrack track(level, roles, feet);
+  const int joints = level.skeleton.size();
+  Posture posture;
+  posture.rotations.assign(joints, Eigen::Quaterniond::Identity());
+  const int count = last - first + 1;
+  std::vector<Eigen::Vector4d> sum(joints, Eigen::Vector4d::Zero());
+  for (int i = first; i <= last; ++i) {
+    const double heading = track.headingAt(i);
+    Pose pose;
+    pose.rotations.resize(joints);
+    track.poseAt(i, pose);
+    pose.rotations[0] = aboutZ(-heading) * pose.rotations[0];
+    for (int j = 0; j < joints;
+         ++j) {  // quaternions that lie near each other: their mean is their sum
+      const Eigen::Vector4d q = pose.rotations[j].coeffs();
+      sum[j] += q.dot(sum[j]) < 0.0 ? Eigen::Vector4d(-q) : q;
+    }
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero(), across = Eigen::Vector3d::Zero();
+    for (const Side side : {kLeft, kRight}) {
+      const Plant here{static_cast<double>(i), static_cast<double>(i)};
+      const GaitTrack::FlatFoot flat = track.flatFoot(side, here);
+      middle += 0.5 * flat.print;
+      across += side == kLeft ? flat.print : Eigen::Vector3d(-flat.print);
+      posture.toe_out[side] += wrapAngle(flat.heading - heading) / count;
+    }
+    posture.root_height += (pose.p_WR.z() - middle.z()) / count;
+    const Eigen::Vector3d back = aboutZ(-heading) * (pose.p_WR - middle);
+    posture.root_forward += back.x() / count;
+    posture.step_width += (aboutZ(-heading) * across).y() / count;
+  }
+  for (int j = 0; j < joints; ++j) posture.rotations[j].coeffs() = sum[j].normalized();
+  return posture;
+}
+
+}  // namespace amble

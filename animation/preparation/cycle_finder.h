@@ -1,0 +1,28 @@
+/// Where a clip walks in whole, steady cycles: what Pettré (§4.1) leaves to the user.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "animation/library/walk_cycle.h"
+#include "animation/preparation/gait_track.h"
+
+namespace amble {
+
+/// A cycle, from one double support to the next but one, in fractions of the clip's frames.
+struct Stretch {
+  double begin, middle, end;  ///< middles of the double supports
+  Side leading;               ///< in front at begin
+  double closure;  ///< rms distance of the joints between the ends, seen from the root [m]
+  double turn;     ///< of the pelvis [rad], left positive
+  double speed;    ///< from end to end [m/s]
+  double aside;    ///< between travel and the pelvis' heading: 0 ahead, pi backwards [rad]
+};
+
+/// The most cyclic stretch first, then those that walk like it: as fast, turning as much, nearly
+/// as closed. Stretches that begin with either foot count; those of neighbouring steps overlap.
+/// Only stretches that walk ahead; and, unless a turn is looked for, straight ones.
+/// @throws InputError naming the clip, with the reason, where nothing can be cut from it.
+std::vector<Stretch> findStretches(const GaitTrack& track, const CycleOptions& options);
+
+}  // namespace amble

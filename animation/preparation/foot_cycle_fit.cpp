@@ -1,0 +1,293 @@
+#include "animation/preparation/foot_cycle_fit.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/error.h"
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+// A pitch below this is how a flat foot wobbles in a capture, not a rise of the heel; by trial
+// [rad].
+constexpr double kFlatPitch = 5.0 * kDegree;
+// How far any point of the sole stays above the ground in the middle half of a swing: walkers clear
+// it by 10 to 20 mm [m].
+constexpr double kSwingClearance = 0.015;
+constexpr int kSwingPoints = 33;  // at which a swing is fitted
+
+double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
+
+// The swing's two plants: the one it leaves and the one it comes to.
+struct Swing {
+  Plant from, to;
+};
+
+std::optional<Swing> swingWithin(const GaitTrack& track, Side side, double begin, double end) {
+  const std::vector<Plant>& plants = track.plants(side);
+  for (size_t i = 0; i + 1 < plants.size(); ++i) {
+    if (plants[i].lift_off >= begin && plants[i].lift_off < end)
+      return {{plants[i], plants[i + 1]}};
+  }
+  // Its lift-off lies a little before the cycle: take the swing that ends within.
+  for (size_t i = 0; i + 1 < plants.size(); ++i) {
+    if (plants[i + 1].strike >= begin && plants[i + 1].strike < end) {
+      return {{plants[i], plants[i + 1]}};
+    }
+  }
+  return std::nullopt;
+}
+
+// What a captured swing is at one time, relative to its two footprints.
+struct SwingSample {
+  double progress, height, sideways;
+  double length;  // from print to print [m]
+  Eigen::Vector3d yaw_pitch_roll;
+};
+
+class SwingView {
+ public:
+  SwingView(const GaitTrack& track, Side side, const FootShape& shape, const Swing& swing)
+      : track_(track),
+        side_(side),
+        shape_(shape),
+        swing_(swing),
+        from_(track.flatFoot(side, swing.from)),
+        to_(track.flatFoot(side, swing.to)) {}
+
+  SwingSample at(double tau) const {
+    const double frame = swing_.from.lift_off + tau * (swing_.to.strike - swing_.from.lift_off);
+    const Eigen::Quaterniond q =
+        track_.sole(side_, frame, from_.correction.slerp(tau, to_.correction));
+    const Eigen::Vector3d turned = toEuler(q, {'Z', 'Y', 'X'});
+    const Eigen::Vector3d sole =
+        track_.ankle(side_, frame) - aboutZ(turned[0]) * rolledAnkle(shape_, turned[1]);
+    const Eigen::Vector2d line = (to_.print - from_.print).head<2>();
+    const Eigen::Vector2d gone = (sole - from_.print).head<2>();
+    SwingSample sample;
+    sample.progress = gone.dot(line) / line.squaredNorm();
+    sample.sideways = (line.x() * gone.y() - line.y() * gone.x()) / line.norm();
+    sample.length = line.norm();
+    sample.height = sole.z() - from_.print.z() - tau * (to_.print.z() - from_.print.z());
+    const double heading = from_.heading + smoothstep(tau) * wrapAngle(to_.heading - from_.heading);
+    sample.yaw_pitch_roll = {wrapAngle(turned[0] - heading), turned[1], turned[2]};
+    return sample;
+  }
+
+  // Pitch while the foot stands on the print that it leaves, or on the one it comes to [rad].
+  double stancePitch(bool from, double x) const {
+    const Plant& plant = from ? swing_.from : swing_.to;
+    const double frame = plant.strike + x * (plant.lift_off - plant.strike);
+    const Eigen::Quaterniond q =
+        track_.sole(side_, frame, from ? from_.correction : to_.correction);
+    return toEuler(q, {'Z', 'Y', 'X'})[1];
+  }
+
+ private:
+  const GaitTrack& track_;
+  Side side_;
+  const FootShape& shape_;
+  Swing swing_;
+  GaitTrack::FlatFoot from_, to_;
+};
+
+// Least squares of tau^2 (1 - tau)^2 (c0 + c1 tau + ...) to values at even tau, with `terms`
+// coefficients.
+std::array<double, 4> fitSwing(const std::vector<double>& values, int terms) {
+  const int n = static_cast<int>(values.size());
+  Eigen::MatrixXd basis(n, terms);
+  Eigen::VectorXd target(n);
+  for (int i = 0; i < n; ++i) {
+    const double tau = static_cast<double>(i) / (n - 1);
+    const double window = tau * tau * (1.0 - tau) * (1.0 - tau);
+    for (int k = 0; k < terms; ++k) basis(i, k) = window * std::pow(tau, k);
+    target[i] = values[i];
+  }
+  const Eigen::VectorXd solved = basis.colPivHouseholderQr().solve(target);
+  std::array<double, 4> coefficients = {};
+  for (int k = 0; k < terms; ++k) coefficients[k] = solved[k];
+  return coefficients;
+}
+
+// Small pitches are a flat foot's; large ones stay as they are.
+double flatten(double pitch) {
+  return pitch * pitch * pitch / (pitch * pitch + kFlatPitch * kFlatPitch);
+}
+
+// Pitch over stance and swing, sampled, a little smoothed (captures shake) and flat where the foot
+// stands.
+std::vector<double> pitchSamples(const SwingView& view) {
+  std::vector<double> raw;
+  constexpr int kStance = FootCycle::kStanceSamples, kSwing = FootCycle::kSwingSamples;
+  for (int i = 0; i < kStance; ++i) {
+    const double x = static_cast<double>(i) / kStance;
+    const double own = flatten(view.stancePitch(true, x)),
+                 next = flatten(view.stancePitch(false, x));
+    raw.push_back(x < 0.4 ? next
+                          : own);  // strike as it comes out of the swing, lift-off as it goes in
+  }
+  for (int i = 0; i < kSwing; ++i) {
+    raw.push_back(view.at(static_cast<double>(i) / kSwing).yaw_pitch_roll[1]);
+  }
+  const int n = static_cast<int>(raw.size());
+  std::vector<double> smooth(n);
+  for (int i = 0; i < n; ++i) {
+    smooth[i] = 0.25 * raw[(i + n - 1) % n] + 0.5 * raw[i] + 0.25 * raw[(i + 1) % n];
+  }
+  for (int i = 0; i < kStance; ++i) {  // flat is flat: the heel lifts after mid-stance only
+    const double x = static_cast<double>(i) / kStance;
+    if (x < 0.5) smooth[i] = std::min(smooth[i], 0.0);
+    if (x > 0.3) smooth[i] = std::max(smooth[i], 0.0);
+  }
+  return smooth;
+}
+
+// Lowest point of heel, ball and toe tip over the ground in a swing.
+double soleClearance(const FootShape& shape, double pitch, double height) {
+  const double pivot = pitch < 0.0 ? shape.heel_x : shape.ball_x;
+  const double s = std::sin(pitch);
+  const double heel = -s * (shape.heel_x - pivot), ball = -s * (shape.ball_x - pivot);
+  return height + std::min(heel, ball);
+}
+
+// Lifts the swing until it clears the ground: low-pass and marker noise let toes dip.
+void clearGround(const FootShape& shape, FootCycle& foot) {
+  double missing = 0.0;
+  for (int i = 0; i < kSwingPoints; ++i) {
+    const double tau = static_cast<double>(i) / (kSwingPoints - 1);
+    const double window = tau * tau * (1.0 - tau) * (1.0 - tau);
+    const double wanted = kSwingClearance * std::min(1.0, 16.0 * window);
+    const double have =
+        soleClearance(shape, footPitch(foot, 1.0 + tau), swingPolynomial(foot.height, tau));
+    if (window > 1e-6) missing = std::max(missing, (wanted - have) / window);
+  }
+  foot.height[0] += missing;
+}
+
+}  // namespace
+
+FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape, double begin,
+                       double end, const std::string& clip) {
+  const std::optional<Swing> found = swingWithin(track, side, begin, end);
+  if (!found) {
+    throw InputError(
+        clip, 0, "no whole swing of the " + std::string(side == kLeft ? "left" : "right") + " foot",
+        "each foot planted before and after the cycle");
+  }
+  const Swing& swing = *found;
+  const SwingView view(track, side, shape, swing);
+  // A swing begins and ends where the captured foot is by then: its slip belongs to the stance,
+  // which ours does not have.
+  const SwingSample first = view.at(0.0), last = view.at(1.0);
+  std::vector<double> progress, height, sideways, roll, yaw;
+  for (int i = 0; i < kSwingPoints; ++i) {
+    const double tau = static_cast<double>(i) / (kSwingPoints - 1);
+    const SwingSample sample = view.at(tau);
+    progress.push_back((sample.progress - first.progress) / (last.progress - first.progress) -
+                       smoothstep(tau));
+    height.push_back(sample.height - first.height - tau * (last.height - first.height));
+    sideways.push_back(sample.sideways - first.sideways - tau * (last.sideways - first.sideways));
+    yaw.push_back(sample.yaw_pitch_roll[0]);
+    roll.push_back(sample.yaw_pitch_roll[2]);
+  }
+  FootCycle foot;
+  const double period = end - begin;
+  const auto phase = [&](double frame) {
+    const double p = (frame - begin) / period;
+    return p - std::floor(p);
+  };
+  foot.strike = phase(swing.to.strike);
+  foot.lift_off = phase(swing.from.lift_off);
+  foot.slip = std::max(0.0, (first.progress + 1.0 - last.progress) * first.length);
+  foot.progress = fitSwing(progress, 3);
+  foot.height = fitSwing(height, 4);
+  foot.sideways = fitSwing(sideways, 2);
+  foot.roll = fitSwing(roll, 2);
+  foot.yaw = fitSwing(yaw, 2);
+  foot.pitch = pitchSamples(view);
+  clearGround(shape, foot);
+  return foot;
+}
+
+bool hasSwing(const GaitTrack& track, Side side, double begin, double end) {
+  return swingWithin(track, side, begin, end).has_value();
+}
+
+FootCycle meanFoot(const std::vector<FootCycle>& feet) {
+  const double share = 1.0 / static_cast<double>(feet.size());
+  const auto wrapped = [](double phase) { return phase - std::floor(phase); };
+  FootCycle mean;
+  mean.pitch.assign(feet.front().pitch.size(), 0.0);
+  double strike = 0.0, lift_off = 0.0;  // beyond the first foot's
+  for (const FootCycle& foot : feet) {
+    strike += share * (wrapped(foot.strike - feet.front().strike + 0.5) - 0.5);
+    lift_off += share * (wrapped(foot.lift_off - feet.front().lift_off + 0.5) - 0.5);
+    mean.slip += share * foot.slip;
+    for (int k = 0; k < 4; ++k) {
+      mean.progress[k] += share * foot.progress[k];
+      mean.height[k] += share * foot.height[k];
+      mean.sideways[k] += share * foot.sideways[k];
+      mean.roll[k] += share * foot.roll[k];
+      mean.yaw[k] += share * foot.yaw[k];
+    }
+    for (size_t i = 0; i < mean.pitch.size(); ++i) mean.pitch[i] += share * foot.pitch[i];
+  }
+  mean.strike = wrapped(feet.front().strike + strike);
+  mean.lift_off = wrapped(feet.front().lift_off + lift_off);
+  return mean;
+}
+
+FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Vector2d& path_point,
+                           double path_heading, Side leading) {
+  FootPlacing placing;
+  std::array<Eigen::Vector2d, 2> print;  // in the path's frame
+  for (const Side side : {kLeft, kRight}) {
+    for (const Plant& plant : track.plants(side)) {
+      if (plant.strike > begin + (side == leading ? 1.0 : 0.0) || plant.lift_off < begin - 1.0)
+        continue;
+      const GaitTrack::FlatFoot flat = track.flatFoot(side, plant);
+      const Eigen::Vector2d d = flat.print.head<2>() - path_point;
+      print[side] = {std::cos(path_heading) * d.x() + std::sin(path_heading) * d.y(),
+                     -std::sin(path_heading) * d.x() + std::cos(path_heading) * d.y()};
+      placing.toe_out[side] = wrapAngle(flat.heading - path_heading);
+      const double length = plant.lift_off - plant.strike;
+      const Eigen::Vector3d mean = track.ankle(side, plant.strike + 0.5 * length);
+      for (double x = 0.25; x <= 0.75; x += 0.05) {
+        const Eigen::Vector3d d3 = track.ankle(side, plant.strike + x * length) - mean;
+        placing.slide = std::max(placing.slide, d3.head<2>().norm());
+      }
+    }
+  }
+  placing.width = print[kLeft].y() - print[kRight].y();
+  placing.forward = 0.5 * (print[kLeft].x() + print[kRight].x());
+  return placing;
+}
+
+double swingPolynomial(const std::array<double, 4>& c, double tau) {
+  const double window = tau * tau * (1.0 - tau) * (1.0 - tau);
+  return window * (c[0] + tau * (c[1] + tau * (c[2] + tau * c[3])));
+}
+
+double swingProgress(const FootCycle& foot, double tau) {
+  return smoothstep(tau) + swingPolynomial(foot.progress, tau);
+}
+
+double footPitch(const FootCycle& foot, double x) {
+  constexpr int kStance = FootCycle::kStanceSamples, kSwing = FootCycle::kSwingSamples;
+  constexpr int n = kStance + kSwing;
+  const double at = x < 1.0 ? x * kStance : kStance + (x - 1.0) * kSwing;
+  const double floor = std::floor(at);
+  const double t = at - floor;
+  const auto p = [&](int k) {
+    return foot.pitch[static_cast<size_t>(((static_cast<int>(floor) + k) % n + n) % n)];
+  };
+  // Catmull-Rom: through the samples, with a continuous slope.
+  const double m0 = 0.5 * (p(1) - p(-1)), m1 = 0.5 * (p(2) - p(0));
+  const double a = 2.0 * (p(0) - p(1)) + m0 + m1, b = 3.0 * (p(1) - p(0)) - 2.0 * m0 - m1;
+  return p(0) + t * (m0 + t * (b + t * a));
+}
+
+}  // namespace amble

@@ -1,0 +1,47 @@
+/// How the feet of a captured walk go from print to print: the part of a walk cycle's preparation
+/// that looks at feet.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+
+#include "animation/library/walk_cycle.h"
+#include "animation/preparation/gait_track.h"
+
+namespace amble {
+
+/// Whether there is a swing of the foot that begins or ends within the frames [begin, end), with a
+/// plant before and after it.
+bool hasSwing(const GaitTrack& track, Side side, double begin, double end);
+
+/// The swing of one foot that begins within the frames [begin, end), and the stances around it.
+/// @throws InputError naming `clip` where there is none.
+FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape, double begin,
+                       double end, const std::string& clip);
+
+/// Mean of the feet of several cycles; phases by the shorter way around the cycle. @pre one or more
+FootCycle meanFoot(const std::vector<FootCycle>& feet);
+
+/// Where a walk puts its feet.
+struct FootPlacing {
+  double width = 0.0;    ///< between the lines of left and right footprints [m]
+  double forward = 0.0;  ///< mean of front and rear footprint before the path's point [m]
+  std::array<double, 2> toe_out = {0, 0};  ///< [rad], left positive
+  double slide = 0.0;  ///< largest distance of a standing ankle from its mean, in the middle half
+                       ///< of its stance [m]
+};
+
+/// At the double support at frame `begin`, whose front foot is `leading`, against the path's point
+/// and heading there.
+FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Vector2d& path_point,
+                           double path_heading, Side leading);
+
+/// The polynomials and the pitch of a foot.
+double swingPolynomial(const std::array<double, 4>& coefficients, double tau);
+double swingProgress(const FootCycle& foot, double tau);
+/// Pitch at x: 0 to 1 is the stance from strike to lift-off, 1 to 2 the swing [rad]. Smooth, with
+/// period 2.
+double footPitch(const FootCycle& foot, double x);
+
+}  // namespace amble

@@ -1,0 +1,35 @@
+/// One motion more in a library, from a capture (Pettré §4.1).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "animation/captures/motion_reader.h"
+#include "animation/library/motion_library.h"
+
+namespace amble {
+
+struct MotionRequest {
+  std::string name;
+  MotionKind kind = MotionKind::kWalk;
+  std::optional<bool> turning;  ///< of a walk; none: a turn if the clip ends facing elsewhere
+  Validity valid;
+  std::vector<std::string> chains;  ///< of a movement or a posture; empty: all
+  std::filesystem::path file;       ///< the capture
+  MotionReadOptions read;           ///< how to read it
+  MotionSource source;              ///< `clip` is what the library calls it; `frames` come out
+  std::optional<std::pair<int, int>> frames;  ///< of the file: look only there
+  int harmonics = 0;                          ///< of a cycle [1, 12]; 0: chosen by error
+};
+
+/// Prepares the motion and appends it. The first capture's skeleton is the library's; others are
+/// carried over to it by role and leg length. Where there is no posture `stand` before the first
+/// motion that needs one, the library `default`'s is carried over.
+/// @throws InputError naming the file where the capture does not hold what is asked: no steady
+/// cycle, a turn that is called straight, no toes, a name that the library has.
+void addMotion(MotionLibrary& library, const MotionRequest& request);
+
+}  // namespace amble

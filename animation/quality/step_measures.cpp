@@ -1,0 +1,136 @@
+#include "animation/quality/step_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "animation/body/pose.h"
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+constexpr double kSupport = 0.012;       // ground so far below a sole supports it [m]
+constexpr double kReach = 1.0;           // how far from a sole its ground is looked for [m]
+constexpr double kSmall = 0.02;          // less is compared with this [m]
+constexpr double kMiddleOfStance = 0.4;  // FootState::at, between flat foot and heel rise
+constexpr double kFlatFirst = 20.0;      // of a radian that the sole is rolled, against that
+// A print whose stance is cut off further from its middle is not measured.
+constexpr double kCutOff = 0.2;
+
+// A foot as it is in a frame.
+struct Sole {
+  Eigen::Quaterniond q_WS;
+  Eigen::Vector3d middle;  // of the sole, as if flat [m, World]
+  SoleEnds ends;
+};
+
+Sole soleAt(const JointFrame& foot_joint, const FootShape& foot) {
+  Sole sole;
+  sole.q_WS = foot_joint.q_WJ * foot.q_SF.conjugate();
+  sole.middle = foot_joint.p_WJ - sole.q_WS * Eigen::Vector3d(foot.ankle_x, 0.0, foot.ankle_height);
+  sole.ends = soleEnds(foot, foot_joint.p_WJ, foot_joint.q_WJ);
+  return sole;
+}
+
+double supportOf(const Sole& sole, const FootShape& foot, const Ground& ground) {
+  constexpr int kPoints = 51;
+  const double back = foot.heel_x - foot.radius, front = foot.tip_x + foot.radius;
+  int standing = 0;
+  for (int i = 0; i < kPoints; ++i) {
+    const double x = back + (front - back) * i / (kPoints - 1);
+    const Eigen::Vector3d p = sole.middle + sole.q_WS * Eigen::Vector3d(x, 0.0, 0.0);
+    const auto z = ground.height(p.x(), p.y(), p.z(), kReach);
+    standing += z && std::abs(p.z() - *z) <= kSupport ? 1 : 0;
+  }
+  return static_cast<double>(standing) / kPoints;
+}
+
+// How far a sole is from lying in the plane of its print [rad].
+double rolledBy(const Sole& sole, const FootPlace& place) {
+  const double cosine = place.normal.dot(sole.q_WS * Eigen::Vector3d::UnitZ());
+  return std::acos(std::clamp(cosine, -1.0, 1.0));
+}
+
+// Where a print's foot was in the middle of its stance.
+struct Stood {
+  Sole sole;
+  int first = 0, last = 0;  // frames of the print
+};
+
+}  // namespace
+
+std::vector<StepMeasure> measureWalkSteps(const Skeleton& skeleton, const JointRoles& roles,
+                                          const std::array<FootShape, 2>& feet,
+                                          const AnimationBuffer& walk, const Ground& ground) {
+  std::vector<StepMeasure> steps;
+  std::vector<JointFrame> joints(skeleton.size());
+  const auto soleOf = [&](int frame, Side side) {
+    forwardKinematics(skeleton, walk.poses[frame], joints);
+    return soleAt(joints[roles.legs[side].foot], feet[side]);
+  };
+  // Where the sole lies flat, nearest to the middle of its stance; a print may be cut off by the
+  // buffer's ends.
+  const auto flattest = [&](const Footprint& print) {
+    int best = print.first_frame;
+    double least = std::numeric_limits<double>::infinity();
+    for (int frame = print.first_frame; frame <= print.last_frame; ++frame) {
+      const FootState& foot = walk.states[frame].feet[print.side];
+      const double off = std::abs(foot.at - kMiddleOfStance);
+      const double rolled = rolledBy(soleOf(frame, print.side), foot.from);
+      if (off + kFlatFirst * rolled < least) least = off + kFlatFirst * rolled, best = frame;
+    }
+    return best;
+  };
+  std::array<std::optional<Stood>, 2> before;
+  for (const Footprint& print : walk.footprints) {
+    const Side side = print.side;
+    StepMeasure step;
+    step.side = side;
+    step.frame = flattest(print);
+    const Sole sole = soleOf(step.frame, side);
+    const auto surface = ground.surface(sole.middle.x(), sole.middle.y(), sole.middle.z(), kReach);
+    if (surface) {
+      const double cosine = surface->normal.dot(sole.q_WS * Eigen::Vector3d::UnitZ());
+      step.tilt = std::acos(std::clamp(cosine, -1.0, 1.0));
+    }
+    step.supported = supportOf(sole, feet[side], ground);
+    step.asked = print.gait;
+    const double at = walk.states[step.frame].feet[side].at;
+    if (before[kLeft] && before[kRight] && std::abs(at - kMiddleOfStance) < kCutOff) {
+      const Stood &own = *before[side], &other = *before[side == kLeft ? kRight : kLeft];
+      const auto heading = [](const Sole& s) {
+        const Eigen::Vector3d ahead = s.q_WS * Eigen::Vector3d::UnitX();
+        return std::atan2(ahead.y(), ahead.x());
+      };
+      const double from = heading(other.sole);
+      const double along = from + 0.5 * wrapAngle(heading(sole) - from);
+      const Eigen::Vector3d d = sole.middle - other.sole.middle;
+      step.achieved.stride = d.x() * std::cos(along) + d.y() * std::sin(along);
+      step.achieved.climb = d.z();
+      for (int frame = own.last + 1; frame < print.first_frame; ++frame) {
+        step.achieved.lift = std::max(
+            step.achieved.lift, heightOver(own.sole.ends, sole.ends, soleOf(frame, side).ends));
+      }
+      steps.push_back(step);
+    }
+    before[side] = Stood{sole, print.first_frame, print.last_frame};
+  }
+  return steps;
+}
+
+GaitParameters largestMiss(const std::vector<StepMeasure>& steps) {
+  GaitParameters miss;
+  const auto off = [](double asked, double achieved) {
+    return std::abs(achieved - asked) / std::max(std::abs(asked), kSmall);
+  };
+  for (const StepMeasure& step : steps) {
+    miss.stride = std::max(miss.stride, off(step.asked.stride, step.achieved.stride));
+    miss.lift = std::max(miss.lift, off(step.asked.lift, step.achieved.lift));
+    miss.climb = std::max(miss.climb, off(step.asked.climb, step.achieved.climb));
+  }
+  return miss;
+}
+
+}  // namespace amble

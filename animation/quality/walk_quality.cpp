@@ -1,0 +1,200 @@
+#include "animation/quality/walk_quality.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "animation/analysis/gait_measures.h"
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+// QUALITY.md's bars.
+constexpr double kToeSkate = 0.010;         // with foot lock [m/s]
+constexpr double kDrift = 0.002;            // with foot lock [m]
+constexpr double kPenetration = 0.005;      // [m]
+constexpr double kRootAcceleration = 1.15;  // of the anchor
+constexpr double kJointJerk = 1.1;          // of the anchor
+constexpr double kPops = 2.5;               // or
+constexpr double kPopsOfAnchor = 1.05;      // if more
+constexpr double kPathMean = 0.02;          // [m]
+constexpr double kPathLargest = 0.06;       // [m]
+constexpr double kPathEnd = 0.02;           // [m]
+constexpr double kEndHeading = 2.0;         // [degrees]
+constexpr double kAchieved = 0.05;          // speed and turn rate, of what was asked
+constexpr double kDoubleSupport = 0.04;     // from the norm
+constexpr double kStepAchieved = 0.02;      // step length, lift and rise
+constexpr double kSoleTilt = 3.0;           // [degrees]
+constexpr double kUnsupported = 0.3;        // of its length, on stairs
+constexpr double kFlip = 10.0;   // more pops than this is a joint that flips over: no anchor
+constexpr double kPace = 0.8;    // of the walk's top speed: slower is starting, stopping or turning
+constexpr double kTurns = 0.15;  // slower is straight: walkers sway by as much [rad/s]
+
+FootPlants plantsOfWalk(const AnimationBuffer& walk) {
+  std::array<std::vector<bool>, 2> planted;
+  for (const FrameState& state : walk.states) {
+    for (int side = 0; side < 2; ++side) planted[side].push_back(state.planted[side]);
+  }
+  return plantsOf(planted);
+}
+
+PathError pathErrorOf(const Clip& clip, const JointRoles& roles, const AnimationBuffer& walk) {
+  std::vector<PlannedPoint> planned;
+  for (const FrameState& state : walk.states) {
+    planned.push_back({state.position.head<2>(), state.heading});
+  }
+  return pathError(clip, roles, planned);
+}
+
+// What was asked over the span that the gait was measured in.
+struct Asked {
+  double speed = 0.0;      // [m/s]
+  double turn_rate = 0.0;  // [rad/s]
+};
+Asked askedOver(const AnimationBuffer& walk, const GaitMeasures& gait) {
+  const int last_frame = walk.size() - 1;
+  const int first = std::clamp(static_cast<int>(std::lround(gait.begin)), 0, last_frame);
+  const int last = std::clamp(static_cast<int>(std::lround(gait.end)), first, last_frame);
+  if (last == first) return {};
+  double turned = 0.0;
+  for (int i = first; i < last; ++i) {
+    turned += wrapAngle(walk.states[i + 1].heading - walk.states[i].heading);
+  }
+  const double time = (last - first) * walk.frame_time;
+  return {(walk.states[last].arc - walk.states[first].arc) / time, turned / time};
+}
+
+// Double support while the walk goes at its pace: starts, stops and turns on the spot have more of
+// it, as they should. Over whole strides, since a share over part of one depends on where it is
+// cut.
+struct Support {
+  double share = 0.0;  // [0, 1]
+  double speed = 0.0;  // mean [m/s]
+  int frames = 0;      // over which that was; 0 where there is no whole stride at pace
+};
+
+Support supportOver(const AnimationBuffer& walk, int first, int end) {
+  Support support;
+  support.frames = end - first;
+  for (int i = first; i < end; ++i) {
+    const FrameState& state = walk.states[i];
+    support.share += (state.planted[kLeft] && state.planted[kRight] ? 1.0 : 0.0) / support.frames;
+    support.speed += state.speed / support.frames;
+  }
+  return support;
+}
+
+Support supportAtPace(const AnimationBuffer& walk) {
+  double top = 0.0;
+  for (const FrameState& state : walk.states) top = std::max(top, state.speed);
+  Support longest;
+  std::array<int, 2> strike = {-1, -1};  // the first of this stretch, by Side
+  for (int i = 1; i < walk.size(); ++i) {
+    if (walk.states[i].speed < kPace * top) strike = {-1, -1};
+    for (int side = 0; side < 2; ++side) {
+      const bool strikes = walk.states[i].planted[side] && !walk.states[i - 1].planted[side];
+      if (!strikes || walk.states[i].speed < kPace * top) continue;
+      if (strike[side] < 0) strike[side] = i;
+      if (i - strike[side] > longest.frames) longest = supportOver(walk, strike[side], i);
+    }
+  }
+  return longest;
+}
+
+}  // namespace
+
+double doubleSupportNorm(double speed, double leg) {
+  // Middles of the classes very slow, slow, free, fast and very fast; the outer ranges are taken as
+  // wide as the others.
+  constexpr std::array<double, 5> kSpeed = {0.159, 0.295, 0.432, 0.568, 0.704};
+  constexpr std::array<double, 5> kShare = {0.36, 0.24, 0.19, 0.16, 0.14};
+  constexpr double kGravity = 9.81;  // [m/s²]
+  const double v = speed / std::sqrt(kGravity * leg);
+  if (v <= kSpeed.front()) return kShare.front();
+  for (size_t i = 1; i < kSpeed.size(); ++i) {
+    if (v > kSpeed[i]) continue;
+    const double t = (v - kSpeed[i - 1]) / (kSpeed[i] - kSpeed[i - 1]);
+    return kShare[i - 1] + t * (kShare[i] - kShare[i - 1]);
+  }
+  return kShare.back();
+}
+
+QualityAnchors anchorsOf(const MotionLibrary& library, double scale, double speed) {
+  QualityAnchors anchors;
+  std::vector<std::pair<double, double>> jerk;  // speed, jerk of the straight walks
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kWalk) continue;
+    const CaptureQuality& capture = motion.cycle.capture;
+    anchors.root_acceleration = std::max(anchors.root_acceleration, capture.root_acceleration);
+    if (capture.pops < kFlip) anchors.pops = std::max(anchors.pops, capture.pops);
+    if (motion.turning || motion.source.mirrored) continue;
+    jerk.emplace_back(motion.cycle.speed * std::sqrt(scale), capture.joint_jerk / std::sqrt(scale));
+  }
+  std::sort(jerk.begin(), jerk.end());
+  if (jerk.empty()) return anchors;
+  anchors.joint_jerk = speed <= jerk.front().first ? jerk.front().second : jerk.back().second;
+  for (size_t i = 1; i < jerk.size(); ++i) {
+    const auto& [v0, j0] = jerk[i - 1];
+    const auto& [v1, j1] = jerk[i];
+    if (speed < v0 || speed >= v1) continue;
+    anchors.joint_jerk = j0 + (speed - v0) / (v1 - v0) * (j1 - j0);
+  }
+  return anchors;
+}
+
+std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
+                                   const AnimationBuffer& walk, const Ground& ground,
+                                   const QualityAnchors& anchors) {
+  const GaitMeasures gait = measureGait(clip, roles, plantsOfWalk(walk), &ground);
+  const PathError path = pathErrorOf(clip, roles, walk);
+  const Asked asked = askedOver(walk, gait);
+  std::vector<QualityLine> lines = {
+      {"toe skate", gait.toe_skate, kToeSkate, "m/s"},
+      {"drift per plant", gait.largest_drift, kDrift, "m"},
+      {"penetration", gait.penetration, kPenetration, "m"},
+      {"root acceleration", gait.root_acceleration, kRootAcceleration * anchors.root_acceleration,
+       "m/s2"},
+      {"joint jerk", gait.joint_jerk, kJointJerk * anchors.joint_jerk, "m/s3"},
+      {"pops", gait.pops, std::max(kPops, kPopsOfAnchor * anchors.pops), "1"},
+      {"knee backwards", gait.knee_backwards, 0.0, "1"},
+      {"bone length change", gait.bone_length_change, 1e-9, "m"},
+      {"path error, mean", path.mean, kPathMean, "m"},
+      {"path error, largest", path.largest, kPathLargest, "m"},
+      {"path error, end", path.end, kPathEnd, "m"},
+      {"end heading", path.end_heading / kDegree, kEndHeading, "degrees"},
+  };
+  if (asked.speed <= 0.0) return lines;  // turned on the spot, or stood
+  lines.push_back(
+      {"speed, achieved against asked", std::abs(gait.speed / asked.speed - 1.0), kAchieved, "1"});
+  if (std::abs(asked.turn_rate) > kTurns) {
+    lines.push_back({"turn rate, achieved against asked",
+                     std::abs(gait.turn_rate / asked.turn_rate - 1.0), kAchieved, "1"});
+  }
+  if (const Support support = supportAtPace(walk); support.frames > 0) {
+    const double leg =
+        0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
+    lines.push_back({"double support, from its norm",
+                     std::abs(support.share - doubleSupportNorm(support.speed, leg)),
+                     kDoubleSupport, "1"});
+  }
+  lines.push_back({"flight", gait.flight, 0.0, "1"});
+  return lines;
+}
+
+std::vector<QualityLine> judgeSteps(const std::vector<StepMeasure>& steps) {
+  if (steps.empty()) return {};
+  const GaitParameters miss = largestMiss(steps);
+  double tilt = 0.0, unsupported = 0.0;
+  for (const StepMeasure& step : steps) {
+    tilt = std::max(tilt, step.tilt);
+    unsupported = std::max(unsupported, 1.0 - step.supported);
+  }
+  return {{"step length, achieved against asked", miss.stride, kStepAchieved, "1"},
+          {"lift, achieved against asked", miss.lift, kStepAchieved, "1"},
+          {"rise per step, achieved against asked", miss.climb, kStepAchieved, "1"},
+          {"sole to ground at mid-stance", tilt / kDegree, kSoleTilt, "degrees"},
+          {"unsupported share of a sole", unsupported, kUnsupported, "1"}};
+}
+
+}  // namespace amble

@@ -1,0 +1,55 @@
+/// A walk of ours against QUALITY.md's bars.
+///
+/// Plants are the walk's own, not detected ones. A bar that is a share of an anchor uses what the
+/// captures measure that the walk is made from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "animation/body/clip.h"
+#include "animation/body/joint_roles.h"
+#include "animation/ground/ground.h"
+#include "animation/library/motion_library.h"
+#include "animation/quality/step_measures.h"
+#include "animation/synthesis/animation_buffer.h"
+
+namespace amble {
+
+/// What the captures measure that a walk is made from, by measureGait.
+struct QualityAnchors {
+  double root_acceleration = 0.0;  ///< the largest of all walks of the library [m/s²]
+  double joint_jerk = 0.0;  ///< of the straight walks, not of their mirror images, at the walk's
+                            ///< speed, between those captured
+                            ///< [m/s³]
+  double pops = 0.0;        ///< the largest of all walks but those whose joints flip over [1]
+};
+
+/// Of a library's walks, for a character `scale` times the captured subject who walks at `speed`
+/// [m/s]. Lengths grow with scale, times with its root (Froude).
+QualityAnchors anchorsOf(const MotionLibrary& library, double scale, double speed);
+
+/// One measure beside its bar.
+struct QualityLine {
+  std::string measure;
+  double value = 0.0;
+  double bar = 0.0;  ///< holds where value <= bar
+  std::string unit;
+
+  bool holds() const { return value <= bar; }
+};
+
+/// Share of time with both feet planted at a speed: Schwartz et al. (J. Biomech. 41, 2008), double
+/// support of five classes of speed, linear between the middles of their ranges of v / sqrt(g leg).
+/// @param speed, leg  [m/s], [m, > 0]
+double doubleSupportNorm(double speed, double leg);
+
+/// @param clip  the walk as it is exported: its frames are the buffer's. @pre walk.size() > 0
+std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
+                                   const AnimationBuffer& walk, const Ground& ground,
+                                   const QualityAnchors& anchors);
+
+/// Its steps: how far the worst misses what it was asked to be, how its sole lies on the ground.
+std::vector<QualityLine> judgeSteps(const std::vector<StepMeasure>& steps);
+
+}  // namespace amble

@@ -1,0 +1,165 @@
+#include "animation/steps/foothold.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace amble {
+namespace {
+
+constexpr int kRows = 7;     // of samples, from the heel's end to the tip's
+constexpr int kColumns = 3;  // from side to side
+// What sticks out of the sole's plane by less is pressed flat: half of the penetration that
+// QUALITY.md allows [m].
+constexpr double kPressed = 0.0025;
+// Ground this uneven under a sole is still one surface, and the sole lies in its mean plane [m].
+constexpr double kUneven = 0.008;
+// What ends within so much above a sole is in its way; what goes on higher is a wall, which is for
+// the collision check [m].
+constexpr double kHighest = 0.35;
+constexpr int kCellsOfTilted = 6;  // along a tilted sole, in which obstacles are looked for
+// Normals as near to the vertical are vertical: rounding [1].
+constexpr double kVertical = 1e-9;
+constexpr double kSlopeRounding = 1e-3;  // ground as steep as the limit is walked [rad]
+
+std::optional<SurfacePoint> uprightIfVertical(std::optional<SurfacePoint> point) {
+  if (point && point->normal.z() > 1.0 - kVertical) point->normal = Eigen::Vector3d::UnitZ();
+  return point;
+}
+
+}  // namespace
+
+struct FootholdFinder::Samples {
+  struct Point {
+    Eigen::Vector2d at;  // from the sole's middle, in World's axes [m]
+    std::optional<SurfacePoint> surface;
+  };
+  std::array<Point, kRows * kColumns> points;
+  SurfacePoint middle;
+  bool level = true;  // every normal is vertical
+};
+
+// False where there is no ground under the middle.
+bool FootholdFinder::sample(const FootPlace& place, const FootShape& foot, double reach,
+                            Samples& out) const {
+  const double c = std::cos(place.heading), s = std::sin(place.heading);
+  const double back = foot.heel_x - foot.radius, front = foot.tip_x + foot.radius;
+  const Eigen::Vector3d& p = place.position;
+  const auto middle = uprightIfVertical(ground_.surface(p.x(), p.y(), p.z(), reach));
+  if (!middle) return false;
+  out.middle = *middle;
+  out.level = middle->normal.z() == 1.0;
+  for (int i = 0; i < kRows; ++i) {
+    const double x = back + (front - back) * i / (kRows - 1);
+    for (int j = 0; j < kColumns; ++j) {
+      const double y = foot.half_width * (j - 1);
+      Samples::Point& point = out.points[i * kColumns + j];
+      point.at = {c * x - s * y, s * x + c * y};
+      point.surface = uprightIfVertical(
+          ground_.surface(p.x() + point.at.x(), p.y() + point.at.y(), middle->height, reach));
+      out.level = out.level && (!point.surface || point.surface->normal.z() == 1.0);
+    }
+  }
+  return true;
+}
+
+// Of a sole in the plane through the middle's height with this normal, raised until nothing sticks
+// out.
+Foothold FootholdFinder::judge(const FootPlace& place, const Samples& samples,
+                               const Eigen::Vector3d& normal, double height) const {
+  Foothold found;
+  found.place = place;
+  found.place.normal = normal;
+  const auto over = [&](const Samples::Point& point) {
+    return point.surface->height - height + normal.head<2>().dot(point.at) / normal.z();
+  };
+  double raise = 0.0;
+  for (const auto& point : samples.points) {
+    if (!point.surface) continue;
+    const double out = over(point);
+    if (out > kStraddled) {
+      found.refusal = Foothold::Refusal::kEdge;
+      return found;
+    }
+    raise = std::max(raise, out);
+  }
+  if (!samples.level) raise = std::max(0.0, raise - kPressed);
+  int rows = 0;
+  for (int i = 0; i < kRows; ++i) {
+    int standing = 0;
+    for (int j = 0; j < kColumns; ++j) {
+      const auto& point = samples.points[i * kColumns + j];
+      standing += point.surface && over(point) >= raise - kStraddled ? 1 : 0;
+    }
+    rows += 2 * standing > kColumns ? 1 : 0;
+  }
+  found.place.position.z() = height + raise;
+  found.supported = static_cast<double>(rows) / kRows;
+  if (found.supported < kLeastSupport) found.refusal = Foothold::Refusal::kEdge;
+  return found;
+}
+
+// Whether anything, ground or not, sticks up through the sole.
+bool FootholdFinder::obstructed(const FootPlace& stood, const FootShape& foot) const {
+  const Eigen::Vector2d ahead(std::cos(stood.heading), std::sin(stood.heading));
+  const Eigen::Vector2d middle = stood.position.head<2>();
+  const double back = foot.heel_x - foot.radius, front = foot.tip_x + foot.radius;
+  const double z = stood.position.z();
+  const bool level = stood.normal.z() == 1.0;
+  const double tilt = -stood.normal.head<2>().dot(ahead) / stood.normal.z();
+  const double across =
+      -stood.normal.head<2>().dot(Eigen::Vector2d(-ahead.y(), ahead.x())) / stood.normal.z();
+  const int cells = level ? 1 : kCellsOfTilted;
+  for (int i = 0; i < cells; ++i) {
+    const double x0 = back + (front - back) * i / cells,
+                 x1 = back + (front - back) * (i + 1) / cells;
+    const double plane = z + std::max(tilt * x0, tilt * x1) + std::abs(across) * foot.half_width;
+    const double crest = ground_.crest(middle + x0 * ahead, middle + x1 * ahead, foot.half_width,
+                                       plane - kStraddled, plane + kHighest);
+    if (crest > plane + (level ? kPressed : 2.0 * kPressed)) return true;
+  }
+  return false;
+}
+
+Foothold FootholdFinder::at(const FootPlace& place, Side side, double reach) const {
+  const FootShape& foot = feet_[side];
+  Samples samples;
+  Foothold found;
+  found.place = place;
+  if (!sample(place, foot, reach, samples)) {
+    found.refusal = Foothold::Refusal::kNoGround;
+    return found;
+  }
+  const double height = samples.middle.height;
+  found = judge(place, samples, samples.middle.normal, height);
+  if (!samples.level) {
+    // The mean plane of all samples, where they are one surface.
+    Eigen::Matrix<double, kRows * kColumns, 3> a;
+    Eigen::Matrix<double, kRows * kColumns, 1> b;
+    bool whole = true;
+    for (int k = 0; k < kRows * kColumns && whole; ++k) {
+      const auto& point = samples.points[k];
+      whole = point.surface.has_value();
+      if (whole) a.row(k) << point.at.x(), point.at.y(), 1.0;
+      if (whole) b[k] = point.surface->height - height;
+    }
+    if (whole) {
+      // The samples lie the same way about the middle for every foot: well conditioned.
+      const Eigen::Vector3d fit = (a.transpose() * a).ldlt().solve(a.transpose() * b);
+      if ((a * fit - b).cwiseAbs().maxCoeff() <= kUneven) {
+        const Eigen::Vector3d normal = Eigen::Vector3d(-fit.x(), -fit.y(), 1.0).normalized();
+        found = judge(place, samples, normal, height + fit.z());
+      }
+    }
+  }
+  if (found.refusal != Foothold::Refusal::kNone) return found;
+  if (found.place.normal.z() < std::cos(limits_.max_slope + kSlopeRounding)) {
+    found.refusal = Foothold::Refusal::kSlope;
+  } else if (obstructed(found.place, foot)) {
+    found.refusal = Foothold::Refusal::kEdge;
+  }
+  return found;
+}
+
+}  // namespace amble

@@ -1,0 +1,90 @@
+/// Where the feet of a walk stand, and when: whole steps along a root path, from stance to stance.
+///
+/// Time is counted in steps, as by SpeedProfile. Placing i (i = 1..n) is that of the foot which
+/// swings in the i-th step; placings -1 and 0 are where the feet are at the begin, -1 the one that
+/// swings first. Placing i is planted from i - d to i + 1 + d, d being half of a double support.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "animation/steps/stance.h"
+#include "animation/synthesis/animation_buffer.h"
+
+namespace amble {
+
+/// How a character puts down its feet.
+struct FootPlacement {
+  double walk_width = 0.1;    ///< between left and right footprints while walking [m]
+  double stand_width = 0.15;  ///< the same while standing [m]
+  double forward = 0.0;       ///< middle of front and rear footprint before the path's point [m]
+  double step_length = 0.65;  ///< of the straight walk at the plan's speed [m]
+  double walk_toe_out =
+      0.0;  ///< of the left foot, left positive; the right's is its mirror image [rad]
+  double stand_toe_out = 0.0;  ///< [rad]
+  double half_support = 0.1;   ///< half of a double support [steps]
+};
+
+/// A place and heading on the ground that feet are put beside.
+struct GroundPoint {
+  Eigen::Vector3d position;
+  double heading;
+};
+
+class Footsteps {
+ public:
+  Footsteps(const FootPlacement& placement, const Stance& from, const Stance& to, int steps,
+            Side first);
+
+  /// Placings between the first and the last stance; `path_at(i)` is the root path's point midway
+  /// between nodes i and i + 1, moved on by `forward`.
+  void place(const std::function<GroundPoint(int)>& path_at);
+  /// The feet of both stances, by Side, as they stand on their ground.
+  void setStances(const std::array<FootPlace, 2>& from, const std::array<FootPlace, 2>& to);
+  /// Half of the double support around each node 0 to `steps` [steps]; without it that of the
+  /// placement. Where the walk begins or ends walking, the first two and the last two are those of
+  /// the stances. @pre as many as nodes
+  void setSupports(std::vector<double> half_supports);
+  /// All placings, to set heights: -1 first.
+  std::vector<FootPlace>& places() { return places_; }
+  const std::vector<FootPlace>& places() const { return places_; }
+  /// How a placing is come to.
+  struct Landing {
+    SwingShape swing;
+    double strike_roll = 1.0;  ///< FootState::strike_roll
+  };
+  /// Of all placings, -1 first; nothing swings to placings -1 and 0.
+  std::vector<Landing>& landings() { return landings_; }
+
+  int steps() const { return steps_; }
+  Side side(int placing) const;  ///< of placing -1, 0, 1, ... n
+  /// Both feet at a progress [0, steps]; exact at 0 and at `steps`, where the stances rule.
+  std::array<FootState, 2> at(double progress) const;
+  /// Both feet in a stance.
+  static std::array<FootState, 2> atStance(const FootPlacement& placement, const Stance& stance);
+
+ private:
+  const FootPlace& place(int placing) const { return places_[placing + 1]; }
+  double halfSupport(int node) const;
+  double strike(int placing) const;
+  double liftOff(int placing) const;
+  FootState stateOf(int placing, double progress) const;
+
+  FootPlacement placement_;
+  Stance from_, to_;
+  int steps_;
+  Side first_;
+  std::vector<FootPlace> places_;
+  std::vector<Landing> landings_;
+  std::vector<double> half_supports_;  // by node
+};
+
+/// How much of the heel strike is kept on a foot that stands so: uphill feet land flatter
+/// (FootState::strike_roll) [0, 1].
+double slopeStrike(const FootPlace& place);
+
+/// Where a foot stands beside a point: half the width to its side, toes out.
+FootPlace footBeside(const GroundPoint& point, Side side, double width, double toe_out);
+
+}  // namespace amble

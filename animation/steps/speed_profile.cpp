@@ -1,0 +1,253 @@
+#include "animation/steps/speed_profile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace amble {
+namespace {
+
+constexpr double kSpacing = 0.02;       // of knots [m]
+constexpr double kShortestPath = 0.05;  // [m]
+// Over this many straight steps a stretched stride fades to the plan's at a walking stance.
+constexpr double kFadeSteps = 1.2;
+
+// Speed against the wanted one when steps are `stretch` times the wanted ones. A walk whose steps
+// give way by a few percent keeps its speed and changes its cadence; steps much longer or shorter
+// change both, as short steps are slow ones.
+double pace(double stretch) {
+  constexpr double kSteady = 0.12;  // by trial: log of the stretch at which speed begins to follow
+  const double u = std::log(stretch);
+  return std::exp((u < 0.0 ? 1.5 : 1.0) * u * u * u / (u * u + kSteady * kSteady));
+}
+
+constexpr double kRounding = 1e-6;  // a step as long as the longest is walked [1]
+
+double smoothstep(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+}  // namespace
+
+SpeedProfile::SpeedProfile(const RootPath& path, const SpeedLimits& limits,
+                           const SpeedProfileEnds& ends)
+    : limits_(limits), ends_(ends), length_(path.length()) {
+  if (!(length_ > kShortestPath)) {
+    refusal_ = Refusal::kStepLength;
+    return;
+  }
+  limitSpeed(path);
+  if (refusal_ == Refusal::kNone) chooseSteps();
+  if (refusal_ == Refusal::kNone) time();
+}
+
+// On the straight, on its ground.
+double SpeedProfile::allowedSpeed(double arc) const {
+  const double own = limits_.law.stepLength(limits_.speed);
+  const double speed = limits_.stride ? limits_.speed * limits_.stride(arc) / own : limits_.speed;
+  return limits_.pace ? speed * limits_.pace(arc) : speed;
+}
+
+// Wanted speed at every knot: the plan's, less in turns, with bounded changes; as step length.
+void SpeedProfile::limitSpeed(const RootPath& path) {
+  const int count = std::max(8, static_cast<int>(std::ceil(length_ / kSpacing)));
+  const double spacing = length_ / count;
+  const double fade = std::min(kFadeSteps * limits_.law.stepLength(limits_.speed), 0.5 * length_);
+  std::vector<double> speed(count + 1);
+  knots_.resize(count + 1);
+  for (int i = 0; i <= count; ++i) {
+    knots_[i].arc = spacing * i;
+    const double curvature = std::abs(path.at(knots_[i].arc).curvature);
+    speed[i] =
+        std::min(allowedSpeed(knots_[i].arc), limits_.max_turn_rate / std::max(curvature, 1e-9));
+    const double from_standing = std::min(ends_.from_standing ? knots_[i].arc : length_,
+                                          ends_.to_standing ? length_ - knots_[i].arc : length_);
+    if (from_standing < 0.5 * limits_.law.stepLength(limits_.law.onset().first_speed)) {
+      speed[i] = std::min(speed[i], limits_.law.onset().first_speed);
+    }
+    knots_[i].window = (ends_.from_standing ? 1.0 : smoothstep(knots_[i].arc / fade)) *
+                       (ends_.to_standing ? 1.0 : smoothstep((length_ - knots_[i].arc) / fade));
+  }
+  const double gain = 2.0 * limits_.law.onset().acceleration * spacing;
+  for (int i = 1; i <= count; ++i) {
+    speed[i] = std::min(speed[i], std::sqrt(speed[i - 1] * speed[i - 1] + gain));
+  }
+  for (int i = count - 1; i >= 0; --i) {
+    speed[i] = std::min(speed[i], std::sqrt(speed[i + 1] * speed[i + 1] + gain));
+  }
+  constexpr double kTolerance = 1e-6;
+  const double first = allowedSpeed(0.0), last = allowedSpeed(length_);
+  if ((!ends_.from_standing && speed.front() < first * (1.0 - kTolerance)) ||
+      (!ends_.to_standing && speed.back() < last * (1.0 - kTolerance))) {
+    refusal_ = Refusal::kTurnRate;
+    return;
+  }
+  if (!ends_.from_standing) speed.front() = first;
+  if (!ends_.to_standing) speed.back() = last;
+  for (int i = 0; i <= count; ++i) {
+    knots_[i].speed = speed[i];
+    knots_[i].wanted =
+        limits_.stride ? limits_.stride(knots_[i].arc) : limits_.law.stepLength(speed[i]);
+  }
+}
+
+// Steps stretched by `delta` where they may be, and what follows from that.
+void SpeedProfile::stretch(double delta) {
+  for (Knot& k : knots_) k.step = k.wanted * (1.0 + delta * k.window);
+  knots_[0].steps = 0.0;
+  for (size_t i = 1; i < knots_.size(); ++i) {
+    const Knot& before = knots_[i - 1];
+    knots_[i].steps = before.steps + 0.5 * (knots_[i].arc - before.arc) *
+                                         (1.0 / before.step + 1.0 / knots_[i].step);
+  }
+  start_arc_ = ends_.from_standing ? 0.5 * knots_.front().step : 0.0;
+  stop_arc_ = ends_.to_standing ? length_ - 0.5 * knots_.back().step : length_;
+}
+
+double SpeedProfile::countSteps() const {
+  const int standing = (ends_.from_standing ? 1 : 0) + (ends_.to_standing ? 1 : 0);
+  if (start_arc_ > stop_arc_) return standing * length_ / (start_arc_ + length_ - stop_arc_);
+  return standing + integralAt(stop_arc_, &Knot::steps, &Knot::step, true) -
+         integralAt(start_arc_, &Knot::steps, &Knot::step, true);
+}
+
+// The number of steps that needs the least stretching, and that stretch.
+void SpeedProfile::chooseSteps() {
+  const double captured = limits_.law.capturedStep();
+  stretch(0.0);
+  const double natural = countSteps();
+  std::array<int, 4> candidates;
+  const int first = static_cast<int>(std::floor(natural)) - 1;
+  for (int i = 0; i < 4; ++i) candidates[i] = first + i;
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](int a, int b) { return std::abs(a - natural) < std::abs(b - natural); });
+  for (const int n : candidates) {
+    if (n < 2 || (ends_.parity && n % 2 != *ends_.parity)) continue;
+    double low = kLeastStretch - 1.0, high = kMostStretch - 1.0;
+    stretch(low);
+    if (countSteps() < n) continue;
+    stretch(high);
+    if (countSteps() > n) continue;
+    for (int i = 0; i < 50; ++i) {
+      const double middle = 0.5 * (low + high);
+      stretch(middle);
+      (countSteps() > n ? low : high) = middle;
+    }
+    bool walkable = true;
+    for (const Knot& k : knots_) {
+      walkable = walkable && k.step >= StrideLaw::kShortestStep * captured * (1.0 - kRounding) &&
+                 k.step <= StrideLaw::kLongestStep * captured * (1.0 + kRounding);
+    }
+    if (!walkable) continue;
+    steps_ = n;
+    return;
+  }
+  refusal_ = Refusal::kStepLength;
+}
+
+// Slowness at every knot such that the whole takes a whole number of frames: cadence gives way by
+// less than a frame.
+void SpeedProfile::time() {
+  const auto total = [&](double eta) {
+    for (Knot& k : knots_)
+      k.slowness = (1.0 + eta * k.window) / (k.speed * pace(k.step / k.wanted));
+    knots_[0].time = 0.0;
+    for (size_t i = 1; i < knots_.size(); ++i) {
+      knots_[i].time = knots_[i - 1].time + 0.5 * (knots_[i].arc - knots_[i - 1].arc) *
+                                                (knots_[i - 1].slowness + knots_[i].slowness);
+    }
+    const double first = integralAt(start_arc_, &Knot::time, &Knot::slowness, false);
+    const double last = integralAt(stop_arc_, &Knot::time, &Knot::slowness, false);
+    // Half the speed on average while starting and stopping.
+    start_time_ = ends_.from_standing ? 2.0 * first : 0.0;
+    stop_time_ = ends_.to_standing ? 2.0 * (knots_.back().time - last) : 0.0;
+    return start_time_ + (last - first) + stop_time_;
+  };
+  const double natural = total(0.0);
+  frames_ = std::max(2, static_cast<int>(std::lround(natural / limits_.frame_time)));
+  const double wanted = frames_ * limits_.frame_time;
+  const double slope = total(1.0) - natural;  // the total is linear in eta
+  total((wanted - natural) / slope);
+}
+
+// Integral of a rate up to an arc, cubic between knots.
+double SpeedProfile::integralAt(double arc, double Knot::*value, double Knot::*rate,
+                                bool inverse_rate) const {
+  const double spacing = knots_[1].arc;
+  const int last = static_cast<int>(knots_.size()) - 2;
+  const int i = std::clamp(static_cast<int>(arc / spacing), 0, last);
+  const Knot &a = knots_[i], &b = knots_[i + 1];
+  const double h = b.arc - a.arc, t = (arc - a.arc) / h;
+  const double ra = inverse_rate ? 1.0 / (a.*rate) : a.*rate;
+  const double rb = inverse_rate ? 1.0 / (b.*rate) : b.*rate;
+  return a.*value + h * t * (ra + 0.5 * t * (rb - ra));  // the rate is linear between knots
+}
+
+// Arc at which the integral reaches a value.
+double SpeedProfile::arcWhere(double value, double Knot::*integral, double Knot::*rate,
+                              bool inverse_rate) const {
+  const auto after = std::upper_bound(knots_.begin(), knots_.end(), value,
+                                      [&](double v, const Knot& k) { return v < k.*integral; });
+  const size_t i =
+      std::clamp<size_t>(static_cast<size_t>(after - knots_.begin()), 1, knots_.size() - 1);
+  const Knot &a = knots_[i - 1], &b = knots_[i];
+  const double h = b.arc - a.arc;
+  const double ra = inverse_rate ? 1.0 / (a.*rate) : a.*rate;
+  const double rb = inverse_rate ? 1.0 / (b.*rate) : b.*rate;
+  // h t (ra + t (rb - ra) / 2) = value: the stable root of a quadratic with positive rates.
+  const double q = (value - a.*integral) / h;
+  const double root = std::sqrt(std::max(0.0, ra * ra + 2.0 * (rb - ra) * q));
+  return a.arc + h * std::clamp(2.0 * q / (ra + root), 0.0, 1.0);
+}
+
+double SpeedProfile::arcAtStep(int step) const {
+  if (step <= 0) return 0.0;
+  if (step >= steps_) return length_;
+  const double base = integralAt(start_arc_, &Knot::steps, &Knot::step, true);
+  return arcWhere(base + step - (ends_.from_standing ? 1 : 0), &Knot::steps, &Knot::step, true);
+}
+
+SpeedProfile::Sample SpeedProfile::at(int frame) const {
+  const double t = frame * limits_.frame_time;
+  const double total = frames_ * limits_.frame_time;
+  const auto slownessAt = [&](double arc) {
+    const double spacing = knots_[1].arc;
+    const int i =
+        std::clamp(static_cast<int>(arc / spacing), 0, static_cast<int>(knots_.size()) - 2);
+    const double u = (arc - knots_[i].arc) / spacing;
+    return std::array<double, 2>{
+        knots_[i].slowness + u * (knots_[i + 1].slowness - knots_[i].slowness),
+        knots_[i].step + u * (knots_[i + 1].step - knots_[i].step)};
+  };
+  if (frame <= 0)
+    return {0.0, ends_.from_standing ? 0.0 : 1.0 / knots_.front().slowness, 0.0,
+            knots_.front().step};
+  if (frame >= frames_) {
+    return {length_, ends_.to_standing ? 0.0 : 1.0 / knots_.back().slowness,
+            static_cast<double>(steps_), knots_.back().step};
+  }
+  // Starting: speed grows as a smoothstep, so the arc is tau^3 - tau^4 / 2 of twice the distance.
+  if (t < start_time_) {
+    const double tau = t / start_time_;
+    const auto [slowness, step] = slownessAt(start_arc_);
+    return {2.0 * start_arc_ * (tau * tau * tau * (1.0 - 0.5 * tau)),
+            smoothstep(tau) * 2.0 * start_arc_ / start_time_, tau, step};
+  }
+  if (t > total - stop_time_) {
+    const double tau = (total - t) / stop_time_;
+    const auto [slowness, step] = slownessAt(stop_arc_);
+    const double left = length_ - stop_arc_;
+    return {length_ - 2.0 * left * (tau * tau * tau * (1.0 - 0.5 * tau)),
+            smoothstep(tau) * 2.0 * left / stop_time_, steps_ - tau, step};
+  }
+  const double base = integralAt(start_arc_, &Knot::time, &Knot::slowness, false);
+  const double arc = arcWhere(base + t - start_time_, &Knot::time, &Knot::slowness, false);
+  const auto [slowness, step] = slownessAt(arc);
+  const double progress = integralAt(arc, &Knot::steps, &Knot::step, true) -
+                          integralAt(start_arc_, &Knot::steps, &Knot::step, true) +
+                          (ends_.from_standing ? 1.0 : 0.0);
+  return {arc, 1.0 / slowness, progress, step};
+}
+
+}  // namespace amble

@@ -1,0 +1,88 @@
+/// The speed profile: when a walk is where on its root path, and in which step.
+///
+/// It starts from standing, slows where the path turns faster than the library's walks, stops
+/// standing; it is a whole number of steps and of frames (DESIGN.md, section 3). Progress is
+/// counted in steps: at progress i the walker is in the middle of a double support, and the i-th
+/// step of the walk has just landed.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "animation/steps/root_path.h"
+#include "animation/steps/stride_law.h"
+
+namespace amble {
+
+struct SpeedLimits {
+  StrideLaw law;
+  double speed = 1.2;              ///< on the straight, and at walking stances [m/s]
+  double max_turn_rate = 1.0;      ///< [rad/s]
+  double frame_time = 1.0 / 60.0;  ///< [s]
+  /// Share of the speed that the ground allows at an arc [0 to 1]; none: all of it, everywhere.
+  std::function<double(double)> pace = {};
+  /// Step length that is asked for at an arc [m], at the plan's cadence; none: the law's.
+  std::function<double(double)> stride = {};
+};
+
+struct SpeedProfileEnds {
+  bool from_standing = true;
+  bool to_standing = true;
+  std::optional<int> parity;  ///< 0 or 1: the number of steps must be even or odd
+};
+
+class SpeedProfile {
+ public:
+  enum class Refusal { kNone, kTurnRate, kStepLength };
+  /// Steps are made no shorter and no longer than these shares of the wanted ones; by trial.
+  static constexpr double kLeastStretch = 0.35, kMostStretch = 1.35;
+
+  /// Plans the whole profile. Where it is refused, nothing else may be asked.
+  SpeedProfile(const RootPath& path, const SpeedLimits& limits, const SpeedProfileEnds& ends);
+
+  Refusal refusal() const { return refusal_; }
+  int steps() const { return steps_; }    ///< >= 2
+  int frames() const { return frames_; }  ///< intervals; there is one frame more
+
+  struct Sample {
+    double arc;          ///< [m]
+    double speed;        ///< [m/s]
+    double steps;        ///< progress [0, steps()]
+    double step_length;  ///< [m]
+  };
+  Sample at(int frame) const;
+  double arcAtStep(int step) const;  ///< [m]
+
+ private:
+  void limitSpeed(const RootPath& path);
+  double allowedSpeed(double arc) const;
+  void chooseSteps();
+  void stretch(double delta);
+  double countSteps() const;
+  void time();
+  Sample within(double arc_from_knot, int knot) const;
+
+  struct Knot {
+    double arc, window,
+        wanted;             // [m], 0 where a walking stance fixes the step, wanted step length [m]
+    double speed;           // wanted [m/s]
+    double step, slowness;  // step length [m], [s/m]
+    double steps, time;     // integrals from the path's begin, of 1/step and of slowness
+  };
+  double integralAt(double arc, double Knot::*value, double Knot::*rate, bool inverse_rate) const;
+  double arcWhere(double value, double Knot::*integral, double Knot::*rate,
+                  bool inverse_rate) const;
+
+  SpeedLimits limits_;
+  SpeedProfileEnds ends_;
+  Refusal refusal_ = Refusal::kNone;
+  std::vector<Knot> knots_;  // even in arc
+  double length_ = 0.0;
+  double start_arc_ = 0.0,
+         stop_arc_ = 0.0;  // [m]: arc of the first and last node that is walked through
+  double start_time_ = 0.0, stop_time_ = 0.0;  // [s]: how long starting and stopping take
+  int steps_ = 0, frames_ = 0;
+};
+
+}  // namespace amble

@@ -1,0 +1,20 @@
+/// A stance: what a node of the roadmap is (DESIGN.md, section 3).
+#pragma once
+
+#include <Eigen/Core>
+
+#include "animation/body/joint_roles.h"
+
+namespace amble {
+
+/// Standing, or the middle of a double support of the straight walk at the plan's speed.
+struct Stance {
+  Eigen::Vector3d position =
+      Eigen::Vector3d::Zero();  ///< root path's point, on the ground [m, World]
+  double heading = 0.0;         ///< [rad], 0 faces +x, left positive
+  bool standing = true;
+  Side leading = kLeft;  ///< the foot in front; phase 0 for left, 0.5 for right; without meaning
+                         ///< while standing
+};
+
+}  // namespace amble

@@ -1,0 +1,41 @@
+#include "animation/steps/step_timing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace amble {
+
+StepTiming::StepTiming(const TimedSteps& steps)
+    : lengths_(steps.lengths), frame_time_(steps.frame_time) {
+  const double wanted = std::accumulate(steps.durations.begin(), steps.durations.end(), 0.0);
+  frames_ = std::max(2, static_cast<int>(std::lround(wanted / frame_time_)));
+  const double scale = frames_ * frame_time_ / wanted;
+  std::vector<double> times = {0.0}, nodes = {0.0};
+  for (const double duration : steps.durations) {
+    times.push_back(times.back() + scale * duration);
+    nodes.push_back(nodes.back() + 1.0);
+  }
+  // Cadence at a walking stance is its speed over its step.
+  const auto cadence = [](double speed, double length, double duration) {
+    return speed > 0.0 ? speed / length : 1.0 / duration;
+  };
+  progress_ = CubicSpline(times, std::move(nodes),
+                          cadence(steps.first_speed, lengths_.front(), steps.durations.front()),
+                          cadence(steps.last_speed, lengths_.back(), steps.durations.back()));
+  progress_.keepRising();
+  arc_ = CubicSpline(std::move(times), steps.arcs, steps.first_speed, steps.last_speed);
+  arc_.keepRising();
+}
+
+SpeedProfile::Sample StepTiming::at(int frame) const {
+  const double t = frame * frame_time_;
+  const double progress = progress_.at(t);
+  const int last = static_cast<int>(lengths_.size()) - 1;
+  const int i = std::clamp(static_cast<int>(progress), 0, last - 1);
+  const double u = std::clamp(progress - i, 0.0, 1.0), ease = u * u * (3.0 - 2.0 * u);
+  return {arc_.at(t), arc_.slope(t), progress,
+          lengths_[i] + ease * (lengths_[i + 1] - lengths_[i])};
+}
+
+}  // namespace amble

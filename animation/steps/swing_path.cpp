@@ -1,0 +1,238 @@
+#include "animation/steps/swing_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "animation/preparation/foot_cycle_fit.h"
+
+namespace amble {
+namespace {
+
+constexpr double kCell = 0.005;        // along the swing, for which heights are asked [m]
+constexpr double kCoarse = 0.03;       // the same for a first look [m]
+constexpr double kCoarseness = 0.001;  // less is how coarse the cells are [m]
+constexpr double kSeen = 0.1;    // so much higher than feet are lifted things are refused here [m]
+constexpr double kLowest = 0.4;  // so much below the prints what lies between is looked for [m]
+constexpr double kSame = 0.005;  // heights within so much of a print's plane are its plane [m]
+// Smooth ground leaves that plane by this times the distance squared: slopes to 15 degrees that
+// come and go over 4 m [1/m].
+constexpr double kBend = 0.25, kMostBent = 0.025;  // [m]
+constexpr double kUneven = 0.008;  // that a print's own ground may rise through its sole [m]
+// Within so much of a print margins over its own ground grow from 0; toes leave it fast [m].
+constexpr double kLeaving = 0.04, kNear = 0.12;
+constexpr double kKeep = 0.75;    // of what there is before a riser that a foot stands near
+constexpr double kBeside = 0.03;  // that a foot moves before what lay beside it is in its way [m]
+// What the captured swing clears by itself: things no higher over the line between prints [m].
+constexpr double kCleared = 0.006;
+
+// Shares of the swing that are tried; by trial, finer ones gain nothing.
+constexpr std::array<double, 4> kDelays = {0.0, 0.1, 0.2, 0.3};
+constexpr std::array<double, 4> kRamps = {0.6, 0.5, 0.4, 0.3};
+constexpr double kLiftCost = 20.0;  // of height, against accelerations; by trial
+
+double smoothstep(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// Minimum jerk from 0 to 1.
+double ramp(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * t * (10.0 + t * (-15.0 + 6.0 * t));
+}
+
+double bump(const SwingShape& shape, double tau) {
+  return ramp(tau / shape.rise) * ramp((1.0 - tau) / shape.fall);
+}
+
+// Rise per metre of the plane that a foot stands in, along a direction in plan.
+double tiltAlong(const FootPlace& place, const Eigen::Vector2d& direction) {
+  return -place.normal.head<2>().dot(direction) / place.normal.z();
+}
+
+// Highest point of that plane over a strip from p to q, `half_width` wide to either side.
+double highestOf(const FootPlace& place, const Eigen::Vector2d& p, const Eigen::Vector2d& q,
+                 double half_width) {
+  const Eigen::Vector2d origin = place.position.head<2>();
+  const Eigen::Vector2d along = (q - p).normalized();
+  const double across = std::abs(tiltAlong(place, {-along.y(), along.x()}));
+  return place.position.z() + std::max(tiltAlong(place, p - origin), tiltAlong(place, q - origin)) +
+         half_width * across;
+}
+
+}  // namespace
+
+double swingAlong(const SwingShape& shape, const FootCycle& cycle, double tau) {
+  const double t = (tau - shape.delay) / (1.0 - shape.delay - shape.early);
+  return swingProgress(cycle, std::clamp(t, 0.0, 1.0));
+}
+
+double swingHeight(const SwingShape& shape, const FootCycle& cycle, double tau) {
+  const double height = shape.lift * swingPolynomial(cycle.height, tau);
+  return shape.extra > 0.0 ? height + shape.extra * bump(shape, tau) : height;
+}
+
+// What lies along a swing: cells of it, by distance from where the foot stood.
+struct SwingClearance::Strip {
+  double length = 0.0;                    // from print to print [m]
+  double begin = 0.0;                     // of the first cell [m]
+  double keep = kAhead;                   // that the tip keeps from what stands before it [m]
+  double back = 0.0, ahead = 0.0;         // of the sole's ends from its middle [m, > 0]
+  double rise = 0.0;                      // of the second print over the first [m]
+  double uneven = 0.0;                    // kUneven where a print is not on the level [m]
+  double from_side = 0.0, to_side = 0.0;  // of a sole's higher side over its middle [m]
+  double from_tilt = 0.0, to_tilt = 0.0;  // of the soles along the swing [1]
+  std::vector<double> height;  // crest of each cell over the first print [m]; -infinity: none
+  std::vector<bool> own;       // whether that is the plane of a print
+};
+
+SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPlace& to,
+                                            Side side) const {
+  Strip strip;
+  const FootShape& foot = feet_[side];
+  const Eigen::Vector2d a = from.position.head<2>(), line = to.position.head<2>() - a;
+  strip.length = line.norm();
+  const Eigen::Vector2d unit = line / strip.length;
+  strip.rise = to.position.z() - from.position.z();
+  strip.back = foot.radius - foot.heel_x;
+  strip.ahead = foot.tip_x + foot.radius;
+  const Eigen::Vector2d left(-unit.y(), unit.x());
+  strip.from_tilt = tiltAlong(from, unit);
+  strip.to_tilt = tiltAlong(to, unit);
+  strip.from_side = std::abs(tiltAlong(from, left)) * foot.half_width;
+  strip.to_side = std::abs(tiltAlong(to, left)) * foot.half_width;
+  strip.begin = -strip.back;
+  if (from.normal.z() < 1.0 || to.normal.z() < 1.0) strip.uneven = kUneven;
+  const int cells =
+      static_cast<int>(std::ceil((strip.length + strip.back + strip.ahead + kAhead) / kCell));
+  const double low = std::min(from.position.z(), to.position.z()) - kLowest;
+  const double high = std::max(from.position.z(), to.position.z()) + highest_ + kSeen;
+  for (int i = 0; i < cells; ++i) {
+    const double s = strip.begin + i * kCell;
+    const Eigen::Vector2d p = a + s * unit, q = p + kCell * unit;
+    const double z = ground_.crest(p, q, foot.half_width, low, high);
+    const double own = highestOf(from, p, q, foot.half_width);
+    const double next = highestOf(to, p, q, foot.half_width);
+    const double from_foot = std::max(0.0, s - strip.ahead);
+    const double to_foot = std::max(0.0, strip.length - strip.back - s - kCell);
+    // On level prints nothing bends.
+    const auto leeway = [&](double distance) {
+      return kSame + (strip.uneven > 0.0 ? std::min(kBend * distance * distance, kMostBent) : 0.0);
+    };
+    const bool same = from_foot < to_foot ? std::abs(z - own) < leeway(from_foot)
+                                          : std::abs(z - next) < leeway(to_foot);
+    strip.height.push_back(z - from.position.z());
+    strip.own.push_back(same);
+  }
+  // A foot that stands nearer to a riser goes up nearer to it.
+  for (int i = 0; i < cells; ++i) {
+    const double before = strip.begin + i * kCell - strip.ahead;
+    if (strip.own[i] || before < 0.0) continue;
+    if (strip.height[i] > strip.rise * (before / strip.length) + kOver) {
+      strip.keep = std::min(strip.keep, kKeep * before);
+      break;
+    }
+  }
+  return strip;
+}
+
+// What must be added to the swing's height at each of kSamples moments [m].
+SwingClearance::Needs SwingClearance::needs(const Strip& strip, const FootCycle& cycle,
+                                            const SwingShape& shape) const {
+  Needs needs = {};
+  const int cells = static_cast<int>(strip.height.size());
+  for (int k = 1; k < kSamples; ++k) {
+    const double tau = static_cast<double>(k) / kSamples;
+    const double along = swingAlong(shape, cycle, tau), ease = smoothstep(tau);
+    const double s = along * strip.length;
+    // Over the ground that it stands on a foot's margin grows as it goes on.
+    const double away = std::clamp(std::min(s / kLeaving, (strip.length - s) / kNear), 0.0, 1.0);
+    const double own = away * kOver - (1.0 - away) * strip.uneven;
+    const double side = strip.from_side + ease * (strip.to_side - strip.from_side);
+    const double sole = along * strip.rise + swingHeight(shape, cycle, tau) + side;
+    const double tilt = strip.from_tilt + ease * (strip.to_tilt - strip.from_tilt);
+    const int first = static_cast<int>(std::floor((s - strip.back - strip.begin) / kCell));
+    const int last =
+        static_cast<int>(std::floor((s + strip.ahead + strip.keep - strip.begin) / kCell));
+    for (int i = std::max(first, 0); i <= std::min(last, cells - 1); ++i) {
+      const double x = strip.begin + (i + 0.5) * kCell;
+      // Beside a print, not under it: a foot that goes up or comes down there passes it by.
+      const bool beside = (x < strip.ahead + kCell && s < kBeside) ||
+                          (x > strip.length - strip.back - kCell && strip.length - s < kBeside);
+      if (beside && !strip.own[i]) continue;
+      const double at = std::clamp(x - s, -strip.back, strip.ahead);
+      const double margin = strip.own[i] ? own : kOver;
+      needs[k] = std::max(needs[k], strip.height[i] + margin - sole - tilt * at);
+    }
+    if (needs[k] < kCoarseness) needs[k] = 0.0;
+  }
+  return needs;
+}
+
+// Whether nothing rises over the line from print to print: then the captured swing will do.
+bool SwingClearance::isFree(const FootPlace& from, const FootPlace& to,
+                            const FootShape& foot) const {
+  const Eigen::Vector2d a = from.position.head<2>(), line = to.position.head<2>() - a;
+  const double length = line.norm();
+  const Eigen::Vector2d unit = line / length, left(-unit.y(), unit.x());
+  const double back = foot.radius - foot.heel_x, ahead = foot.tip_x + foot.radius;
+  const double z = from.position.z(), rise = to.position.z() - z, slope = rise / length;
+  const double low = std::min(z, z + rise) - kLowest,
+               high = std::max(z, z + rise) + highest_ + kSeen;
+  const auto crest = [&](double s0, double s1) {
+    return ground_.crest(a + s0 * unit, a + s1 * unit, foot.half_width, low, high);
+  };
+  if (rise == 0.0 && from.normal.z() == 1.0 && to.normal.z() == 1.0)
+    return crest(-back, length + ahead) <= z + kCleared;
+  const double side =
+      foot.half_width * std::min(std::abs(tiltAlong(from, left)), std::abs(tiltAlong(to, left)));
+  const int parts = static_cast<int>(std::ceil((length + back + ahead) / kCoarse));
+  const double step = (length + back + ahead) / parts;
+  for (int i = 0; i < parts; ++i) {
+    const double s = -back + i * step, end = s + step;
+    if (crest(s, end) > z + slope * (slope > 0.0 ? end : s) + side + kCleared) return false;
+  }
+  return true;
+}
+
+bool SwingClearance::clear(const FootPlace& from, const FootPlace& to, Side side,
+                           const FootCycle& cycle, SwingShape& shape) const {
+  const double length = (to.position - from.position).head<2>().norm();
+  if (length < kCell || isFree(from, to, feet_[side])) return true;
+  const Strip between = strip(from, to, side);
+  double least = std::numeric_limits<double>::infinity();
+  SwingShape best = shape, tried = shape;
+  tried.extra = 0.0;
+  for (const double delay : kDelays) {
+    for (const double early : kDelays) {
+      tried.delay = delay, tried.early = early;
+      const Needs curve = needs(between, cycle, tried);
+      // Accelerations, of the foot going on, and below going up and coming down.
+      const double on = length / std::pow(1.0 - delay - early, 2);
+      for (const double up : kRamps) {
+        for (const double down : kRamps) {
+          SwingShape shaped = tried;
+          shaped.rise = up, shaped.fall = down;
+          for (int k = 1; k < kSamples; ++k) {
+            if (curve[k] == 0.0) continue;
+            const double share = bump(shaped, static_cast<double>(k) / kSamples);
+            shaped.extra = std::max(shaped.extra, curve[k] / std::max(share, 1e-3));
+          }
+          const double extra = shaped.extra;
+          if (extra > highest_ + std::abs(between.rise)) continue;
+          const double cost = std::pow(extra / (up * up), 2) + std::pow(extra / (down * down), 2) +
+                              on * on + std::pow(kLiftCost * extra, 2);
+          if (cost >= least) continue;
+          least = cost;
+          best = shaped;
+        }
+      }
+    }
+  }
+  shape = best;
+  return std::isfinite(least);
+}
+
+}  // namespace amble

@@ -1,0 +1,268 @@
+#include "animation/synthesis/foot_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "animation/body/two_link.h"
+#include "animation/steps/swing_path.h"
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+constexpr double kExtraRise =
+    35.0 * kDegree;  // of a heel, by trial: more, and the walker goes on tiptoe [rad]
+constexpr double kBehind =
+    0.12;  // a ball of the foot so far behind the hip lets its heel rise freely [m]
+constexpr double kSoftReach =
+    0.006;  // over which the heel begins to rise before the leg is at its longest [m]
+
+double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
+
+double rolled(double pitch, double strike_roll, double lift_roll) {
+  return pitch * (pitch < 0.0 ? strike_roll : lift_roll);
+}
+
+// A sole before it is a target: its frame over the ground and how it is rolled.
+struct SolePose {
+  Eigen::Vector3d position;
+  Eigen::Quaterniond q_WS;
+  double pitch, roll;
+};
+
+SolePose swingingSole(const FootState& state, const FootCycle& cycle) {
+  const SwingShape& shape = state.swing;
+  const double tau = state.at - 1.0, ease = smoothstep(tau);
+  const double share = state.lift_roll + ease * (state.strike_roll - state.lift_roll);
+  const Eigen::Vector3d line = state.to.position - state.from.position;
+  Eigen::Vector3d sole = state.from.position + swingAlong(shape, cycle, tau) * line;
+  sole.z() += swingHeight(shape, cycle, tau);
+  const double span = line.head<2>().norm();
+  if (span > 1e-9) {
+    const double sideways = swingPolynomial(cycle.sideways, tau) / span;
+    sole += sideways * Eigen::Vector3d(-line.y(), line.x(), 0.0);
+  }
+  const double heading = state.from.heading +
+                         ease * wrapAngle(state.to.heading - state.from.heading) +
+                         swingPolynomial(cycle.yaw, tau);
+  const Eigen::Vector3d normal = state.from.normal + ease * (state.to.normal - state.from.normal);
+  return {sole, soleFrame(heading, normal), rolled(footPitch(cycle, state.at), share, share),
+          swingPolynomial(cycle.roll, tau)};
+}
+
+SolePose solePose(const FootState& state, const FootCycle& cycle) {
+  if (!state.planted()) return swingingSole(state, cycle);
+  return {state.from.position, soleFrame(state.from.heading, state.from.normal),
+          rolled(footPitch(cycle, state.at), state.strike_roll, state.lift_roll), 0.0};
+}
+
+FootTarget targetOf(const FootShape& shape, const SolePose& sole) {
+  FootTarget target;
+  target.ankle = sole.position + sole.q_WS * rolledAnkle(shape, sole.pitch);
+  target.q_WF =
+      sole.q_WS * Eigen::Quaterniond(Eigen::AngleAxisd(sole.pitch, Eigen::Vector3d::UnitY())) *
+      Eigen::Quaterniond(Eigen::AngleAxisd(sole.roll, Eigen::Vector3d::UnitX())) * shape.q_SF;
+  target.toe_bend = std::max(sole.pitch, 0.0);  // toes stay level while the heel is up
+  return target;
+}
+
+// Replaces every value by the mean of those within `half` of it.
+void smoothed(std::vector<double>& values, int half) {
+  const int n = static_cast<int>(values.size());
+  std::vector<double> sums(n + 1, 0.0);
+  for (int i = 0; i < n; ++i) sums[i + 1] = sums[i] + values[i];
+  for (int i = 0; i < n; ++i) {
+    const int first = std::max(0, i - half), last = std::min(n - 1, i + half);
+    values[i] = (sums[last + 1] - sums[first]) / (last + 1 - first);
+  }
+}
+
+}  // namespace
+
+FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
+                      const Eigen::Vector3d& hip, double longest, double heel_share) {
+  SolePose sole = solePose(state, cycle);
+  FootTarget target = targetOf(shape, sole);
+  const double distance = (target.ankle - hip).norm();
+  const double over = (distance - longest) / kSoftReach;
+  if (over < -6.0) return target;
+  Eigen::Vector3d ahead = sole.q_WS * Eigen::Vector3d::UnitX();
+  ahead.z() = 0.0;
+  const Eigen::Vector3d ball = sole.position + shape.ball_x * ahead;
+  const double behind = (hip - ball).dot(ahead);
+  const double freedom = smoothstep(std::clamp(behind / kBehind, 0.0, 1.0));
+  // A smooth minimum of what it is and what it may be.
+  const double wanted = distance - kSoftReach * std::log1p(std::exp(over));
+  double low = sole.pitch, high = sole.pitch + heel_share * kExtraRise * freedom;
+  for (int i = 0; i < 30; ++i) {
+    sole.pitch = 0.5 * (low + high);
+    ((targetOf(shape, sole).ankle - hip).norm() > wanted ? low : high) = sole.pitch;
+  }
+  return targetOf(shape, sole);
+}
+
+double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape) {
+  constexpr int kPoints = 100;
+  const auto endsOf = [&](const FootState& s) {
+    const FootTarget target = targetOf(shape, solePose(s, cycle));
+    return soleEnds(shape, target.ankle, target.q_WF);
+  };
+  const auto flat = [&](const FootPlace& place) {
+    FootState stood;
+    stood.from = stood.to = place;
+    stood.at = 0.5;
+    stood.strike_roll = stood.lift_roll = 0.0;
+    return endsOf(stood);
+  };
+  const SoleEnds from = flat(state.from), to = flat(state.to);
+  double highest = 0.0;
+  for (int i = 1; i < kPoints; ++i) {
+    state.at = 1.0 + static_cast<double>(i) / kPoints;
+    highest = std::max(highest, heightOver(from, to, endsOf(state)));
+  }
+  return highest;
+}
+
+double liftFactor(double lift, FootState state, const FootCycle& cycle, const FootShape& shape) {
+  double low = 0.0, high = 20.0;
+  for (int i = 0; i < 30; ++i) {
+    state.swing.lift = 0.5 * (low + high);
+    (swingLift(state, cycle, shape) < lift ? low : high) = state.swing.lift;
+  }
+  return 0.5 * (low + high);
+}
+
+FootController::FootController(const Skeleton& skeleton, const JointRoles& roles,
+                               const std::array<FootShape, 2>& shapes, const GaitBlend& blend,
+                               const std::array<Eigen::Vector3d, 2>& knee_axes)
+    : skeleton_(skeleton), roles_(roles), shapes_(shapes), blend_(blend), knee_axes_(knee_axes) {}
+
+bool FootController::apply(AnimationBuffer& buffer) const {
+  return dipHips(buffer) && placeLegs(buffer, 1.0);
+}
+
+bool FootController::applyUneven(AnimationBuffer& buffer) const {
+  return sinkHips(buffer) && placeLegs(buffer, kUnevenHeel);
+}
+
+bool FootController::placeLegs(AnimationBuffer& buffer, double heel_share) const {
+  std::vector<JointFrame> joints(skeleton_.size());
+  for (int i = 0; i < buffer.size(); ++i) {
+    forwardKinematics(skeleton_, buffer.poses[i], joints);
+    for (const Side side : {kLeft, kRight}) {
+      const FootTarget target = targetFor(side, buffer.states[i], joints, heel_share);
+      if (!placeLeg(side, target, joints, buffer.poses.rotations(i))) return false;
+    }
+  }
+  return true;
+}
+
+// Share of its length to which a leg behind stretches: less around lift-off.
+double FootController::heelReach(double at) {
+  constexpr double kFrom = 0.75, kTo = 1.5;  // FootState::at
+  const double rise = smoothstep(std::clamp((at - kFrom) / (1.0 - kFrom), 0.0, 1.0));
+  const double fall = smoothstep(std::clamp((kTo - at) / (kTo - 1.0), 0.0, 1.0));
+  return kHeelReach - kPreSwing * rise * fall;
+}
+
+FootTarget FootController::targetFor(Side side, const FrameState& state,
+                                     std::span<const JointFrame> joints, double heel_share) const {
+  return footTarget(state.feet[side], blend_.foot(side), shapes_[side],
+                    joints[roles_.legs[side].up_leg].p_WJ,
+                    heelReach(state.feet[side].at) * roles_.legLength(skeleton_, side), heel_share);
+}
+
+// Lowers the root around frames in which a leg would be too short, never at the first and last
+// frame: those are stances.
+bool FootController::dipHips(AnimationBuffer& buffer) const {
+  const int n = buffer.size();
+  std::vector<JointFrame> joints(skeleton_.size());
+  std::vector<double> dip(n, 0.0);
+  const int reach = std::max(1, static_cast<int>(std::lround(kDipTime / buffer.frame_time)));
+  bool any = false;
+  for (int i = 1; i + 1 < n; ++i) {
+    const double missing = missingHeight(buffer, i, kDipReach, joints);
+    if (missing <= 0.0) continue;
+    if (missing > kDeepestDip) return false;
+    any = true;
+    for (int j = std::max(1, i - reach); j <= std::min(n - 2, i + reach); ++j) {
+      const double away = std::abs(j - i) / static_cast<double>(reach);
+      dip[j] = std::max(dip[j], missing * 0.5 * (1.0 + std::cos(kPi * away)));
+    }
+  }
+  if (!any) return true;
+  for (int i = 1; i + 1 < n; ++i) {
+    // Near a stance a dip of a millimetre or two may come at once, a deep one needs its time.
+    const double from_end = std::min(i, n - 1 - i) * buffer.frame_time;
+    const double fade = std::max(kShortestFade, dip[i] / kDipSpeed);
+    buffer.poses.p_WR(i).z() -= dip[i] * smoothstep(std::min(1.0, from_end / fade));
+  }
+  return true;
+}
+
+// Lowers the root by the least smooth curve over what is missing: the largest of what is missing
+// within kSpread, averaged over as long. The first and last frame stay: they are stances.
+bool FootController::sinkHips(AnimationBuffer& buffer) const {
+  const int n = buffer.size();
+  std::vector<JointFrame> joints(skeleton_.size());
+  std::vector<double> missing(n, 0.0), sunk(n, 0.0);
+  for (int i = 1; i + 1 < n; ++i) {
+    missing[i] = missingHeight(buffer, i, kUnevenReach, joints, kUnevenHeel);
+    if (missing[i] > kUnevenDip) return false;
+  }
+  const int reach = std::max(1, static_cast<int>(std::lround(kSpread / buffer.frame_time)));
+  for (int i = 0; i < n; ++i) {
+    const auto from = missing.begin() + std::max(0, i - reach);
+    const auto to = missing.begin() + std::min(n, i + reach + 1);
+    sunk[i] = *std::max_element(from, to);
+  }
+  for (int pass = 0; pass < 2; ++pass) smoothed(sunk, reach / 2);
+  for (int i = 1; i + 1 < n; ++i) {
+    const double from_end = std::min(i, n - 1 - i) * buffer.frame_time;
+    const double fade = std::max(kShortestFade, sunk[i] / kSinkSpeed);
+    buffer.poses.p_WR(i).z() -= sunk[i] * smoothstep(std::min(1.0, from_end / fade));
+  }
+  return true;
+}
+
+bool FootController::placeLeg(Side side, const FootTarget& target,
+                              std::span<const JointFrame> joints,
+                              std::span<Eigen::Quaterniond> rotations) const {
+  const LegJoints& leg = roles_.legs[side];
+  const TwoLink links{joints[leg.up_leg].p_WJ, joints[leg.leg].p_WJ, joints[leg.foot].p_WJ,
+                      joints[leg.up_leg].q_WJ * knee_axes_[side]};
+  const double length = (links.knee - links.hip).norm() + (links.ankle - links.knee).norm();
+  if ((target.ankle - links.hip).norm() > kLongestReach * length) return false;
+  const auto solved = solveTwoLink(links, target.ankle);
+  if (!solved) return false;
+  // Joints between (twist joints of some rigs) turn with the link above them.
+  const auto parentRotation = [&](int joint, const Eigen::Quaterniond& turned) {
+    return turned * joints[skeleton_.joint(joint).parent].q_WJ;
+  };
+  const Eigen::Quaterniond q_WThigh = solved->thigh * joints[leg.up_leg].q_WJ;
+  const Eigen::Quaterniond q_WShank = solved->shank * joints[leg.leg].q_WJ;
+  const Eigen::Quaterniond& q_WParent = joints[skeleton_.joint(leg.up_leg).parent].q_WJ;
+  rotations[leg.up_leg] = (q_WParent.conjugate() * q_WThigh).normalized();
+  rotations[leg.leg] = (parentRotation(leg.leg, solved->thigh).conjugate() * q_WShank).normalized();
+  rotations[leg.foot] =
+      (parentRotation(leg.foot, solved->shank).conjugate() * target.q_WF).normalized();
+  rotations[leg.toe] = shapes_[side].q_FT * Eigen::Quaterniond(Eigen::AngleAxisd(
+                                                -target.toe_bend, shapes_[side].lateral_T));
+  return true;
+}
+
+double FootController::missingHeight(const AnimationBuffer& buffer, int frame, double share,
+                                     std::vector<JointFrame>& joints, double heel_share) const {
+  forwardKinematics(skeleton_, buffer.poses[frame], joints);
+  double missing = 0.0;
+  for (const Side side : {kLeft, kRight}) {
+    const FootTarget target = targetFor(side, buffer.states[frame], joints, heel_share);
+    const Eigen::Vector3d d = joints[roles_.legs[side].up_leg].p_WJ - target.ankle;
+    const double longest = share * roles_.legLength(skeleton_, side);
+    const double room = longest * longest - d.head<2>().squaredNorm();
+    missing = std::max(missing, d.z() - std::sqrt(std::max(room, 0.0)));
+  }
+  return missing;
+}
+
+}  // namespace amble

@@ -1,0 +1,247 @@
+#include "animation/synthesis/gait_blend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "animation/preparation/foot_cycle_fit.h"
+
+namespace amble {
+namespace {
+
+constexpr int kMaxHarmonics = 12;
+// The power of the law of step length is the walks' own where their speeds spread by so much.
+constexpr double kSpreadOfSpeeds = 1.3;
+constexpr double kLeastPower = 0.2, kMostPower = 0.7;  // a fit beyond is a fluke of few walks
+
+// Rotations do not scale; the root's three lengths do.
+Eigen::MatrixXd interleaved(const FourierSeries& series, int harmonics, double scale) {
+  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(series.channels(), 2 * harmonics + 2);
+  for (int k = 0; k <= series.harmonics(); ++k) {
+    m.col(2 * k) = series.alpha.col(k);
+    m.col(2 * k + 1) = series.beta.col(k);
+  }
+  m.topRows(3) *= scale;
+  return m;
+}
+
+// Cycles in order of `size`, parted where it grows by more than kSamePace from a group's first.
+template <typename Size>
+std::vector<std::vector<const WalkCycle*>> grouped(std::vector<const WalkCycle*> cycles,
+                                                   Size size) {
+  std::stable_sort(cycles.begin(), cycles.end(),
+                   [&](const WalkCycle* a, const WalkCycle* b) { return size(*a) < size(*b); });
+  std::vector<std::vector<const WalkCycle*>> groups;
+  for (const WalkCycle* cycle : cycles) {
+    if (groups.empty() ||
+        size(*cycle) > (1.0 + GaitBlend::kSamePace) * size(*groups.back().front())) {
+      groups.emplace_back();
+    }
+    groups.back().push_back(cycle);
+  }
+  return groups;
+}
+
+// Where `value` lies among growing `at(i)`: the one below and the share of the next; held at the
+// ends.
+struct Between {
+  size_t low = 0;
+  double share = 0.0;
+};
+template <typename At>
+Between between(size_t count, At at, double value) {
+  if (count < 2 || value <= at(0)) return {0, 0.0};
+  for (size_t i = 1; i < count; ++i) {
+    if (value < at(i)) return {i - 1, (value - at(i - 1)) / (at(i) - at(i - 1))};
+  }
+  return {count - 1, 0.0};
+}
+
+// Amplitudes times `warp`; that of the root's height once more.
+Eigen::MatrixXd warped(Eigen::MatrixXd coefficients, double warp) {
+  const Eigen::Index amplitudes = coefficients.cols() - 2;
+  coefficients.rightCols(amplitudes) *= warp;
+  coefficients.row(2).rightCols(amplitudes) *= warp;
+  return coefficients;
+}
+
+// Rates change quickly where a curve begins: shares without a kink do not show as a jerk of the
+// head.
+double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
+
+FootCycle scaledFoot(FootCycle foot, double scale) {
+  foot.slip *= scale;
+  for (double& c : foot.height) c *= scale;
+  for (double& c : foot.sideways) c *= scale;
+  return foot;
+}
+
+FootCycle mixed(const FootCycle& a, const FootCycle& b, double share) {
+  FootCycle foot = a;
+  const auto mix = [&](double& x, double y) { x += share * (y - x); };
+  for (int k = 0; k < 4; ++k) {
+    mix(foot.progress[k], b.progress[k]);
+    mix(foot.height[k], b.height[k]);
+    mix(foot.sideways[k], b.sideways[k]);
+    mix(foot.roll[k], b.roll[k]);
+    mix(foot.yaw[k], b.yaw[k]);
+  }
+  for (size_t i = 0; i < foot.pitch.size(); ++i) mix(foot.pitch[i], b.pitch[i]);
+  mix(foot.slip, b.slip);
+  return foot;
+}
+
+}  // namespace
+
+GaitBlend::GaitBlend(const MotionLibrary& library, double scale, double speed) {
+  Cycles straight;
+  std::array<Cycles, 2> turns;
+  int harmonics = 0;
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kWalk) continue;
+    harmonics = std::max(harmonics, motion.cycle.series.harmonics());
+    Cycles& list = !motion.turning ? straight : turns[motion.cycle.turn_rate > 0.0 ? 0 : 1];
+    list.push_back(&motion.cycle);
+  }
+  if (straight.empty()) throw std::invalid_argument("a motion library without a straight walk");
+  const auto groups = grouped(straight, [](const WalkCycle& c) { return c.speed; });
+  std::vector<Pace> paces;
+  for (const Cycles& cycles : groups) paces.push_back(meanPace(cycles, harmonics, scale));
+  fitLaw(paces);
+  takeOnset(library, scale);
+  mixStraight(paces, groups, scale, speed);
+  for (const Cycles& side : turns) {
+    addTurns(grouped(side, [](const WalkCycle& c) { return std::abs(c.turn_rate); }), harmonics,
+             scale);
+  }
+  const bool both = !turns_[0].empty() && !turns_[1].empty();
+  max_turn_rate_ =
+      both ? std::min(turns_[0].back().turn_rate, -turns_[1].back().turn_rate) : kNoTurns;
+}
+
+GaitBlend::Pace GaitBlend::meanPace(const Cycles& cycles, int harmonics, double scale) {
+  const double share = 1.0 / static_cast<double>(cycles.size());
+  Pace pace;
+  for (const WalkCycle* cycle : cycles) {
+    const Eigen::MatrixXd one = interleaved(cycle->series, harmonics, scale);
+    if (pace.coefficients.size() == 0) {
+      pace.coefficients = Eigen::MatrixXd::Zero(one.rows(), one.cols());
+    }
+    pace.coefficients += share * one;
+    pace.speed += share * cycle->speed * std::sqrt(scale);
+    pace.turn_rate += share * cycle->turn_rate / std::sqrt(scale);
+    pace.step += share * cycle->plantedStepLength() * scale;
+  }
+  return pace;
+}
+
+// Least squares of log step over log speed; through the slowest walk's speed.
+void GaitBlend::fitLaw(const std::vector<Pace>& paces) {
+  const double n = static_cast<double>(paces.size());
+  double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  for (const Pace& pace : paces) {
+    x += std::log(pace.speed) / n;
+    y += std::log(pace.step) / n;
+    xx += std::log(pace.speed) * std::log(pace.speed) / n;
+    xy += std::log(pace.speed) * std::log(pace.step) / n;
+  }
+  double power = StrideLaw::kStepPower;
+  if (paces.back().speed > kSpreadOfSpeeds * paces.front().speed) {
+    power = std::clamp((xy - x * y) / (xx - x * x), kLeastPower, kMostPower);
+  }
+  const double slowest = paces.front().speed;
+  law_ = StrideLaw(slowest, std::exp(y + power * (std::log(slowest) - x)), power);
+}
+
+// How walks begin and end: the mean of the library's starts and stops.
+void GaitBlend::takeOnset(const MotionLibrary& library, double scale) {
+  StrideLaw::Onset onset{0.0, 0.0};
+  int count = 0;
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kStart && motion.kind != MotionKind::kStop) continue;
+    onset.first_speed += motion.transition.first_speed * std::sqrt(scale);
+    onset.acceleration += motion.transition.acceleration;
+    ++count;
+  }
+  if (count > 0) law_.setOnset({onset.first_speed / count, onset.acceleration / count});
+}
+
+// Channels, feet and their prints at the plan's speed. Cycles are mixed at its step.
+void GaitBlend::mixStraight(const std::vector<Pace>& paces, const std::vector<Cycles>& cycles,
+                            double scale, double speed) {
+  const Between where = between(
+      paces.size(), [&](size_t i) { return paces[i].speed; }, speed);
+  const size_t high = std::min(where.low + 1, paces.size() - 1);
+  straight_.speed = speed;
+  straight_.step = law_.stepLength(speed);
+  straight_.coefficients =
+      Eigen::MatrixXd::Zero(paces[0].coefficients.rows(), paces[0].coefficients.cols());
+  for (const auto& [index, share] :
+       {std::pair(where.low, 1.0 - where.share), {high, where.share}}) {
+    straight_.coefficients +=
+        share * warped(paces[index].coefficients, straight_.step / paces[index].step);
+    const double each = share / static_cast<double>(cycles[index].size());
+    for (const WalkCycle* cycle : cycles[index]) {
+      step_width_ += each * cycle->step_width * scale;
+      foot_forward_ += each * cycle->foot_forward * scale;
+      toe_out_ += each * 0.5 * (cycle->toe_out[kLeft] - cycle->toe_out[kRight]);
+    }
+  }
+  for (const Side side : {kLeft, kRight}) {
+    const auto footOf = [&](const Cycles& pace) {
+      std::vector<FootCycle> feet;
+      for (const WalkCycle* cycle : pace) feet.push_back(scaledFoot(cycle->feet[side], scale));
+      return meanFoot(feet);
+    };
+    feet_[side] = mixed(footOf(cycles[where.low]), footOf(cycles[high]), where.share);
+  }
+}
+
+// What turns add to the straight walk at their step.
+void GaitBlend::addTurns(const std::vector<Cycles>& turns, int harmonics, double scale) {
+  for (const Cycles& cycles : turns) {
+    Pace turn = meanPace(cycles, harmonics, scale);
+    turn.coefficients -= warped(straight_.coefficients, turn.step / straight_.step);
+    const Eigen::Index kept =
+        std::min<Eigen::Index>(2 * kTurnHarmonics + 2, turn.coefficients.cols());
+    turn.coefficients.rightCols(turn.coefficients.cols() - kept).setZero();
+    turns_[turn.turn_rate > 0.0 ? 0 : 1].push_back(std::move(turn));
+  }
+}
+
+void GaitBlend::add(const Pace& pace, double weight, double step, const double* basis,
+                    Eigen::VectorXd& channels) const {
+  if (weight <= 0.0) return;
+  const double warp = step / pace.step;
+  const Eigen::Index columns = pace.coefficients.cols();
+  std::array<double, 2 * kMaxHarmonics + 2> amplitudes = {};
+  for (Eigen::Index k = 0; k < columns; ++k)
+    amplitudes[k] = weight * basis[k] * (k < 2 ? 1.0 : warp);
+  const double height = channels[2];
+  channels.noalias() +=
+      pace.coefficients * Eigen::Map<const Eigen::VectorXd>(amplitudes.data(), columns);
+  const double mean = weight * pace.coefficients(2, 0);  // height: warped once, here once more
+  channels[2] = height + mean + warp * (channels[2] - height - mean);
+}
+
+void GaitBlend::evaluate(double phase, double turn_rate, double step_length,
+                         Eigen::VectorXd& channels) const {
+  std::array<double, 2 * kMaxHarmonics + 2> basis;
+  fourierBasis(phase, static_cast<int>(straight_.coefficients.cols() / 2) - 1, basis.data());
+  channels.setZero(straight_.coefficients.rows());
+  add(straight_, 1.0, step_length, basis.data(), channels);
+  const std::vector<Pace>& turns = turns_[turn_rate > 0.0 ? 0 : 1];
+  if (turns.empty() || turn_rate == 0.0) return;
+  const double rate = std::abs(turn_rate);
+  const auto rateOf = [&](size_t i) { return std::abs(turns[i].turn_rate); };
+  if (rate <= rateOf(0)) {
+    add(turns[0], smoothstep(rate / rateOf(0)), step_length, basis.data(), channels);
+    return;
+  }
+  const Between turn = between(turns.size(), rateOf, rate);
+  const double share = smoothstep(turn.share);
+  add(turns[turn.low], 1.0 - share, step_length, basis.data(), channels);
+  if (share > 0.0) add(turns[turn.low + 1], share, step_length, basis.data(), channels);
+}
+
+}  // namespace amble

@@ -1,0 +1,77 @@
+/// Walk cycles blended to a speed and a turn rate and warped to a step length (Pettré §4.2, eq. 3).
+///
+/// Walks that go alike are averaged into one captured pace: straight ones of the same speed, left
+/// and right turns of the same rate. The straight walk is mixed of the two paces next to the plan's
+/// speed, once: the walker keeps his carriage where he slows for a turn or a stop, and only the
+/// step is warped. A turn adds what the captured turns do otherwise than that walk at their step,
+/// in its mean and lowest harmonics. Which is which is told by each cycle's own measured turn rate.
+/// (The paper has left turns negative; ours are positive.) Beyond the captured paces nothing is
+/// extrapolated but the step: the slowest and the fastest walk are warped, turns are held at the
+/// fastest captured rate, the speed drops instead.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "animation/library/motion_library.h"
+#include "animation/steps/stride_law.h"
+
+namespace amble {
+
+class GaitBlend {
+ public:
+  /// For a character `scale` times the captured subject: lengths grow with scale, speeds and turn
+  /// rates by Froude's law with its root and the inverse of it. The walker is
+  /// to walk at `speed` [m/s]. @throws std::invalid_argument without a straight walk.
+  GaitBlend(const MotionLibrary& library, double scale, double speed = 1.2);
+
+  const StrideLaw& law() const { return law_; }
+  /// Fastest turn of the library's walks; what there is without turns in the library is `kNoTurns`
+  /// [rad/s].
+  double maxTurnRate() const { return max_turn_rate_; }
+  static constexpr double kNoTurns = 0.5;
+  double stepWidth() const { return step_width_; }      ///< of the straight walk [m]
+  double footForward() const { return foot_forward_; }  ///< [m]
+  double toeOut() const { return toe_out_; }            ///< of the left foot, left positive [rad]
+  const FootCycle& foot(Side side) const { return feet_[side]; }
+
+  /// Channels of WalkCycle::series at a phase [cycles], blended for a turn rate [rad/s] and warped
+  /// to a step length [m]. Amplitudes are proportional to step length, that of the root's height to
+  /// its square as an inverted pendulum's; means stay. Not for two threads at a time on one
+  /// `channels`; allocates nothing once that has its size.
+  void evaluate(double phase, double turn_rate, double step_length,
+                Eigen::VectorXd& channels) const;
+
+  /// Walks whose speeds, or turn rates, differ by less than this share are one pace.
+  static constexpr double kSamePace = 0.15;
+  /// Harmonics of what turns add: beyond, two walks differ by what their captures shake, and a fast
+  /// walk would make much of it.
+  static constexpr int kTurnHarmonics = 3;
+
+ private:
+  struct Pace {
+    Eigen::MatrixXd coefficients;  ///< rows: channels; columns: alpha_0, beta_0 = 0, alpha_1, ...
+    double speed = 0.0;            ///< [m/s]
+    double turn_rate = 0.0;        ///< [rad/s]
+    double step = 0.0;             ///< planted [m]
+  };
+  using Cycles = std::vector<const WalkCycle*>;
+
+  static Pace meanPace(const Cycles& cycles, int harmonics, double scale);
+  void fitLaw(const std::vector<Pace>& paces);
+  void takeOnset(const MotionLibrary& library, double scale);
+  void mixStraight(const std::vector<Pace>& paces, const std::vector<Cycles>& cycles, double scale,
+                   double speed);
+  void addTurns(const std::vector<Cycles>& turns, int harmonics, double scale);
+  void add(const Pace& pace, double weight, double step, const double* basis,
+           Eigen::VectorXd& channels) const;
+
+  StrideLaw law_;
+  Pace straight_;                           // at the plan's speed
+  std::array<std::vector<Pace>, 2> turns_;  // left, right, by rate: what they add to the straight
+  double max_turn_rate_ = 0.0, step_width_ = 0.0, foot_forward_ = 0.0, toe_out_ = 0.0;
+  std::array<FootCycle, 2> feet_;
+};
+
+}  // namespace amble

@@ -1,0 +1,49 @@
+/// The walk controller (Pettré §4.2): cycles warped to the step length, blended to the turn rate,
+/// played by distance walked and projected on the root path.
+#pragma once
+
+#include <vector>
+
+#include "animation/synthesis/gait_blend.h"
+#include "animation/synthesis/sub_controller.h"
+
+namespace amble {
+
+/// Root and joints of a pose from channels (WalkCycle::series), on a path's point and heading.
+void projectChannels(const Eigen::VectorXd& channels,
+                     const std::vector<Eigen::Quaterniond>& reference,
+                     const Eigen::Vector3d& position, double heading, Eigen::Vector3d& p_WR,
+                     std::span<Eigen::Quaterniond> rotations);
+
+class WalkController : public SubController {
+ public:
+  /// How the root walks apart from the captured cycle.
+  struct Carriage {
+    double lead = 0.0;  ///< so much farther forward over the path's point [m]
+    std::vector<double>
+        lowering;          ///< so much lower, by step length: evenly from 0 to `longest` [m]
+    double longest = 1.0;  ///< [m]
+  };
+
+  WalkController(const GaitBlend& blend, const std::vector<Eigen::Quaterniond>& reference,
+                 const Eigen::VectorXd& stand_channels, Carriage carriage);
+
+  /// Overwrites every pose. The share of the standing posture (FrameState::standing) is mixed in
+  /// here, channel by channel, since the mean of two rotations is that of their rotation vectors
+  /// against a reference that lies near both.
+  bool apply(AnimationBuffer& buffer) const override;
+  double lowering(double step_length) const;  ///< in the middle of the double support [m]
+  /// Of the root on the level, walking straight in steps so long, at a phase [m].
+  double height(double phase, double step_length) const;
+  /// Share of the lowering at a phase: whole in the double support, where the legs are spread,
+  /// least over the standing leg [0, 1].
+  static double loweringShare(double phase);
+
+ private:
+  const GaitBlend& blend_;
+  const std::vector<Eigen::Quaterniond>& reference_;
+  Eigen::VectorXd stand_;
+  Carriage carriage_;
+};
+
+}  // namespace amble

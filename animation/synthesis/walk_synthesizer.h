@@ -1,0 +1,90 @@
+/// From a root path to an animated walk: one edge of the roadmap (DESIGN.md, section 3, stages 2
+/// and 3).
+///
+/// The walk is Pettré's (§4.2): along the root path, cycles of the library are warped to the local
+/// speed, blended to the local turn rate and played by distance walked; then each foot is held on
+/// its footprints by two-link inverse kinematics. Every walk between two stances is a whole number
+/// of steps and of frames, begins and ends in the pose of its stances to the bit, and depends on
+/// nothing but its arguments.
+#pragma once
+
+#include <memory>
+
+#include "animation/body/foot_shape.h"
+#include "animation/body/joint_roles.h"
+#include "animation/ground/ground.h"
+#include "animation/library/motion_library.h"
+#include "animation/steps/root_path.h"
+#include "animation/steps/stance.h"
+#include "animation/steps/walk_rule.h"
+#include "animation/synthesis/animation_buffer.h"
+#include "base/rotation.h"
+
+namespace amble {
+
+struct CharacterSettings {
+  double height =
+      0.0;  ///< stature [m, 0.5 to 2.5]; 0: the library's own. Limbs and stride scale with it
+  double speed = 1.2;              ///< on the straight [m/s, 0.3 to 2.0]
+  double frame_time = 1.0 / 60.0;  ///< [s, 1/240 to 1/24]
+  /// Steepest ground, up or down: public ramps end at 1:12, 4.8 degrees (ADA), hillside paths near
+  /// 20 [rad, 0 to 45 degrees].
+  double max_slope = 20.0 * kDegree;
+  /// Highest step up and down: stairs of dwellings rise by 0.14 to 0.20 m (DIN 18065) [m, 0 to 1].
+  double max_climb = 0.25;
+  double max_drop = 0.25;
+  /// Movements and postures of the library that are held for the whole walk, the later over the
+  /// earlier.
+  std::vector<std::string> actions = {};
+};
+
+struct WalkResult {
+  WalkRule refused = WalkRule::kNone;
+  int steps = 0;
+  Side leading = kLeft;  ///< the foot in front at the end, if the walk ends walking
+};
+
+/// Const after construction: threads may share it. Buffers are the caller's, and keep their memory
+/// from call to call.
+class WalkSynthesizer {
+ public:
+  /// @pre ground and, where there are actions, library outlive the synthesizer. @throws
+  /// std::invalid_argument for settings out of range and for an action that the library does not
+  /// have or that is no movement or posture.
+  WalkSynthesizer(const MotionLibrary& library, const Ground& ground,
+                  const CharacterSettings& settings);
+  ~WalkSynthesizer();
+
+  const CharacterSettings& settings() const;
+  const Skeleton& skeleton() const;  ///< scaled to the height
+  const JointRoles& roles() const;
+  const std::array<FootShape, 2>& feet() const;  ///< by Side
+  double stature() const;                        ///< [m]
+  double capturedStep() const;                   ///< step length of the captured walk, scaled [m]
+  double capturedLift() const;  ///< GaitParameters::lift of the captured walk, scaled [m]
+  double ankleHeight() const;   ///< of the ankle over a flat sole [m]
+  double toeHeight() const;     ///< of the toe joint over a flat sole [m]
+  double stepLength() const;    ///< of the straight walk at the plan's speed [m]
+  double maxTurnRate() const;   ///< fastest turn of a walk [rad/s]
+  double shortestWalk() const;  ///< from standing to standing [m]
+
+  /// Walks along `path` from one stance to another; `path` begins at from.position and ends at
+  /// to.position with their headings. The foot that leads at the end is given back; where
+  /// `any_leading` is false it must be to.leading. `out` is overwritten: first frame is stance
+  /// `from`, last frame stance `to`. On refusal its content is unspecified.
+  WalkResult walk(const Stance& from, const Stance& to, const RootPath& path, bool any_leading,
+                  AnimationBuffer& out, const GaitWishes& wishes = {}) const;
+
+  /// Turns on the spot by `angle` [rad, left positive, |angle| <= 2 pi] from standing at `at` to
+  /// standing, in small steps.
+  WalkResult turnOnSpot(const Stance& at, double angle, AnimationBuffer& out) const;
+
+  /// One frame, standing.
+  WalkResult stand(const Stance& at, AnimationBuffer& out) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace amble

@@ -1,7 +1,0 @@
-#include "animation/version.h"
-
-namespace amble {
-
-std::string version() { return AMBLE_VERSION; }
-
-}  // namespace amble

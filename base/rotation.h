@@ -1,0 +1,34 @@
+/// Rotations: the exponential map, Euler angles of any order in closed form, headings.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "animation/body/skeleton.h"
+
+namespace amble {
+
+inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kDegree = kPi / 180.0;  ///< [rad]
+
+/// Rotation by |v| about v. Inverse of logRotation for |v| < pi.
+Eigen::Quaterniond expRotation(const Eigen::Vector3d& v);
+/// The rotation vector of q, |v| <= pi, on the shorter way.
+Eigen::Vector3d logRotation(const Eigen::Quaterniond& q);
+
+/// R = R_order[0](angles[0]) * R_order[1](angles[1]) * R_order[2](angles[2]) [rad].
+Eigen::Quaterniond fromEuler(const Eigen::Vector3d& angles, RotationOrder order);
+/// Closed form for each of the six orders, middle angle in [-pi/2, pi/2]. In gimbal lock the last
+/// angle is 0.
+Eigen::Vector3d toEuler(const Eigen::Quaterniond& q, RotationOrder order);
+/// Of the triples that mean the same rotation (2 pi turns of each, and the other solution), the one
+/// nearest to `previous`.
+Eigen::Vector3d unwrapEuler(const Eigen::Vector3d& angles, const Eigen::Vector3d& previous);
+
+/// Angle in (-pi, pi].
+double wrapAngle(double angle);
+/// Rotation by `heading` about World z.
+Eigen::Quaterniond aboutZ(double heading);
+/// +90 degrees about x: takes a y-up file's axes to World.
+Eigen::Quaterniond yUpToWorld();
+
+}  // namespace amble

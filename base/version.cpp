@@ -1,0 +1,7 @@
+#include "base/version.h"
+
+namespace amble {
+
+std::string version() { return AMBLE_VERSION; }
+
+}  // namespace amble

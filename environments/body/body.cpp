@@ -1,0 +1,260 @@
+#include "environments/body/body.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "animation/body/foot_shape.h"
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+// Means of men in the 1988 anthropometric survey of US Army personnel (Gordon et al.,
+// NATICK/TR-89/044), rounded to millimetres, over their mean stature. Lengths of bones are not
+// taken from it: they are the skeleton's.
+constexpr double kStature = 1.756;
+constexpr double fraction(double metres) { return metres / kStature; }
+constexpr double radiusOf(double circumference) { return circumference / (2.0 * kPi) / kStature; }
+
+constexpr double kHead = radiusOf(0.568);
+constexpr double kHeadHeight = fraction(0.232);  // chin to crown
+constexpr double kNeck = radiusOf(0.380);
+constexpr double kChestBreadth = fraction(0.322), kChestDepth = fraction(0.243);
+constexpr double kWaistBreadth = fraction(0.309), kWaistDepth = fraction(0.226);
+constexpr double kHipBreadth = fraction(0.342), kButtockDepth = fraction(0.248);
+constexpr double kUpperArm = radiusOf(0.338);  // biceps, flexed
+constexpr double kForearm = radiusOf(0.302);   // flexed
+constexpr double kWrist = radiusOf(0.174);
+constexpr double kHandLength = fraction(0.194), kHandBreadth = fraction(0.090);
+constexpr double kThigh = radiusOf(0.5 * (0.597 + 0.386));  // between the crotch's and the knee's
+constexpr double kKnee = radiusOf(0.386);
+constexpr double kCalf = radiusOf(0.378);
+constexpr double kAnkle = radiusOf(0.222);
+constexpr double kFootBreadth = fraction(0.101);
+
+// A sole's radius is the ball joint's height, so that a foot that rolls about the ball does not
+// sink in; but a rig whose toe joint lies on the floor has feet with some height all the same, as a
+// fraction of stature.
+constexpr double kThinnestSole = 0.006;
+
+const std::array<std::string, 2> kSideNames = {"left ", "right "};
+
+Eigen::Vector3d nearestAxis(const Eigen::Vector3d& v) {
+  Eigen::Index axis;
+  v.cwiseAbs().maxCoeff(&axis);
+  Eigen::Vector3d unit = Eigen::Vector3d::Zero();
+  unit[axis] = v[axis] < 0.0 ? -1.0 : 1.0;
+  return unit;
+}
+
+class BodyMaker {
+ public:
+  BodyMaker(const Skeleton& skeleton, const JointRoles& roles, double stature,
+            const SoleHeight& sole)
+      : skeleton_(skeleton), roles_(roles), stature_(stature), sole_(sole) {
+    // Joint origins of the rest pose, in which every joint's axes are the root's.
+    for (const Joint& joint : skeleton.joints())
+      rest_.push_back(joint.parent < 0 ? Eigen::Vector3d(0, 0, 0)
+                                       : Eigen::Vector3d(rest_[joint.parent] + joint.offset));
+    const LegJoints &l = roles.legs[kLeft], &r = roles.legs[kRight];
+    feet_ = 0.5 * (rest_[l.foot] + rest_[r.foot]);
+    up_ = nearestAxis(rest_[roles.head] - feet_);
+    left_ = nearestAxis(rest_[l.up_leg] - rest_[r.up_leg]);
+    forward_ = left_.cross(up_);
+  }
+
+  Body make() {
+    addTrunk();
+    for (Side side : {kLeft, kRight}) {
+      addArm(side);
+      addLeg(side);
+      addFoot(side);
+    }
+    fillReach();
+    return std::move(body_);
+  }
+
+ private:
+  void add(std::string name, int joint, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+           double radius, int sole = -1) {
+    body_.parts.push_back({std::move(name), joint, from, to, radius, sole});
+  }
+
+  // A cross-section `breadth` wide and `depth` deep (fractions of stature) about a point of the
+  // rest pose.
+  void addAcross(const std::string& name, int joint, const Eigen::Vector3d& rest_centre,
+                 double breadth, double depth) {
+    const Eigen::Vector3d half = left_ * (0.5 * (breadth - depth) * stature_);
+    const Eigen::Vector3d centre = rest_centre - rest_[joint];
+    add(name, joint, centre + half, centre - half, 0.5 * depth * stature_);
+  }
+
+  // Along a limb from its joint, tapering: it ends with `end_radius` around the next joint.
+  void addLimb(const std::string& name, int joint, const Eigen::Vector3d& bone, double radius,
+               double end_radius) {
+    const double length = bone.norm();
+    const double back = std::min(length, (radius - end_radius) * stature_);
+    add(name, joint, Eigen::Vector3d::Zero(),
+        length > 0.0 ? Eigen::Vector3d(bone * (1.0 - back / length)) : bone, radius * stature_);
+  }
+
+  void addTrunk() {
+    const Eigen::Vector3d hip_joints =
+        0.5 * (rest_[roles_.legs[kLeft].up_leg] + rest_[roles_.legs[kRight].up_leg]);
+    const Eigen::Vector3d shoulders =
+        0.5 * (rest_[roles_.arms[kLeft].arm] + rest_[roles_.arms[kRight].arm]);
+    const int spine = roles_.spine >= 0 ? roles_.spine : roles_.hips;
+    const int chest = roles_.chest >= 0 ? roles_.chest : spine;
+    const Eigen::Vector3d& p_chest = rest_[chest];
+    addAcross("pelvis", roles_.hips, 0.5 * (hip_joints + rest_[roles_.hips]), kHipBreadth,
+              kButtockDepth);
+    addAcross("abdomen", spine, 0.5 * (rest_[roles_.hips] + p_chest), kWaistBreadth, kWaistDepth);
+    addAcross("chest", chest, 0.5 * (p_chest + shoulders), kChestBreadth, kChestDepth);
+    if (roles_.neck >= 0 && roles_.neck != roles_.head)
+      add("neck", roles_.neck, Eigen::Vector3d::Zero(), rest_[roles_.head] - rest_[roles_.neck],
+          kNeck * stature_);
+    else
+      add("neck", chest, shoulders - p_chest, rest_[roles_.head] - p_chest, kNeck * stature_);
+    addHead();
+  }
+
+  // The crown is at the body's stature when it stands as in the rest pose.
+  void addHead() {
+    const double joint_height = sole_.ankle + up_.dot(rest_[roles_.head] - feet_);
+    const double crown =
+        std::clamp(stature_ - joint_height, kHead * stature_, kHeadHeight * stature_);
+    const double chin = crown - kHeadHeight * stature_, radius = kHead * stature_;
+    add("head", roles_.head, up_ * (chin + radius), up_ * (crown - radius), radius);
+  }
+
+  void addArm(Side side) {
+    const ArmJoints& arm = roles_.arms[side];
+    const int chest = roles_.chest >= 0 ? roles_.chest : roles_.hips;
+    const int collar = arm.shoulder >= 0 ? arm.shoulder : chest;
+    const std::string& name = kSideNames[side];
+    add(name + "shoulder", collar, Eigen::Vector3d::Zero(), rest_[arm.arm] - rest_[collar],
+        kUpperArm * stature_);
+    if (arm.shoulder < 0)  // from the spine, at the shoulders' height
+      body_.parts.back().from = up_ * up_.dot(body_.parts.back().to);
+    addLimb(name + "upper arm", arm.arm, rest_[arm.fore_arm] - rest_[arm.arm], kUpperArm, kForearm);
+    const Eigen::Vector3d bone = forearmBone(arm);
+    addLimb(name + "forearm", arm.fore_arm, bone, kForearm, kWrist);
+    const int hand = arm.hand >= 0 ? arm.hand : arm.fore_arm;
+    const Eigen::Vector3d wrist = arm.hand >= 0 ? Eigen::Vector3d(0, 0, 0) : bone;
+    const double radius = 0.5 * kHandBreadth * stature_;
+    const Eigen::Vector3d along = bone.norm() > 0.0 ? Eigen::Vector3d(bone.normalized()) : -up_;
+    add(name + "hand", hand, wrist, wrist + along * (kHandLength * stature_ - radius), radius);
+  }
+
+  // Elbow to wrist; a rig without wrists has the mean proportion (Drillis and Contini 1966: 0.146
+  // of stature).
+  Eigen::Vector3d forearmBone(const ArmJoints& arm) const {
+    if (arm.hand >= 0) return rest_[arm.hand] - rest_[arm.fore_arm];
+    const auto& ends = skeleton_.joint(arm.fore_arm).end_sites;
+    if (!ends.empty() && ends.front().norm() > 0.0) return ends.front();
+    return 0.146 * stature_ * (rest_[arm.fore_arm] - rest_[arm.arm]).normalized();
+  }
+
+  void addLeg(Side side) {
+    const LegJoints& leg = roles_.legs[side];
+    addLimb(kSideNames[side] + "thigh", leg.up_leg, rest_[leg.leg] - rest_[leg.up_leg], kThigh,
+            kKnee);
+    addLimb(kSideNames[side] + "shank", leg.leg, rest_[leg.foot] - rest_[leg.leg], kCalf, kAnkle);
+  }
+
+  // The sole is two capsules from the heel to either side of the ball, the toes one more, the
+  // instep one above them. Heel and tip lie where FootShape has them, about whose ends walkers
+  // roll: a foot that rolls does not sink in.
+  void addFoot(Side side) {
+    const LegJoints& leg = roles_.legs[side];
+    const double length = kFootLengthOfStature * stature_,
+                 half_breadth = 0.5 * kFootBreadth * stature_;
+    const double radius = std::clamp(sole_.toe, kThinnestSole * stature_, half_breadth);
+    Eigen::Vector3d ball = forward_ * (0.5 * length) - up_ * (sole_.ankle - sole_.toe);
+    double heel = 0.2 * length,
+           tip = 0.27 * length - radius;  // centres: behind the ankle, before the ball
+    if (leg.toe >= 0) {
+      ball = rest_[leg.toe] - rest_[leg.foot];
+      const FootShape shape = makeFootShape(skeleton_, roles_, side, stature_);
+      heel = shape.ankle_x - shape.heel_x;
+      tip = shape.tip_x - shape.ball_x;
+    }
+    const auto [normal, along] = solePlane(ball);
+    const Eigen::Vector3d p_heel = normal * (radius - sole_.ankle) - along * heel;
+    const Eigen::Vector3d p_ball = ball + normal * (radius - sole_.toe);
+    const Eigen::Vector3d out = normal.cross(along) * (side == kLeft ? 1.0 : -1.0);
+    const Eigen::Vector3d spread = out * (half_breadth - radius);
+    const std::string& name = kSideNames[side];
+    add(name + "sole, outside", leg.foot, p_heel, p_ball + spread, radius, side);
+    add(name + "sole, inside", leg.foot, p_heel, p_ball - spread, radius, side);
+    const Eigen::Vector3d p_toe = leg.toe >= 0 ? Eigen::Vector3d(p_ball - ball) : p_ball;
+    add(name + "toes", leg.toe >= 0 ? leg.toe : leg.foot, p_toe, p_toe + along * std::max(0.0, tip),
+        radius, side);
+    // As thick as the ankle, but not below the sole.
+    const Eigen::Vector3d middle = 0.5 * ball;
+    const double instep = std::min(kAnkle * stature_, 0.5 * (sole_.ankle + sole_.toe));
+    add(name + "instep", leg.foot, Eigen::Vector3d::Zero(), middle, instep, side);
+  }
+
+  struct SolePlane {
+    Eigen::Vector3d normal, along;  // unit, in the foot's frame
+  };
+  // The plane that the ankle is sole.ankle and the ball sole.toe above: normal = cos(b) up + sin(b)
+  // ahead with normal . ball = sole.toe - sole.ankle. It is level in the rest pose where the rig's
+  // feet are flat then.
+  SolePlane solePlane(const Eigen::Vector3d& ball) const {
+    const double rise = up_.dot(ball);
+    Eigen::Vector3d ahead = ball - up_ * rise;
+    const double run = ahead.norm();
+    ahead = run > 0.0 ? Eigen::Vector3d(ahead / run) : forward_;
+    const double length = std::hypot(run, rise);
+    const double sine =
+        length > 0.0 ? std::clamp((sole_.toe - sole_.ankle) / length, -1.0, 1.0) : 0.0;
+    const double tilt = std::asin(sine) - std::atan2(rise, run);
+    return {std::cos(tilt) * up_ + std::sin(tilt) * ahead,
+            std::cos(tilt) * ahead - std::sin(tilt) * up_};
+  }
+
+  void fillReach() {
+    for (const BodyPart& part : body_.parts) {
+      std::vector<double> reach(skeleton_.size(), 0.0);
+      double length = std::max(part.from.norm(), part.to.norm()) + part.radius;
+      for (int j = part.joint; j >= 0; j = skeleton_.joint(j).parent) {
+        reach[j] = length;
+        length += skeleton_.joint(j).offset.norm();
+      }
+      body_.reach.push_back(std::move(reach));
+    }
+  }
+
+  const Skeleton& skeleton_;
+  const JointRoles& roles_;
+  const double stature_;
+  const SoleHeight sole_;
+  std::vector<Eigen::Vector3d> rest_;  // by joint, from the root [m]
+  Eigen::Vector3d feet_;               // between the ankles
+  Eigen::Vector3d up_, left_, forward_;
+  Body body_;
+};
+
+}  // namespace
+
+Body makeBody(const Skeleton& skeleton, const JointRoles& roles, double stature,
+              const SoleHeight& sole) {
+  assert(stature > 0.0 && sole.ankle > 0.0 && sole.toe >= 0.0);
+  return BodyMaker(skeleton, roles, stature, sole).make();
+}
+
+void placeBody(const Body& body, std::span<const JointFrame> joints,
+               std::span<Eigen::Vector3d> from, std::span<Eigen::Vector3d> to) {
+  assert(from.size() == body.parts.size() && to.size() == body.parts.size());
+  for (size_t i = 0; i < body.parts.size(); ++i) {
+    const BodyPart& part = body.parts[i];
+    from[i] = joints[part.joint] * part.from;
+    to[i] = joints[part.joint] * part.to;
+  }
+}
+
+}  // namespace amble

@@ -1,0 +1,49 @@
+/// The body: capsules on the bones, with radii from a published table of body segments, and feet as
+/// soles.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "animation/body/joint_roles.h"
+#include "animation/body/pose.h"
+#include "animation/body/skeleton.h"
+
+namespace amble {
+
+/// A capsule in its joint's frame.
+struct BodyPart {
+  std::string name;  ///< "left hand", "head", ...
+  int joint = 0;
+  Eigen::Vector3d from;  ///< ends of its axis, in the joint's frame [m]
+  Eigen::Vector3d to;
+  double radius = 0.0;  ///< [m, > 0]
+  int sole = -1;  ///< Side, if this part is a sole and may touch the ground while planted; else -1
+};
+
+struct Body {
+  std::vector<BodyPart> parts;
+
+  /// How far any point of part i may be from joint j's origin, for joints j that it hangs on; 0 for
+  /// others: reach(i, j) is an upper bound over all poses, since bones are rigid [m].
+  std::vector<std::vector<double>> reach;  ///< [part][joint]
+};
+
+/// Radii are fractions of stature. Shoulder to shoulder and chest front to back are covered by more
+/// than one capsule. Soles' undersides lie on the ground when the feet of the rest pose do:
+/// `sole_height` says how far ankle and ball are above it.
+struct SoleHeight {
+  double ankle;  ///< height of the ankle joint over the ground when the sole is flat [m]
+  double toe;    ///< height of the toe joint (ball) then [m]
+};
+
+Body makeBody(const Skeleton& skeleton, const JointRoles& roles, double stature,
+              const SoleHeight& sole);
+
+/// Capsule ends of every part in World. @pre from.size() == to.size() == parts.size()
+void placeBody(const Body& body, std::span<const JointFrame> joints,
+               std::span<Eigen::Vector3d> from, std::span<Eigen::Vector3d> to);
+
+}  // namespace amble

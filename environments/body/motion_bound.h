@@ -1,0 +1,64 @@
+/// How far body parts can move between two frames, where a player moves the root linearly and turns
+/// each joint by slerp.
+///
+/// Two bounds for a point of a part's axis, of which the smaller counts. (1) It moves by no more
+/// than the root does plus, for each joint above it, the joint's angle times its reach (DESIGN.md,
+/// section 3). (2) With every joint turning at a constant rate, a point o_1 + R_1 (o_2 + R_2 (...))
+/// has a second derivative of at most A = sum over links k of |o_k| (theta_1 + ... + theta_k)^2 in
+/// units of the interval, so it leaves the straight line between its two ends by no more than A
+/// / 8. The first is tight for an arm that swings, the second for a planted foot, over which hip,
+/// knee and ankle undo one another.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "animation/body/pose.h"
+#include "animation/body/skeleton.h"
+#include "environments/body/body.h"
+
+namespace amble {
+
+/// Of one part over one interval.
+struct PartMotion {
+  double path = 0.0;  ///< length of the way of any point of its axis, at most [m]
+  double bend =
+      0.0;  ///< how far such a point may be from the straight line between its two ends [m]
+
+  /// The same for each half of the interval.
+  PartMotion halved() const { return {0.5 * path, 0.25 * bend}; }
+  /// How far a point of the axis may be from where it is at the nearer end of the interval [m]: at
+  /// t <= 1/2 it is at most t c + A t (1 - t) / 2 from its first place, c the distance between its
+  /// ends.
+  /// @param chord  the larger distance that an end of the axis has moved [m]
+  double near(double chord) const { return std::min(0.5 * path, 0.5 * chord + bend) + kRounding; }
+
+  static constexpr double kRounding = 1e-9;  ///< [m]
+};
+
+class MotionBound {
+ public:
+  MotionBound(const Skeleton& skeleton, const Body& body);
+
+  /// Fills `motions`, one a part. `angles` and `sums` are scratch, one a joint.
+  void compute(PoseView a, PoseView b, std::span<PartMotion> motions, std::span<double> angles,
+               std::span<double> sums) const;
+
+ private:
+  struct Lever {
+    int joint;
+    double reach;  // of the part's axis from the joint's origin [m]
+  };
+  struct Part {
+    int joint;
+    double length;  // from its joint's origin to the farther end of its axis [m]
+    int first_lever, levers;
+  };
+  std::vector<int> parent_;
+  std::vector<double> offset_;  // length of each joint's [m]
+  std::vector<Part> parts_;
+  std::vector<Lever> levers_;
+};
+
+}  // namespace amble

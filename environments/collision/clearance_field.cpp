@@ -1,0 +1,315 @@
+#include "environments/collision/clearance_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "environments/collision/parity.h"
+
+namespace amble {
+namespace {
+
+constexpr uint8_t kSurface = 1, kInside = 2;
+// Squared voxels. Windows are shorter than 50 voxels: adding their squares stays below an int16_t's
+// end.
+constexpr int16_t kFarSquared = 30000;
+static_assert(ClearanceField::kFarthest / ClearanceField::kFinestVoxel < 48.0);
+
+using Triangle = std::array<Eigen::Vector3d, 3>;
+
+Eigen::AlignedBox3d boundsOf(const Triangle& t) {
+  Eigen::AlignedBox3d box(t[0]);
+  box.extend(t[1]);
+  box.extend(t[2]);
+  return box;
+}
+
+// Whether a triangle and an axis-aligned box about the origin of these half lengths are apart along
+// `axis`.
+bool apartAlong(const Eigen::Vector3d& axis, const Triangle& t, const Eigen::Vector3d& half) {
+  const double a = axis.dot(t[0]), b = axis.dot(t[1]), c = axis.dot(t[2]);
+  const double reach = half.dot(axis.cwiseAbs());
+  return std::min({a, b, c}) > reach || std::max({a, b, c}) < -reach;
+}
+
+// Separating axes of triangle and box (Akenine-Moeller 2001), the box's own axes left out: the
+// caller looks in the triangle's bounds only.
+bool overlaps(const Triangle& t, const Eigen::Vector3d& centre, const Eigen::Vector3d& half) {
+  const Triangle local = {t[0] - centre, t[1] - centre, t[2] - centre};
+  const Triangle edges = {t[1] - t[0], t[2] - t[1], t[0] - t[2]};
+  if (apartAlong(edges[0].cross(edges[1]), local, half)) return false;
+  for (const Eigen::Vector3d& edge : edges)
+    for (int k = 0; k < 3; ++k)
+      if (apartAlong(edge.cross(Eigen::Vector3d::Unit(k)), local, half)) return false;
+  return true;
+}
+
+// Signed distance to a primitive's surface, in its frame; a lower bound outside is enough [m].
+struct SignedDistance {
+  const Eigen::Vector3d& p;
+  double operator()(const Box& s) const {
+    const Eigen::Vector3d q = p.cwiseAbs() - 0.5 * s.size;
+    return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
+  }
+  double operator()(const Cylinder& s) const {
+    const double side = p.head<2>().norm() - s.radius, end = std::abs(p.z()) - 0.5 * s.height;
+    return std::hypot(std::max(side, 0.0), std::max(end, 0.0)) + std::min(std::max(side, end), 0.0);
+  }
+  double operator()(const Sphere& s) const { return p.norm() - s.radius; }
+  double operator()(const CapsuleShape& s) const {
+    const double half = 0.5 * s.height - s.radius;
+    const double z = p.z() - std::clamp(p.z(), -half, half);
+    return std::hypot(p.head<2>().norm(), z) - s.radius;
+  }
+  double operator()(const TriangleMesh&) const { return std::numeric_limits<double>::infinity(); }
+};
+
+Eigen::AlignedBox3d boundsOf(const Obstacle& obstacle) {
+  Eigen::AlignedBox3d box;
+  if (const auto* mesh = std::get_if<TriangleMesh>(&obstacle.shape)) {
+    for (const Eigen::Vector3d& v : mesh->vertices) box.extend(obstacle.X_WO * v);
+  } else {
+    // Round shapes are meshed a little too small: by the cosine of half a segment.
+    const TriangleMesh round = worldMesh({"", "", obstacle.shape, obstacle.X_WO, Role::kAuto});
+    for (const Eigen::Vector3d& v : round.vertices) box.extend(v);
+    const Eigen::Vector3d more = 0.01 * box.sizes();
+    box = {box.min() - more, box.max() + more};
+  }
+  for (const Eigen::Vector3d& v : obstacle.solid.vertices) box.extend(v);
+  return box;
+}
+
+// The voxels that a box overlaps, the last one included; a little more where rounding might matter.
+struct VoxelRange {
+  VoxelRange(const VoxelGrid& grid, const Eigen::AlignedBox3d& box) {
+    for (int k = 0; k < 3; ++k) {
+      const double first = std::floor((box.min()[k] - grid.min[k]) / grid.size - 1e-6);
+      const double last = std::floor((box.max()[k] - grid.min[k]) / grid.size + 1e-6);
+      low[k] = static_cast<int>(std::clamp(first, 0.0, static_cast<double>(grid.count[k])));
+      high[k] = static_cast<int>(std::clamp(last, -1.0, grid.count[k] - 1.0));
+    }
+  }
+  Eigen::Vector3i low, high;
+};
+
+// Marks the voxels of a box whose centres pass a test.
+template <typename Test>
+void markWhere(const VoxelGrid& grid, const Eigen::AlignedBox3d& box,
+               std::vector<uint8_t>& occupied, Test test) {
+  const VoxelRange range(grid, box);
+  for (int k = range.low.z(); k <= range.high.z(); ++k) {
+    for (int j = range.low.y(); j <= range.high.y(); ++j) {
+      for (int i = range.low.x(); i <= range.high.x(); ++i) {
+        uint8_t& cell = occupied[grid.index(i, j, k)];
+        if (cell == 0 && test(grid.centre(i, j, k))) cell = kSurface;
+      }
+    }
+  }
+}
+
+void markPrimitive(const VoxelGrid& grid, const Obstacle& obstacle,
+                   std::vector<uint8_t>& occupied) {
+  const Eigen::Isometry3d X_OW = obstacle.X_WO.inverse();
+  const double half_diagonal = 0.5 * std::sqrt(3.0) * grid.size * (1.0 + 1e-6);
+  markWhere(grid, boundsOf(obstacle), occupied, [&](const Eigen::Vector3d& c) {
+    const Eigen::Vector3d p = X_OW * c;
+    return std::visit(SignedDistance{p}, obstacle.shape) <= half_diagonal;
+  });
+}
+
+// A large triangle is cut into four until its bounds are small: those of a slanted wall hold mostly
+// air.
+void markTriangle(const VoxelGrid& grid, const Triangle& triangle, std::vector<uint8_t>& occupied) {
+  constexpr double kFewVoxels = 64.0;
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * grid.size * (1.0 + 1e-6) + 1e-9);
+  const Eigen::AlignedBox3d box = boundsOf(triangle);
+  const VoxelRange range(grid, box);
+  const Eigen::Array3i size = (range.high - range.low).array() + 1;
+  if ((size <= 0).any()) return;
+  if (size.cast<double>().prod() <= kFewVoxels || size.minCoeff() == 1) {
+    markWhere(grid, box, occupied,
+              [&](const Eigen::Vector3d& c) { return overlaps(triangle, c, half); });
+    return;
+  }
+  const auto& [a, b, c] = triangle;
+  const Eigen::Vector3d ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+  for (const Triangle& quarter : {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+    markTriangle(grid, quarter, occupied);
+}
+
+void markSurface(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<uint8_t>& occupied) {
+  const auto* mesh = std::get_if<TriangleMesh>(&obstacle.shape);
+  if (!mesh) return markPrimitive(grid, obstacle, occupied);
+  for (const std::array<int, 3>& t : mesh->triangles)
+    markTriangle(grid,
+                 {obstacle.X_WO * mesh->vertices[t[0]], obstacle.X_WO * mesh->vertices[t[1]],
+                  obstacle.X_WO * mesh->vertices[t[2]]},
+                 occupied);
+}
+
+// Voxels in a row without a surface between them are on one side of it: one test for all.
+void fillSolid(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<uint8_t>& occupied) {
+  const SolidTest solid(obstacle.solid);
+  if (solid.empty()) return;
+  const VoxelRange range(grid, solid.bounds());
+  for (int k = range.low.z(); k <= range.high.z(); ++k) {
+    for (int j = range.low.y(); j <= range.high.y(); ++j) {
+      uint8_t* row = &occupied[grid.index(0, j, k)];
+      for (int begin = range.low.x(), end; begin <= range.high.x(); begin = end) {
+        end = begin + 1;
+        if (row[begin] == kSurface) continue;
+        while (end <= range.high.x() && row[end] != kSurface) ++end;
+        if (solid.inside(grid.centre(begin, j, k))) std::fill(row + begin, row + end, kInside);
+      }
+    }
+  }
+}
+
+// What lies outside the grid is not in it: where there is something, the border is taken for
+// occupied.
+void markBeyond(const VoxelGrid& grid, const Eigen::AlignedBox3d& obstacles,
+                std::vector<uint8_t>& occupied) {
+  if (obstacles.isEmpty()) return;
+  const Eigen::Vector3d max = grid.min + grid.size * grid.count.cast<double>();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool upper : {false, true}) {
+      if (upper ? obstacles.max()[axis] <= max[axis] : obstacles.min()[axis] >= grid.min[axis])
+        continue;
+      Eigen::Vector3i low(0, 0, 0), high = grid.count.array() - 1;
+      (upper ? low : high)[axis] = upper ? grid.count[axis] - 1 : 0;
+      for (int k = low.z(); k <= high.z(); ++k)
+        for (int j = low.y(); j <= high.y(); ++j)
+          std::fill(&occupied[grid.index(low.x(), j, k)], &occupied[grid.index(high.x(), j, k)] + 1,
+                    kSurface);
+    }
+  }
+}
+
+// The first axis, x: squared distance in voxels of each voxel to the last and the next occupied one
+// in its row.
+void measureRows(const std::vector<uint8_t>& occupied, std::vector<int16_t>& squared, size_t length,
+                 int window) {
+  const int far = window + 1;
+  for (size_t row = 0; row < occupied.size(); row += length) {
+    const uint8_t* in = &occupied[row];
+    int16_t* out = &squared[row];
+    int since = far;
+    for (size_t x = 0; x < length; ++x) {
+      since = in[x] ? 0 : std::min(since + 1, far);
+      out[x] = static_cast<int16_t>(since);
+    }
+    since = far;
+    for (size_t x = length; x-- > 0;) {
+      since = in[x] ? 0 : std::min(since + 1, far);
+      const int d = std::min<int>(out[x], since), apart = std::max(0, d - 1);
+      out[x] = d >= far ? kFarSquared : static_cast<int16_t>(apart * apart);
+    }
+  }
+}
+
+// Where `outer` slabs of `count` runs of `run` neighbouring voxels lie in memory, along one axis.
+struct Axis {
+  int count;
+  size_t stride, outer, outer_step, run;
+};
+
+// Least of `in` over a window of voxels along an axis, with the squared distance in voxels added
+// that points of the two voxels are apart at least. In blocks of a fixed size, which compilers keep
+// in registers.
+void spread(const std::vector<int16_t>& in, std::vector<int16_t>& out, const Axis& axis,
+            int window) {
+  constexpr size_t kBlock = 32;
+  for (size_t o = 0; o < axis.outer; ++o) {
+    for (int c = 0; c < axis.count; ++c) {
+      const int first = std::max(-window, -c), last = std::min(window, axis.count - 1 - c);
+      const size_t row = o * axis.outer_step + c * axis.stride;
+      for (size_t x = 0; x < axis.run; x += kBlock) {
+        const size_t width = std::min(kBlock, axis.run - x);
+        std::array<int16_t, kBlock> least, from;
+        least.fill(kFarSquared);
+        from.fill(kFarSquared);
+        for (int d = first; d <= last; ++d) {
+          const int apart = std::max(0, std::abs(d) - 1);
+          const int16_t add = static_cast<int16_t>(apart * apart);
+          const int16_t* source = &in[row + x] + d * static_cast<ptrdiff_t>(axis.stride);
+          if (width == kBlock)
+            std::copy_n(source, kBlock, from.data());
+          else
+            std::copy_n(source, width, from.data());
+          for (size_t k = 0; k < kBlock; ++k) {
+            const int16_t sum = static_cast<int16_t>(from[k] + add);
+            least[k] = sum < least[k] ? sum : least[k];
+          }
+        }
+        std::copy_n(least.data(), width, &out[row + x]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+ClearanceField::ClearanceField(const std::vector<Obstacle>& obstacles,
+                               const Eigen::AlignedBox3d& region) {
+  if (region.isEmpty()) return;
+  grid_.size = std::max(kFinestVoxel, std::cbrt(region.volume() / kMostVoxels));
+  per_voxel_ = 1.0 / grid_.size;
+  grid_.min = region.min();
+  for (int k = 0; k < 3; ++k)
+    grid_.count[k] = std::max(1, static_cast<int>(std::floor(region.sizes()[k] / grid_.size)));
+  std::vector<uint8_t> occupied(grid_.total(), 0);
+  Eigen::AlignedBox3d all;
+  for (const Obstacle& obstacle : obstacles) {
+    markSurface(grid_, obstacle, occupied);
+    all.extend(boundsOf(obstacle));
+  }
+  for (const Obstacle& obstacle : obstacles) fillSolid(grid_, obstacle, occupied);
+  markBeyond(grid_, all, occupied);
+  transform(occupied);
+}
+
+void ClearanceField::transform(const std::vector<uint8_t>& occupied) {
+  const size_t total = occupied.size();
+  const size_t nx = grid_.count.x(), ny = grid_.count.y(), nz = grid_.count.z();
+  // Farther than this many voxels is kFarthest anyway.
+  const int window = 1 + static_cast<int>(std::ceil(kFarthest / grid_.size));
+  std::vector<int16_t> a(total), b(total);
+  measureRows(occupied, a, nx, window);
+  spread(a, b, {grid_.count.y(), nx, nz, nx * ny, nx}, window);
+  spread(b, a, {grid_.count.z(), nx * ny, 1, 0, nx * ny}, window);
+  // Rounded down, with a thousandth of a voxel against the rounding of places.
+  const auto toByte = [&](int squared) {
+    const double distance =
+        std::max(0.0, (std::sqrt(static_cast<double>(squared)) - 1e-3) * grid_.size);
+    return static_cast<uint8_t>(std::min(255.0, std::floor(distance / kQuantum)));
+  };
+  std::vector<uint8_t> table(static_cast<size_t>(std::numeric_limits<int16_t>::max()) + 1);
+  for (size_t i = 0; i < table.size(); ++i) table[i] = toByte(static_cast<int>(i));
+  bound_.resize(total);
+  for (size_t i = 0; i < total; ++i) bound_[i] = table[a[i]];
+}
+
+double ClearanceField::lowerBound(const Eigen::Vector3d& p) const {
+  const Eigen::Vector3d q = (p - grid_.min) * per_voxel_;
+  // Compared as numbers first: a far point's index does not fit an int.
+  if (!(q.x() >= 0.0 && q.y() >= 0.0 && q.z() >= 0.0 && q.x() < grid_.count.x() &&
+        q.y() < grid_.count.y() && q.z() < grid_.count.z()))
+    return 0.0;
+  return kQuantum * bound_[grid_.index(static_cast<int>(q.x()), static_cast<int>(q.y()),
+                                       static_cast<int>(q.z()))];
+}
+
+bool ClearanceField::isFree(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                            double radius) const {
+  const Eigen::Vector3d middle = 0.5 * (from + to);
+  const double bound = lowerBound(middle);
+  if (bound <= radius) return false;
+  const double half = 0.5 * (to - from).norm();
+  if (bound > half + radius) return true;
+  // Half a capsule is as hard as the whole once it is shorter than what the grid can tell.
+  if (half < 0.5 * grid_.size) return false;
+  return isFree(from, middle, radius) && isFree(middle, to, radius);
+}
+
+}  // namespace amble

@@ -1,0 +1,73 @@
+#include "environments/collision/collision_world.h"
+
+#include <cassert>
+
+#include "environments/collision/motion_check.h"
+
+namespace amble {
+
+void CollisionScratchDeleter::operator()(CollisionScratch* scratch) const { delete scratch; }
+
+CollisionWorld::CollisionWorld(const Scene& scene, const SceneGround& ground,
+                               const Skeleton& skeleton, const Body& body)
+    : model_(std::make_unique<CollisionModel>(scene, ground, skeleton, body)) {}
+
+CollisionWorld::~CollisionWorld() = default;
+
+const Scene& CollisionWorld::scene() const { return model_->scene; }
+const Body& CollisionWorld::body() const { return model_->body; }
+
+CollisionScratchPtr CollisionWorld::makeScratch() const {
+  return CollisionScratchPtr(new CollisionScratch(model_->skeleton.size(), model_->parts()));
+}
+
+std::optional<Contact> CollisionWorld::check(const PoseArray& poses,
+                                             std::span<const FrameState> states, bool any,
+                                             CollisionScratch& scratch) const {
+  assert(static_cast<int>(states.size()) >= poses.size());
+  MotionCheck check(*model_, poses, states, scratch);
+  if (any) {
+    if (const auto contact = check.coarse()) return contact;
+  }
+  return check.all(any);
+}
+
+std::optional<Contact> CollisionWorld::checkPose(PoseView pose, CollisionScratch& scratch) const {
+  const FrameState standing;
+  scratch.prepare(1);
+  model_->place(pose, scratch, {&scratch.capsule(0, 0), static_cast<size_t>(model_->parts())});
+  for (int part = 0; part < model_->parts(); ++part) {
+    const int object = model_->touched(scratch.capsule(0, part), part, standing, scratch);
+    if (object >= 0) return Contact{0, 0.0, part, object, 0.0};
+  }
+  return std::nullopt;
+}
+
+int CollisionWorld::touched(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
+                            CollisionScratch& scratch) const {
+  return model_->layers.touchedObstacle({from, to, radius}, 0.0, *scratch.exact);
+}
+
+Clearance CollisionWorld::clearance(const PoseArray& poses, std::span<const FrameState>,
+                                    double limit, CollisionScratch& scratch) const {
+  Clearance best{limit, 0, -1, -1};
+  const size_t parts = static_cast<size_t>(model_->parts());
+  scratch.prepare(poses.size());
+  // Coarse frames first: a small distance found early spares most of the exact queries.
+  const auto measure = [&](int frame) {
+    model_->place(poses[frame], scratch, {&scratch.capsule(frame, 0), parts});
+    for (size_t part = 0; part < parts; ++part) {
+      const Capsule& capsule = scratch.capsule(frame, static_cast<int>(part));
+      const ObstacleSet::Nearest nearest = model_->layers.nearestObstacle(
+          capsule, best.distance, model_->body.parts[part].sole >= 0, *scratch.exact);
+      if (nearest.object >= 0)
+        best = {nearest.distance, frame, static_cast<int>(part), nearest.object};
+    }
+  };
+  for (int frame = 0; frame < poses.size(); frame += kStrides[0]) measure(frame);
+  for (int frame = 0; frame < poses.size(); ++frame)
+    if (frame % kStrides[0] != 0) measure(frame);
+  return best;
+}
+
+}  // namespace amble

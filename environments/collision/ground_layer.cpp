@@ -1,0 +1,227 @@
+#include "environments/collision/ground_layer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace amble {
+namespace {
+
+constexpr double kNone = -std::numeric_limits<double>::infinity();
+
+const TriangleMesh& meshOf(const Obstacle& surface) {
+  return std::get<TriangleMesh>(surface.shape);
+}
+
+std::vector<Obstacle> withoutSolids(std::vector<Obstacle> surfaces) {
+  for (Obstacle& surface : surfaces) surface.solid = {};
+  return surfaces;
+}
+
+// The point of a triangle that is nearest to p (Ericson 2005, section 5.1.5).
+Eigen::Vector3d nearestPoint(const Triangle3& t, const Eigen::Vector3d& p) {
+  const Eigen::Vector3d ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0], bp = p - t[1],
+                        cp = p - t[2];
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp),
+               d6 = ac.dot(cp);
+  if (d1 <= 0.0 && d2 <= 0.0) return t[0];
+  if (d3 >= 0.0 && d4 <= d3) return t[1];
+  if (d6 >= 0.0 && d5 <= d6) return t[2];
+  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return t[0] + d1 / (d1 - d3) * ab;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return t[0] + d2 / (d2 - d6) * ac;
+  if (va <= 0.0 && d4 >= d3 && d5 >= d6)
+    return t[1] + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (t[2] - t[1]);
+  return t[0] + (vb * ab + vc * ac) / (va + vb + vc);
+}
+
+// What a capsule sweeps between two places: points no farther than `radius` from the hull of four.
+struct Sweep {
+  std::array<Eigen::Vector3d, 4> points;
+  double radius;
+
+  // Whether a plane across `axis`, a unit vector, parts it from the triangle.
+  bool isApart(const Triangle3& t, const Eigen::Vector3d& axis) const {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Eigen::Vector3d& p : points) {
+      const double d = axis.dot(p);
+      low = std::min(low, d);
+      high = std::max(high, d);
+    }
+    const double a = axis.dot(t[0]), b = axis.dot(t[1]), c = axis.dot(t[2]);
+    return low - radius >= std::max({a, b, c}) || high + radius <= std::min({a, b, c});
+  }
+
+  // Planes of the triangle, of the axes, and across the line from the triangle to the middle.
+  bool isClearOf(const Triangle3& t, const Eigen::Vector3d& normal) const {
+    if (isApart(t, normal)) return true;
+    for (int k = 0; k < 3; ++k)
+      if (isApart(t, Eigen::Vector3d::Unit(k))) return true;
+    const Eigen::Vector3d middle = 0.25 * (points[0] + points[1] + points[2] + points[3]);
+    const Eigen::Vector3d way = middle - nearestPoint(t, middle);
+    const double far = way.norm();
+    return far > 0.0 && isApart(t, way / far);
+  }
+};
+
+}  // namespace
+
+GroundLayer::GroundLayer(std::vector<Obstacle> surfaces) : surfaces_(withoutSolids(surfaces)) {
+  std::vector<Triangle3> triangles;
+  for (const Obstacle& surface : surfaces) {
+    const TriangleMesh& mesh = meshOf(surface);
+    for (const std::array<int, 3>& t : mesh.triangles) {
+      triangles.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
+      const auto& [a, b, c] = triangles.back();
+      normals_.push_back((b - a).cross(c - a).normalized());
+      objects_.push_back(surface.object);
+    }
+    SolidTest solid(surface.solid);
+    if (!solid.empty()) solids_.push_back({surface.object, std::move(solid)});
+  }
+  grid_ = TriangleGrid(std::move(triangles));
+  for (const Obstacle& surface : surfaces)
+    for (const TriangleMesh* mesh : {&meshOf(surface), &surface.solid})
+      for (const Eigen::Vector3d& v : mesh->vertices) extent_.extend(Eigen::Vector2d(v.head<2>()));
+  if (extent_.isEmpty()) return;
+  cell_ = std::max(kCell, extent_.sizes().maxCoeff() / kMostCells);
+  for (int k = 0; k < 2; ++k) count_[k] = 1 + static_cast<int>(extent_.sizes()[k] / cell_);
+  fillSpans(surfaces);
+}
+
+Eigen::Vector2i GroundLayer::cellOf(const Eigen::Vector2d& p) const {
+  Eigen::Vector2i cell;
+  for (int k = 0; k < 2; ++k) {
+    const double steps = std::clamp((p[k] - extent_.min()[k]) / cell_, 0.0, count_[k] - 1.0);
+    cell[k] = static_cast<int>(steps);
+  }
+  return cell;
+}
+
+// The heights that each triangle has over each cell.
+void GroundLayer::collect(const TriangleMesh& mesh, std::vector<Entry>& entries) const {
+  constexpr double kRounding = 1e-9;  // [m]
+  for (const std::array<int, 3>& t : mesh.triangles) {
+    const Triangle3 corners = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+    Eigen::AlignedBox2d plan;
+    for (const Eigen::Vector3d& corner : corners) plan.extend(Eigen::Vector2d(corner.head<2>()));
+    const Eigen::Vector2i low = cellOf(plan.min().array() - kSeam),
+                          high = cellOf(plan.max().array() + kSeam);
+    for (int j = low.y(); j <= high.y(); ++j) {
+      for (int i = low.x(); i <= high.x(); ++i) {
+        const Eigen::Vector2d corner = extent_.min() + cell_ * Eigen::Vector2d(i, j);
+        const auto heights = heightsWithin(
+            corners, {corner.array() - kSeam, (corner.array() + (cell_ + kSeam)).matrix()});
+        if (heights)
+          entries.push_back(
+              {j * count_.x() + i, {heights->low - kRounding, heights->high + kRounding}});
+      }
+    }
+  }
+}
+
+// Spans are the heights of surfaces, what lies between two of them where it is inside a solid, and
+// whatever is below the lowest. Within a cell no surface lies between two spans, so one point tells
+// for all.
+void GroundLayer::fillSpans(const std::vector<Obstacle>& surfaces) {
+  std::vector<Entry> entries;
+  for (const Obstacle& surface : surfaces) {
+    collect(meshOf(surface), entries);
+    collect(surface.solid, entries);
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.cell, a.span.low, a.span.high) < std::tie(b.cell, b.span.low, b.span.high);
+  });
+  const int cells = count_.x() * count_.y();
+  size_t next = 0;
+  for (int cell = 0; cell < cells; ++cell) {
+    start_.push_back(static_cast<int>(spans_.size()));
+    const Eigen::Vector2d middle =
+        extent_.min() + cell_ * Eigen::Vector2d(cell % count_.x() + 0.5, cell / count_.x() + 0.5);
+    for (; next < entries.size() && entries[next].cell == cell; ++next) {
+      const Span& span = entries[next].span;
+      const bool first = static_cast<int>(spans_.size()) == start_.back();
+      if (first) {
+        spans_.push_back({kNone, span.high});
+        continue;
+      }
+      const double between = 0.5 * (spans_.back().high + span.low);
+      if (span.low <= spans_.back().high || isInside({middle.x(), middle.y(), between})) {
+        spans_.back().high = std::max(spans_.back().high, span.high);
+      } else {
+        spans_.push_back(span);
+      }
+    }
+  }
+  start_.push_back(static_cast<int>(spans_.size()));
+}
+
+bool GroundLayer::isInside(const Eigen::Vector3d& p) const {
+  return std::any_of(solids_.begin(), solids_.end(),
+                     [&](const Solid& solid) { return solid.test.inside(p); });
+}
+
+bool GroundLayer::meetsSpan(const Eigen::AlignedBox3d& box) const {
+  const Eigen::AlignedBox2d plan(Eigen::Vector2d(box.min().head<2>()),
+                                 Eigen::Vector2d(box.max().head<2>()));
+  if (extent_.isEmpty() || !extent_.intersects(plan)) return false;
+  const Eigen::Vector2i low = cellOf(plan.min()), high = cellOf(plan.max());
+  for (int j = low.y(); j <= high.y(); ++j) {
+    // A row's cells follow one another in memory, and so do their spans.
+    const size_t row = static_cast<size_t>(j) * count_.x();
+    for (int k = start_[row + low.x()]; k < start_[row + high.x() + 1]; ++k)
+      if (box.min().z() < spans_[k].high && box.max().z() > spans_[k].low) return true;
+  }
+  return false;
+}
+
+// The object inside which, or under whose ground without any other below it, a point lies; -1 for
+// none.
+int GroundLayer::aboveOf(const Eigen::Vector3d& p) const {
+  for (const Solid& solid : solids_)
+    if (solid.test.inside(p)) return solid.object;
+  int above = -1;
+  bool below = false;
+  grid_.visitAt(p.x(), p.y(), [&](int t) {
+    const auto height = heightOver(grid_.triangles()[t], p.x(), p.y());
+    if (!height) return;
+    if (*height <= p.z()) below = true;
+    if (*height > p.z() && (above < 0 || objects_[t] < above)) above = objects_[t];
+  });
+  return below ? -1 : above;
+}
+
+bool GroundLayer::isClearBetween(const Capsule& a, const Capsule& b, double depth,
+                                 double bend) const {
+  const Eigen::Vector3d lift(0.0, 0.0, depth);
+  const Sweep sweep{{a.from + lift, a.to + lift, b.from + lift, b.to + lift}, a.radius + bend};
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : sweep.points) box.extend(p);
+  box = {box.min().array() - sweep.radius, box.max().array() + sweep.radius};
+  if (!meetsSpan(box)) return true;
+  const Eigen::AlignedBox2d plan(Eigen::Vector2d(box.min().head<2>()),
+                                 Eigen::Vector2d(box.max().head<2>()));
+  bool clear = true;
+  grid_.visitBox(
+      plan, [&](int t) { clear = clear && sweep.isClearOf(grid_.triangles()[t], normals_[t]); });
+  return clear;
+}
+
+int GroundLayer::touched(const Capsule& capsule, double depth,
+                         ObstacleSet::Scratch& scratch) const {
+  Capsule lifted = capsule;
+  lifted.from.z() += depth;
+  lifted.to.z() += depth;
+  if (!meetsSpan(lifted.bounds())) return -1;
+  if (!isClearBetween(lifted, lifted, 0.0, 0.0)) {
+    const int object = surfaces_.touched(lifted, scratch);
+    if (object >= 0) return object;
+  }
+  // It touches no surface: it is inside or under as a whole or not at all.
+  return aboveOf(lifted.from);
+}
+
+}  // namespace amble

@@ -1,0 +1,71 @@
+/// The ground as a thing to touch: a layer of its own, apart from the obstacles, since feet are
+/// always near it.
+///
+/// A capsule is free of it if it neither touches its surfaces nor lies inside or under them. What
+/// is allowed to sink in is lifted by that depth first. Most questions are answered by heights: in
+/// each square of a grid the layer fills a few spans of height, and a box outside them is free.
+/// Near the ground planes are looked for that part a capsule, or all that it sweeps between two
+/// places, from each triangle near it; where none is found for one, FCL answers.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "environments/body/capsule.h"
+#include "environments/collision/obstacle_set.h"
+#include "environments/collision/parity.h"
+#include "environments/scene/triangle_grid.h"
+
+namespace amble {
+
+class GroundLayer {
+ public:
+  /// @param surfaces  of ground objects, with what lies below their ground: risers, edges,
+  /// undersides; meshes in World, and their closed pieces as `solid`
+  explicit GroundLayer(std::vector<Obstacle> surfaces);
+
+  /// The object that the capsule touches, or lies inside or under, when it is lifted by `depth` [m,
+  /// >= 0]; -1 for none.
+  int touched(const Capsule& capsule, double depth, ObstacleSet::Scratch& scratch) const;
+
+  /// True only if nothing between the places a and b of a capsule touches the ground, lifted by
+  /// `depth`, each point leaving its straight way by no more than `bend` [m, >= 0]; false says
+  /// nothing.
+  /// @pre it is not inside or under the ground at a.
+  bool isClearBetween(const Capsule& a, const Capsule& b, double depth, double bend) const;
+
+ private:
+  static constexpr double kCell = 0.1;  // [m]; larger for scenes beyond kMostCells
+  static constexpr int kMostCells = 1000;
+  struct Span {
+    double low, high;
+  };
+  struct Solid {
+    int object;
+    SolidTest test;
+  };
+  struct Entry {
+    int cell;
+    Span span;
+  };
+
+  void fillSpans(const std::vector<Obstacle>& surfaces);
+  void collect(const TriangleMesh& mesh, std::vector<Entry>& entries) const;
+  bool isInside(const Eigen::Vector3d& p) const;
+  Eigen::Vector2i cellOf(const Eigen::Vector2d& p) const;
+  bool meetsSpan(const Eigen::AlignedBox3d& box) const;
+  int aboveOf(const Eigen::Vector3d& p) const;
+
+  ObstacleSet surfaces_;
+  TriangleGrid grid_;
+  std::vector<Eigen::Vector3d> normals_;  // of the grid's triangles, unit
+  std::vector<int> objects_;              // of the grid's triangles
+  std::vector<Solid> solids_;
+  Eigen::AlignedBox2d extent_;
+  double cell_ = kCell;
+  Eigen::Vector2i count_{0, 0};
+  std::vector<int> start_;   // of each cell in spans_, and the end; x fastest
+  std::vector<Span> spans_;  // lowest first, without overlap
+};
+
+}  // namespace amble

@@ -1,0 +1,162 @@
+#include "environments/collision/motion_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace amble {
+namespace {
+
+double chordOf(const Capsule& a, const Capsule& b) {
+  return std::sqrt(std::max((b.from - a.from).squaredNorm(), (b.to - a.to).squaredNorm()));
+}
+
+}  // namespace
+
+void MotionCheck::place(int frame) {
+  if (scratch_.placed[frame]) return;
+  world_.place(poses_[frame], scratch_,
+               {&scratch_.capsule(frame, 0), static_cast<size_t>(world_.parts())});
+  scratch_.placed[frame] = true;
+}
+
+std::optional<Contact> MotionCheck::coarse() {
+  for (size_t level = 0; level < kStrides.size(); ++level) {
+    for (int frame = 0; frame < poses_.size(); frame += kStrides[level]) {
+      if (level > 0 && frame % kStrides[level - 1] == 0) continue;
+      place(frame);
+      for (int part = 0; part < world_.parts(); ++part) {
+        const int object =
+            world_.touched(scratch_.capsule(frame, part), part, states_[frame], scratch_);
+        if (object >= 0) return Contact{frame, 0.0, part, object, 0.0};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Contact> MotionCheck::all(bool any) {
+  const int frames = poses_.size();
+  for (int frame = 0; frame < frames; ++frame) {
+    place(frame);
+    if (frame + 1 < frames) measureInterval(frame);
+    const std::optional<Contact> here = checkFrame(frame);
+    if (any && here) return here;
+    // What happens before this frame comes first, unless it is the same contact, whose beginning it
+    // is then.
+    if (frame > 0) {
+      const std::optional<Contact> before = checkInterval(frame - 1);
+      if (before) return before;
+    }
+    if (here) return here;
+  }
+  return std::nullopt;
+}
+
+void MotionCheck::measureInterval(int frame) {
+  place(frame + 1);
+  const size_t parts = static_cast<size_t>(world_.parts());
+  world_.bound.compute(poses_[frame], poses_[frame + 1], {&scratch_.motion(frame, 0), parts},
+                       scratch_.angles, scratch_.sums);
+  for (int part = 0; part < world_.parts(); ++part) {
+    const double chord = chordOf(scratch_.capsule(frame, part), scratch_.capsule(frame + 1, part));
+    scratch_.near(frame, part) = scratch_.motion(frame, part).near(chord);
+  }
+}
+
+// Leaves in freeAround whether a part is free of obstacles as far as it moves in the intervals
+// beside the frame.
+std::optional<Contact> MotionCheck::checkFrame(int frame) {
+  std::optional<Contact> found;
+  for (int part = 0; part < world_.parts(); ++part) {
+    const Capsule& capsule = scratch_.capsule(frame, part);
+    double near = 0.0;
+    for (int side : {frame - 1, frame}) {
+      if (side < 0 || side + 1 >= poses_.size()) continue;
+      near = std::max(near, scratch_.near(side, part));
+    }
+    const double depth = world_.allowedDepth(part, states_[frame], states_[frame]);
+    const bool around =
+        world_.layers.touchedObstacle(capsule.inflated(near), depth, *scratch_.exact) < 0;
+    scratch_.freeAround(frame, part) = around;
+    int object = around ? -1 : world_.layers.touchedObstacle(capsule, depth, *scratch_.exact);
+    if (object < 0) object = world_.layers.ground().touched(capsule, depth, *scratch_.exact);
+    if (object >= 0 && !found) found = Contact{frame, 0.0, part, object, 0.0};
+  }
+  return found;
+}
+
+std::optional<Contact> MotionCheck::checkInterval(int frame) {
+  std::optional<Contact> first;
+  for (int part = 0; part < world_.parts(); ++part) {
+    const Capsule &a = scratch_.capsule(frame, part), &b = scratch_.capsule(frame + 1, part);
+    const PartMotion& motion = scratch_.motion(frame, part);
+    Task task{frame, part,
+              !(scratch_.freeAround(frame, part) && scratch_.freeAround(frame + 1, part)), true,
+              world_.allowedDepth(part, states_[frame], states_[frame + 1])};
+    task.ground = !groundIsFree(task, a, b, motion, scratch_.near(frame, part));
+    if (!task.obstacles && !task.ground) continue;
+    const auto contact = prove(task, {0.0, a}, {1.0, b}, motion);
+    if (contact && (!first || contact->between < first->between)) first = contact;
+  }
+  return first;
+}
+
+// By planes: a point of the part's axis leaves the straight line between its two places by `bend`
+// at most. Where no plane parts it from the ground, as for obstacles.
+bool MotionCheck::groundIsFree(const Task& task, const Capsule& a, const Capsule& b,
+                               const PartMotion& motion, double near) const {
+  if (world_.layers.ground().isClearBetween(a, b, task.depth, motion.bend)) return true;
+  return world_.layers.ground().touched(a.inflated(near), task.depth, *scratch_.exact) < 0 &&
+         world_.layers.ground().touched(b.inflated(near), task.depth, *scratch_.exact) < 0;
+}
+
+std::optional<Contact> MotionCheck::touchedAt(const Task& task, const Moment& moment,
+                                              double near) const {
+  const Capsule capsule = moment.capsule.inflated(near);
+  int object =
+      task.obstacles ? world_.layers.touchedObstacle(capsule, task.depth, *scratch_.exact) : -1;
+  if (object < 0 && task.ground)
+    object = world_.layers.ground().touched(capsule, task.depth, *scratch_.exact);
+  if (object < 0) return std::nullopt;
+  // t = 1 is the next frame.
+  const bool next = moment.t >= 1.0;
+  return Contact{task.frame + (next ? 1 : 0), next ? 0.0 : moment.t, task.part, object, 0.0};
+}
+
+// Halves the interval until each piece is proved free, or is so short that the part moves by less
+// than kProofGap in it.
+std::optional<Contact> MotionCheck::prove(const Task& task, const Moment& a, const Moment& b,
+                                          const PartMotion& motion) const {
+  const double near = motion.near(chordOf(a.capsule, b.capsule));
+  Task left = task;
+  if (task.obstacles)
+    left.obstacles =
+        world_.layers.touchedObstacle(a.capsule.inflated(near), task.depth, *scratch_.exact) >= 0 ||
+        world_.layers.touchedObstacle(b.capsule.inflated(near), task.depth, *scratch_.exact) >= 0;
+  if (task.ground) left.ground = !groundIsFree(task, a.capsule, b.capsule, motion, near);
+  if (!left.obstacles && !left.ground) return std::nullopt;
+  if (near < kProofGap) {
+    for (const Moment& moment : {a, b}) {
+      if (auto contact = touchedAt(left, moment, 0.0)) return contact;
+    }
+    for (const Moment& moment : {a, b}) {
+      auto contact = touchedAt(left, moment, near);
+      if (!contact) continue;
+      contact->gap =
+          world_.layers.nearestObstacle(moment.capsule, kProofGap, false, *scratch_.exact).distance;
+      return contact;
+    }
+    return std::nullopt;
+  }
+  Moment middle{0.5 * (a.t + b.t), {}};
+  interpolatePose(poses_[task.frame], poses_[task.frame + 1], middle.t, scratch_.middle);
+  forwardKinematics(world_.skeleton, scratch_.middle, scratch_.joints);
+  const BodyPart& part = world_.body.parts[task.part];
+  const JointFrame& X_WJ = scratch_.joints[part.joint];
+  middle.capsule = {X_WJ * part.from, X_WJ * part.to, part.radius};
+  if (auto contact = touchedAt(left, middle, 0.0)) return contact;
+  if (auto contact = prove(left, a, middle, motion.halved())) return contact;
+  return prove(left, middle, b, motion.halved());
+}
+
+}  // namespace amble

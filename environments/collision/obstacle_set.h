@@ -1,0 +1,61 @@
+/// Things that a capsule may touch, exactly, on FCL: meshes as surfaces with their closed
+/// components solid, primitives solid.
+///
+/// Yes or no is asked with libccd in double precision (exact to 1e-6 m). Distances are asked of FCL
+/// with its own solver for primitives, where libccd errs by millimetres, and of OBBRSS trees for
+/// meshes.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "environments/body/capsule.h"
+#include "environments/scene/scene.h"
+
+namespace amble {
+
+/// One rigid thing of the set.
+struct Obstacle {
+  int object = 0;  ///< of the scene; obstacles are given in ascending order of it
+  Shape shape;
+  Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
+  /// World; its closed components are solid. Empty for primitives, which are anyway.
+  TriangleMesh solid;
+};
+
+class ObstacleSet {
+ public:
+  /// Memory of one thread's queries.
+  class Scratch;
+  struct ScratchDeleter {
+    void operator()(Scratch*) const;
+  };
+  using ScratchPtr = std::unique_ptr<Scratch, ScratchDeleter>;
+
+  explicit ObstacleSet(std::vector<Obstacle> obstacles);
+  ~ObstacleSet();
+  ObstacleSet(ObstacleSet&&) noexcept;
+
+  static ScratchPtr makeScratch();
+
+  /// Of all obstacles [m]; empty for none.
+  const Eigen::AlignedBox3d& bounds() const;
+  /// The first object, by number, that the capsule touches or lies in; -1 for none.
+  int touched(const Capsule& capsule, Scratch& scratch) const;
+
+  struct Nearest {
+    double distance = 0.0;  ///< [m], 0 where it touches or lies inside
+    int object = -1;        ///< -1 where nothing is nearer than the limit
+  };
+  /// Distance to the nearest obstacle, if it is less than `limit` [m]; else `limit` and no object.
+  Nearest nearest(const Capsule& capsule, double limit, Scratch& scratch) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace amble

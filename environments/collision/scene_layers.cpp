@@ -1,0 +1,153 @@
+#include "environments/collision/scene_layers.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace amble {
+namespace {
+
+// Obstacles higher than this over the highest ground are left to FCL: nobody is so tall [m].
+constexpr double kFieldTop = 2.2;
+constexpr double kFieldBottom = -0.3;  // soles and their depth need little [m]
+constexpr double kFieldMargin = 0.7;   // beyond what can be walked on: an arm's reach [m]
+// What ends on the ground and is no higher than this lies below the ground's surface with it:
+// risers, edges of slabs, undersides. Higher than what is climbed in a step, lower than walls [m].
+constexpr double kTallestRiser = 0.35;
+constexpr double kTouching = 1e-3;  // surfaces so near to one another meet [m]
+
+// Where bodies can be: around the ground, not higher than they are; and no larger than what there
+// is to touch.
+Eigen::AlignedBox3d fieldRegion(const Eigen::AlignedBox3d& obstacles, const SceneGround& ground) {
+  if (obstacles.isEmpty()) return {};
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kFieldMargin);
+  Eigen::AlignedBox3d region(obstacles.min() - margin, obstacles.max() + margin);
+  Eigen::AlignedBox3d surfaces;
+  for (const Triangle3& t : ground.surfaces().triangles())
+    for (const Eigen::Vector3d& corner : t) surfaces.extend(corner);
+  if (surfaces.isEmpty()) return region;
+  const Eigen::Vector3d low(kFieldMargin, kFieldMargin, -kFieldBottom),
+      high(kFieldMargin, kFieldMargin, kFieldTop);
+  return region.intersection(Eigen::AlignedBox3d(surfaces.min() - low, surfaces.max() + high));
+}
+
+// Whether a triangle of an object with ground lies below the surface of the ground, each corner no
+// deeper than a riser is high.
+bool isBelowGround(const Triangle3& t, const SceneGround& ground) {
+  const auto [low, high] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
+  if (high - low > kTallestRiser) return false;
+  return std::all_of(t.begin(), t.end(), [&](const Eigen::Vector3d& corner) {
+    bool covered = false;
+    ground.surfaces().visitAt(corner.x(), corner.y(), [&](int k) {
+      if (covered) return;
+      const auto z = heightOver(ground.surfaces().triangles()[k], corner.x(), corner.y());
+      covered = z && *z >= corner.z() - kTouching && *z <= corner.z() + kTallestRiser;
+    });
+    return covered;
+  });
+}
+
+void append(TriangleMesh& to, const TriangleMesh& from) {
+  const int base = static_cast<int>(to.vertices.size());
+  to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+  for (const std::array<int, 3>& t : from.triangles)
+    to.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+}
+
+}  // namespace
+
+struct SceneLayers::Split {
+  std::vector<Obstacle> obstacles, banks, ground;
+
+  Split(const Scene& scene, const SceneGround& scene_ground) {
+    const std::vector<ScenePiece>& pieces = scene_ground.pieces().pieces;
+    for (size_t i = 0; i < scene.objects.size(); ++i) {
+      const SceneObject& object = scene.objects[i];
+      const int index = static_cast<int>(i);
+      if (object.role == Role::kIgnore) continue;
+      if (scene_ground.isGround(index)) {
+        splitGround(pieces, index, scene_ground);
+        continue;
+      }
+      const bool is_mesh = std::holds_alternative<TriangleMesh>(object.shape);
+      obstacles.push_back(
+          {index, object.shape, object.X_WO, is_mesh ? worldMesh(object) : TriangleMesh{}});
+    }
+  }
+
+  // Parts an object with ground: what is ground or lies below it; the rest of the pieces that this
+  // is taken from; and pieces that have no ground. Inside is by parity over all of them: the ground
+  // layer tells.
+  void splitGround(const std::vector<ScenePiece>& pieces, int index, const SceneGround& ground_of) {
+    TriangleMesh low, bank, solid, rest;
+    for (const ScenePiece& piece : pieces) {
+      if (piece.object != index) continue;
+      std::vector<bool> is_low;
+      bool has_ground = false;
+      for (size_t t = 0; t < piece.mesh.triangles.size(); ++t) {
+        const int number = piece.first + static_cast<int>(t);
+        const bool is_ground = ground_of.isGroundTriangle(number);
+        has_ground = has_ground || is_ground;
+        is_low.push_back(is_ground ||
+                         isBelowGround(ground_of.pieces().triangles[number], ground_of));
+      }
+      if (piece.closed) append(solid, piece.mesh);
+      if (!has_ground) {
+        append(rest, piece.mesh);
+        continue;
+      }
+      TriangleMesh below{piece.mesh.vertices, {}}, above{piece.mesh.vertices, {}};
+      for (size_t t = 0; t < is_low.size(); ++t)
+        (is_low[t] ? below : above).triangles.push_back(piece.mesh.triangles[t]);
+      append(low, below);
+      if (!above.triangles.empty()) append(bank, above);
+    }
+    const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
+    this->ground.push_back({index, cleanMesh(low), here, solid});
+    if (!bank.triangles.empty()) banks.push_back({index, cleanMesh(bank), here, {}});
+    if (!rest.triangles.empty()) obstacles.push_back({index, cleanMesh(rest), here, {}});
+  }
+
+  std::vector<Obstacle> standing() const {
+    std::vector<Obstacle> all = obstacles;
+    all.insert(all.end(), banks.begin(), banks.end());
+    return all;
+  }
+};
+
+SceneLayers::SceneLayers(const Scene& scene, const SceneGround& ground)
+    : SceneLayers(Split(scene, ground), ground) {}
+
+SceneLayers::SceneLayers(Split split, const SceneGround& ground)
+    : obstacles_(split.obstacles),
+      banks_(split.banks),
+      ground_(std::move(split.ground)),
+      field_(split.standing(), fieldRegion(boundsOf(obstacles_, banks_), ground)) {}
+
+Eigen::AlignedBox3d SceneLayers::boundsOf(const ObstacleSet& a, const ObstacleSet& b) {
+  Eigen::AlignedBox3d bounds = a.bounds();
+  return bounds.extend(b.bounds());
+}
+
+int SceneLayers::touchedObstacle(const Capsule& capsule, double depth,
+                                 ObstacleSet::Scratch& scratch) const {
+  if (field_.isFree(capsule)) return -1;
+  const int object = obstacles_.touched(capsule, scratch);
+  if (banks_.bounds().isEmpty()) return object;
+  Capsule lifted = capsule;
+  lifted.from.z() += depth;
+  lifted.to.z() += depth;
+  const int bank = banks_.touched(lifted, scratch);
+  return object < 0 || (bank >= 0 && bank < object) ? bank : object;
+}
+
+ObstacleSet::Nearest SceneLayers::nearestObstacle(const Capsule& capsule, double limit,
+                                                  bool is_sole,
+                                                  ObstacleSet::Scratch& scratch) const {
+  if (field_.isFree(capsule.inflated(limit))) return {limit, -1};
+  const ObstacleSet::Nearest nearest = obstacles_.nearest(capsule, limit, scratch);
+  if (is_sole) return nearest;
+  const ObstacleSet::Nearest bank = banks_.nearest(capsule, nearest.distance, scratch);
+  return bank.object >= 0 ? bank : nearest;
+}
+
+}  // namespace amble

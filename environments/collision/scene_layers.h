@@ -1,0 +1,40 @@
+/// A scene as a body meets it: obstacles, and the ground apart from them (DESIGN.md, section 3).
+///
+/// Three sets. Obstacles: everything without ground. The ground layer: ground, and what lies below
+/// its surface with it, such as risers. Banks: the rest of the pieces that ground is part of, such
+/// as the side of a stair or the wall of a house that is one mesh with its floor; where they meet
+/// the ground soles may be as deep in their edges as in the ground's.
+#pragma once
+
+#include "environments/collision/clearance_field.h"
+#include "environments/collision/ground_layer.h"
+#include "environments/collision/obstacle_set.h"
+#include "environments/ground/scene_ground.h"
+#include "environments/scene/scene.h"
+
+namespace amble {
+
+class SceneLayers {
+ public:
+  SceneLayers(const Scene& scene, const SceneGround& ground);
+
+  /// An object that the capsule touches or lies in, the ground left out; -1 for none.
+  /// @param depth  by which it may sink into banks from above: that of the ground [m, >= 0]
+  int touchedObstacle(const Capsule& capsule, double depth, ObstacleSet::Scratch& scratch) const;
+  /// The obstacle or bank nearer than `limit`, if there is one [m]. Banks are left out for soles,
+  /// which stand on what they are part of.
+  ObstacleSet::Nearest nearestObstacle(const Capsule& capsule, double limit, bool is_sole,
+                                       ObstacleSet::Scratch& scratch) const;
+  const GroundLayer& ground() const { return ground_; }
+
+ private:
+  struct Split;
+  SceneLayers(Split split, const SceneGround& ground);
+  static Eigen::AlignedBox3d boundsOf(const ObstacleSet& a, const ObstacleSet& b);
+
+  ObstacleSet obstacles_, banks_;
+  GroundLayer ground_;
+  ClearanceField field_;
+};
+
+}  // namespace amble

@@ -1,0 +1,146 @@
+#include "environments/ground/scene_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace amble {
+namespace {
+
+constexpr double kNone = -std::numeric_limits<double>::infinity();
+// Against the rounding of normals: a ramp of exactly the steepest slope is ground.
+constexpr double kSlopeRounding = 1e-6;
+
+// Of each triangle whether it could be ground as it lies; `ground` is ground from either side.
+std::vector<bool> facingUp(const Scene& scene, const ScenePieces& pieces, double max_slope) {
+  const double least = std::cos(max_slope) - kSlopeRounding;
+  std::vector<bool> up(pieces.triangles.size(), false);
+  for (size_t t = 0; t < up.size(); ++t) {
+    const ScenePiece& piece = pieces.pieceOf(static_cast<int>(t));
+    const Role role = scene.objects[piece.object].role;
+    if (role != Role::kAuto && role != Role::kGround) continue;
+    const double nz = upwardness(pieces.triangles[t]);
+    const bool either_side = role == Role::kGround && !piece.closed;
+    up[t] = (either_side ? std::abs(nz) : nz) >= least;
+  }
+  return up;
+}
+
+GroundSettings atLevel(double level) {
+  GroundSettings settings;
+  settings.level = level;
+  return settings;
+}
+
+}  // namespace
+
+SceneGround::SceneGround(const Scene& scene, double level) : SceneGround(scene, atLevel(level)) {}
+
+SceneGround::SceneGround(const Scene& scene, const GroundSettings& settings)
+    : settings_(settings),
+      pieces_(std::make_unique<ScenePieces>(splitScene(scene))),
+      all_(pieces_->triangles),
+      up_(facingUp(scene, *pieces_, settings.max_slope)),
+      ground_triangles_(up_.size(), false),
+      ground_objects_(scene.objects.size(), false) {
+  cells_ = std::make_unique<GroundCells>(scene, *pieces_, all_, up_, settings);
+  std::vector<Triangle3> ground;
+  for (size_t t = 0; t < up_.size(); ++t) {
+    const int object = pieces_->pieceOf(static_cast<int>(t)).object;
+    if (!up_[t]) continue;
+    if (scene.objects[object].role != Role::kGround && !cells_->isGround(pieces_->triangles[t]))
+      continue;
+    ground_triangles_[t] = true;
+    ground_objects_[object] = true;
+    ground.push_back(pieces_->triangles[t]);
+    for (const Eigen::Vector3d& corner : ground.back())
+      heights_.extend(Eigen::AlignedBox1d::VectorType(corner.z()));
+  }
+  surfaces_ = TriangleGrid(std::move(ground));
+  is_level_ = heights_.isEmpty() || heights_.sizes()[0] <= kLevel;
+}
+
+SceneGround::~SceneGround() = default;
+SceneGround::SceneGround(SceneGround&&) noexcept = default;
+
+std::optional<SurfacePoint> SceneGround::surface(double x, double y, double z, double reach) const {
+  double best = kNone;
+  int found = -1;
+  surfaces_.visitAt(x, y, [&](int t) {
+    const auto height = heightOver(surfaces_.triangles()[t], x, y);
+    if (!height || std::abs(*height - z) > reach || *height <= best) return;
+    best = *height;
+    found = t;
+  });
+  if (found < 0) return std::nullopt;
+  const Triangle3& t = surfaces_.triangles()[found];
+  const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+  return SurfacePoint{best, normal.z() < 0.0 ? Eigen::Vector3d(-normal) : normal};
+}
+
+double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
+                          double low, double high) const {
+  const double length = (b - a).norm();
+  const Eigen::Vector2d along =
+      length > 0.0 ? Eigen::Vector2d((b - a) / length) : Eigen::Vector2d(Eigen::Vector2d::UnitX());
+  const Eigen::Vector2d aside(-along.y(), along.x());
+  const Eigen::AlignedBox2d strip(Eigen::Vector2d(0.0, -half_width),
+                                  Eigen::Vector2d(length, half_width));
+  Eigen::AlignedBox2d plan;
+  for (const Eigen::Vector2d& end : {a, b})
+    for (const double side : {half_width, -half_width}) plan.extend(end + side * aside);
+  double highest = kNone;
+  all_.visitBox(plan, [&](int t) {
+    Triangle3 local = all_.triangles()[t];
+    if (std::max({local[0].z(), local[1].z(), local[2].z()}) <= highest) return;
+    for (Eigen::Vector3d& corner : local) {
+      const Eigen::Vector2d p = corner.head<2>() - a;
+      corner.head<2>() << along.dot(p), aside.dot(p);
+    }
+    const auto heights = heightsWithin(local, strip);
+    if (heights && heights->high >= low && heights->high <= high)
+      highest = std::max(highest, heights->high);
+  });
+  return highest;
+}
+
+std::optional<SurfacePoint> SceneGround::stand(double x, double y, double z, double reach) const {
+  const auto over = [&](double floor) { return surface(x, y, floor, kLevel); };
+  if (is_level_) {
+    if (heights_.isEmpty() || std::abs(heights_.min()[0] - z) > reach + kLevel) return std::nullopt;
+    return over(heights_.min()[0]);
+  }
+  std::optional<double> nearest;
+  for (const double floor : floors(x, y))
+    if (!nearest || std::abs(floor - z) < std::abs(*nearest - z)) nearest = floor;
+  if (!nearest || std::abs(*nearest - z) > reach) return std::nullopt;
+  return over(*nearest);
+}
+
+std::vector<double> SceneGround::floors(double x, double y) const {
+  std::vector<double> ground, any;
+  const auto collect = [&](const TriangleGrid& grid, int t, std::vector<double>& out) {
+    if (const auto z = heightOver(grid.triangles()[t], x, y)) out.push_back(*z);
+  };
+  surfaces_.visitAt(x, y, [&](int t) { collect(surfaces_, t, ground); });
+  if (ground.empty()) {
+    all_.visitAt(x, y, [&](int t) {
+      if (up_[t]) collect(all_, t, any);
+    });
+  }
+  std::vector<double>& all = ground.empty() ? any : ground;
+  std::sort(all.begin(), all.end());
+  std::vector<double> floors;
+  for (size_t i = 0; i < all.size(); ++i) {
+    // Covered by other ground: what lies under a kerb or a low stair is no floor.
+    const bool covered = std::any_of(all.begin(), all.end(), [&](double z) {
+      return z > all[i] + kLevel && z < all[i] + settings_.headroom;
+    });
+    if (covered || (!floors.empty() && all[i] - floors.back() <= kLevel)) continue;
+    floors.push_back(all[i]);
+  }
+  return floors;
+}
+
+}  // namespace amble

@@ -1,0 +1,74 @@
+/// What of a scene can be stood on: the ground in all its layers, with exact heights and normals.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "animation/ground/ground.h"
+#include "environments/ground/ground_cells.h"
+#include "environments/scene/scene.h"
+
+namespace amble {
+
+/// Floors, stairs, ramps, kerbs, rugs: those surfaces of `auto` and `ground` objects that
+/// GroundCells finds to be ground. Answers come from the triangles themselves. Everything else is
+/// an obstacle; what of it is low enough to be stepped over is told by `crest`.
+class SceneGround : public Ground {
+ public:
+  static constexpr double kLevel = GroundCells::kLevel;
+
+  explicit SceneGround(const Scene& scene, const GroundSettings& settings = {});
+  /// The same with whatever is level with a floor.
+  SceneGround(const Scene& scene, double level);
+  ~SceneGround() override;
+  SceneGround(SceneGround&&) noexcept;
+
+  std::optional<SurfacePoint> surface(double x, double y, double z, double reach) const override;
+
+  /// The highest point of anything, ground or obstacle, over the strip of `half_width` about the
+  /// segment from a to b, of what ends between the heights low and high [m]; -infinity for nothing.
+  /// What goes on above `high` is no thing to step over: it is left out, and left to the check of
+  /// contacts.
+  double crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width, double low,
+               double high) const override;
+
+  /// Heights of the floors at (x, y), lowest first: ground with headroom, those nearer than kLevel
+  /// as one, the lowest of them. Where there is no ground, whatever could be stood on if one were
+  /// put there [m].
+  std::vector<double> floors(double x, double y) const;
+
+  /// The ground where somebody stands who is said to be at a height: that of the nearest floor, or
+  /// none where it is farther than `reach` from z or there is none [m].
+  std::optional<SurfacePoint> stand(double x, double y, double z, double reach) const;
+
+  const GroundSettings& settings() const { return settings_; }
+  /// Whether the object has ground that counts: soles may touch it.
+  bool isGround(int object) const { return ground_objects_[object]; }
+  /// Extent of what can be walked on [m].
+  const Eigen::AlignedBox2d& extent() const { return surfaces_.extent(); }
+  /// Whether all of it lies within kLevel of one height, in one layer.
+  bool isLevel() const { return is_level_; }
+  /// Heights of all of it [m].
+  const Eigen::AlignedBox1d& heights() const { return heights_; }
+  const GroundCells& cells() const { return *cells_; }
+  const ScenePieces& pieces() const { return *pieces_; }
+  /// All triangles of the scene, by number of ScenePieces.
+  const TriangleGrid& all() const { return all_; }
+  /// The ground's triangles.
+  const TriangleGrid& surfaces() const { return surfaces_; }
+  /// By number of ScenePieces.
+  bool isGroundTriangle(int triangle) const { return ground_triangles_[triangle]; }
+
+ private:
+  GroundSettings settings_;
+  std::unique_ptr<ScenePieces> pieces_;
+  TriangleGrid all_, surfaces_;
+  std::unique_ptr<GroundCells> cells_;
+  std::vector<bool> up_, ground_triangles_;  // by triangle
+  std::vector<bool> ground_objects_;         // by object
+  Eigen::AlignedBox1d heights_;
+  bool is_level_ = true;
+};
+
+}  // namespace amble

@@ -1,0 +1,208 @@
+#include "environments/scene/mesh.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+bool lexicographicLess(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::tie(a.x(), a.y(), a.z()) < std::tie(b.x(), b.y(), b.z());
+}
+
+// For each vertex the first vertex of the same place.
+std::vector<int> firstOfEqual(const std::vector<Eigen::Vector3d>& vertices) {
+  std::vector<int> order(vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    if (lexicographicLess(vertices[a], vertices[b])) return true;
+    if (lexicographicLess(vertices[b], vertices[a])) return false;
+    return a < b;
+  });
+  std::vector<int> first(vertices.size());
+  for (size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+// The triangles named by `chosen`, with the vertices that they use, in order of use.
+TriangleMesh subMesh(const TriangleMesh& mesh, const std::vector<int>& chosen,
+                     std::vector<int>& new_index) {
+  TriangleMesh result;
+  result.triangles.reserve(chosen.size());
+  for (int t : chosen) {
+    std::array<int, 3> triangle;
+    for (int k = 0; k < 3; ++k) {
+      int& index = new_index[mesh.triangles[t][k]];
+      if (index < 0) {
+        index = static_cast<int>(result.vertices.size());
+        result.vertices.push_back(mesh.vertices[mesh.triangles[t][k]]);
+      }
+      triangle[k] = index;
+    }
+    result.triangles.push_back(triangle);
+  }
+  for (int t : chosen)
+    for (int v : mesh.triangles[t]) new_index[v] = -1;
+  return result;
+}
+
+struct EdgeUse {
+  int low, high;  // vertices, low < high
+  int triangle;
+  bool operator<(const EdgeUse& o) const {
+    return std::tie(low, high, triangle) < std::tie(o.low, o.high, o.triangle);
+  }
+};
+
+std::vector<EdgeUse> sortedEdges(const TriangleMesh& mesh) {
+  std::vector<EdgeUse> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b), static_cast<int>(t)});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+int rootOf(std::vector<int>& parent, int i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+// Rings of a body of revolution about z: `profile` holds (radius, z) from the bottom to the top,
+// the first and the last on the axis.
+TriangleMesh revolve(const std::vector<Eigen::Vector2d>& profile, int segments) {
+  assert(segments >= 8 && profile.size() >= 3);
+  TriangleMesh mesh;
+  const int rings = static_cast<int>(profile.size()) - 2;
+  mesh.vertices.push_back({0.0, 0.0, profile.front().y()});
+  for (int r = 1; r <= rings; ++r) {
+    for (int s = 0; s < segments; ++s) {
+      const double angle = 2.0 * kPi * s / segments;
+      mesh.vertices.push_back(
+          {profile[r].x() * std::cos(angle), profile[r].x() * std::sin(angle), profile[r].y()});
+    }
+  }
+  const int top = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.push_back({0.0, 0.0, profile.back().y()});
+  const auto at = [&](int ring, int s) { return 1 + ring * segments + s % segments; };
+  for (int s = 0; s < segments; ++s) {
+    mesh.triangles.push_back({0, at(0, s + 1), at(0, s)});
+    for (int r = 0; r + 1 < rings; ++r) {
+      mesh.triangles.push_back({at(r, s), at(r, s + 1), at(r + 1, s + 1)});
+      mesh.triangles.push_back({at(r, s), at(r + 1, s + 1), at(r + 1, s)});
+    }
+    mesh.triangles.push_back({top, at(rings - 1, s), at(rings - 1, s + 1)});
+  }
+  return mesh;
+}
+
+// (radius, z) of a half circle from the pole at -90 degrees to the one at 90, the equator twice if
+// its halves are apart.
+std::vector<Eigen::Vector2d> capsuleProfile(double radius, double half_axis, int segments) {
+  const int quarter = std::max(2, segments / 4);
+  std::vector<Eigen::Vector2d> profile;
+  for (int i = 0; i <= quarter; ++i) {
+    const double angle = -0.5 * kPi + 0.5 * kPi * i / quarter;
+    profile.push_back({radius * std::cos(angle), radius * std::sin(angle) - half_axis});
+  }
+  for (int i = half_axis > 0.0 ? 0 : 1; i <= quarter; ++i) {
+    const double angle = 0.5 * kPi * i / quarter;
+    profile.push_back({radius * std::cos(angle), radius * std::sin(angle) + half_axis});
+  }
+  return profile;
+}
+
+}  // namespace
+
+TriangleMesh cleanMesh(const TriangleMesh& mesh) {
+  const std::vector<int> first = firstOfEqual(mesh.vertices);
+  TriangleMesh joined{mesh.vertices, {}};
+  std::vector<int> kept;
+  for (const std::array<int, 3>& t : mesh.triangles) {
+    const std::array<int, 3> j = {first[t[0]], first[t[1]], first[t[2]]};
+    if (j[0] == j[1] || j[1] == j[2] || j[2] == j[0]) continue;
+    const Eigen::Vector3d u = mesh.vertices[j[1]] - mesh.vertices[j[0]];
+    const Eigen::Vector3d v = mesh.vertices[j[2]] - mesh.vertices[j[0]];
+    if (u.cross(v).squaredNorm() <= kZeroArea * u.squaredNorm() * v.squaredNorm()) continue;
+    kept.push_back(static_cast<int>(joined.triangles.size()));
+    joined.triangles.push_back(j);
+  }
+  std::vector<int> new_index(joined.vertices.size(), -1);
+  return subMesh(joined, kept, new_index);
+}
+
+TriangleMesh makeBox(const Eigen::Vector3d& size) {
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    mesh.vertices.push_back(
+        0.5 * size.cwiseProduct(Eigen::Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+  }
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+TriangleMesh makeCylinder(double radius, double height, int segments) {
+  const double h = 0.5 * height;
+  return revolve({{0.0, -h}, {radius, -h}, {radius, h}, {0.0, h}}, segments);
+}
+
+TriangleMesh makeSphere(double radius, int segments) {
+  return revolve(capsuleProfile(radius, 0.0, segments), segments);
+}
+
+TriangleMesh makeCapsule(double radius, double height, int segments) {
+  return revolve(capsuleProfile(radius, 0.5 * height - radius, segments), segments);
+}
+
+std::vector<MeshComponent> splitComponents(const TriangleMesh& mesh) {
+  TriangleMesh joined = mesh;
+  const std::vector<int> first = firstOfEqual(mesh.vertices);
+  for (std::array<int, 3>& t : joined.triangles)
+    for (int& v : t) v = first[v];
+
+  const std::vector<EdgeUse> edges = sortedEdges(joined);
+  std::vector<int> parent(joined.triangles.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  std::vector<bool> on_border(joined.triangles.size(), false);
+  for (size_t begin = 0, end; begin < edges.size(); begin = end) {
+    end = begin;
+    while (end < edges.size() && edges[end].low == edges[begin].low &&
+           edges[end].high == edges[begin].high) {
+      // The lower index becomes the root, so that components come in the order of the mesh.
+      const int a = rootOf(parent, edges[begin].triangle), b = rootOf(parent, edges[end].triangle);
+      parent[std::max(a, b)] = std::min(a, b);
+      ++end;
+    }
+    if ((end - begin) % 2 != 0) on_border[edges[begin].triangle] = true;
+  }
+
+  std::vector<std::vector<int>> triangles_of(joined.triangles.size());
+  std::vector<bool> open(joined.triangles.size(), false);
+  for (size_t t = 0; t < joined.triangles.size(); ++t) {
+    const int root = rootOf(parent, static_cast<int>(t));
+    triangles_of[root].push_back(static_cast<int>(t));
+    if (on_border[t]) open[root] = true;
+  }
+  std::vector<MeshComponent> components;
+  std::vector<int> new_index(joined.vertices.size(), -1);
+  for (size_t root = 0; root < triangles_of.size(); ++root) {
+    if (triangles_of[root].empty()) continue;
+    components.push_back({subMesh(joined, triangles_of[root], new_index), !open[root]});
+  }
+  return components;
+}
+
+}  // namespace amble

@@ -1,0 +1,65 @@
+/// The scene: objects with their shapes, placed in World, and what each is to a walker (DESIGN.md,
+/// section 5).
+#pragma once
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "environments/scene/mesh.h"
+
+namespace amble {
+
+enum class Role { kAuto, kGround, kObstacle, kIgnore };
+
+struct Box {
+  Eigen::Vector3d size;
+};  ///< whole lengths [m, > 0]
+struct Cylinder {
+  double radius, height;
+};  ///< upright, [m, > 0]
+struct Sphere {
+  double radius;
+};  ///< [m, > 0]
+struct CapsuleShape {
+  double radius, height;
+};  ///< upright, whole height tip to tip [m, > 2 radius]
+using Shape = std::variant<Box, Cylinder, Sphere, CapsuleShape, TriangleMesh>;
+
+/// One rigid thing. An object whose mesh file has several parts becomes one SceneObject a part,
+/// each with its role; `name` is then the same for all of them.
+struct SceneObject {
+  std::string name;  ///< of the object in the scene file
+  std::string part;  ///< name inside the mesh file, where it was one part; else empty
+  Shape shape;
+  Eigen::Isometry3d X_WO =
+      Eigen::Isometry3d::Identity();  ///< scale is applied to the shape already
+  Role role = Role::kAuto;
+};
+
+struct Scene {
+  std::string name;
+  std::filesystem::path file;
+  std::vector<SceneObject> objects;           ///< `ignore` ones are kept: pictures show them
+  std::vector<std::filesystem::path> inputs;  ///< every file that was read, the scene's first
+
+  Eigen::AlignedBox3d bounds() const;  ///< of all objects but the ignored [m]
+  int triangleCount() const;           ///< of meshes; primitives count 0
+};
+
+/// @throws InputError as DESIGN.md, section 5 asks (unknown and doubled keys, ranges, doubled
+/// names, `up` missing or not wanted, a scene under 0.5 m or over 1 km with the `scale` it would
+/// need).
+Scene readScene(const std::filesystem::path& file);
+
+/// Pattern of `parts: match:`: `*` stands for any characters, `?` for one; upper and lower case are
+/// the same (ASCII).
+bool matchesPattern(std::string_view pattern, std::string_view name);
+
+/// The object's surface in World; primitives become meshes.
+TriangleMesh worldMesh(const SceneObject& object);
+
+}  // namespace amble

@@ -1,0 +1,118 @@
+#include "environments/scene/triangle_grid.h"
+
+#include <limits>
+#include <utility>
+
+namespace amble {
+namespace {
+
+constexpr double kTrianglesPerCell = 1.0;  // aimed at, for the middle of the triangles; by trial
+
+Eigen::AlignedBox2d planOf(const Triangle3& t) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector3d& corner : t) box.extend(Eigen::Vector2d(corner.head<2>()));
+  return box;
+}
+
+Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box, double by) {
+  return {box.min().array() - by, box.max().array() + by};
+}
+
+}  // namespace
+
+std::optional<double> heightOver(const Triangle3& t, double x, double y) {
+  // Most of those asked are beside it; and a sliver's corner may be farther than a seam from all
+  // that is between its edges.
+  for (const auto& [axis, value] : {std::pair(0, x), std::pair(1, y)}) {
+    const double a = t[0][axis], b = t[1][axis], c = t[2][axis];
+    if (value < std::min({a, b, c}) - kSeam || value > std::max({a, b, c}) + kSeam)
+      return std::nullopt;
+  }
+  const Eigen::Vector2d p(x, y);
+  std::array<double, 3> side;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector2d a = t[k].head<2>(), edge = t[(k + 1) % 3].head<2>() - a;
+    side[k] = edge.x() * (p.y() - a.y()) - edge.y() * (p.x() - a.x());
+  }
+  const double twice_area = side[0] + side[1] + side[2];
+  if (twice_area == 0.0) return std::nullopt;
+  const double sign = twice_area < 0.0 ? -1.0 : 1.0;
+  for (int k = 0; k < 3; ++k) {
+    if (sign * side[k] >= 0.0) continue;
+    const double length = (t[(k + 1) % 3] - t[k]).head<2>().norm();
+    if (sign * side[k] < -kSeam * length) return std::nullopt;
+  }
+  // side[k] weighs the corner opposite to edge k.
+  const double z = (side[0] * t[2].z() + side[1] * t[0].z() + side[2] * t[1].z()) / twice_area;
+  return std::clamp(z, std::min({t[0].z(), t[1].z(), t[2].z()}),
+                    std::max({t[0].z(), t[1].z(), t[2].z()}));
+}
+
+// Sutherland and Hodgman's clipping, side by side of the box.
+std::optional<HeightRange> heightsWithin(const Triangle3& t, const Eigen::AlignedBox2d& box) {
+  std::array<Eigen::Vector3d, 8> in, out;
+  std::copy(t.begin(), t.end(), in.begin());
+  int count = 3;
+  for (int side = 0; side < 4; ++side) {
+    const int axis = side / 2;
+    const double sign = side % 2 == 0 ? 1.0 : -1.0;
+    const double limit = side % 2 == 0 ? box.min()[axis] : -box.max()[axis];
+    int kept = 0;
+    for (int k = 0; k < count; ++k) {
+      const Eigen::Vector3d &a = in[k], &b = in[(k + 1) % count];
+      const double da = sign * a[axis] - limit, db = sign * b[axis] - limit;
+      if (da >= 0.0) out[kept++] = a;
+      if ((da >= 0.0) != (db >= 0.0)) out[kept++] = a + da / (da - db) * (b - a);
+    }
+    if (kept == 0) return std::nullopt;
+    std::copy_n(out.begin(), kept, in.begin());
+    count = kept;
+  }
+  HeightRange range{in[0].z(), in[0].z()};
+  for (int k = 1; k < count; ++k) {
+    range.low = std::min(range.low, in[k].z());
+    range.high = std::max(range.high, in[k].z());
+  }
+  return range;
+}
+
+TriangleGrid::TriangleGrid(std::vector<Triangle3> triangles) : triangles_(std::move(triangles)) {
+  if (triangles_.empty()) return;
+  for (const Triangle3& t : triangles_) extent_.extend(planOf(t));
+  const double per_triangle = extent_.volume() / static_cast<double>(triangles_.size());
+  cell_ = std::clamp(std::sqrt(kTrianglesPerCell * per_triangle), kSmallestCell, kLargestCell);
+  cell_ = std::max(cell_, extent_.sizes().maxCoeff() / kMostCells);
+  for (int k = 0; k < 2; ++k) count_[k] = 1 + static_cast<int>(extent_.sizes()[k] / cell_);
+  // Counting sort: once to count, once to place.
+  start_.assign(static_cast<size_t>(count_[0]) * count_[1] + 1, 0);
+  eachSquare([&](size_t cell, int) { ++start_[cell + 1]; });
+  for (size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+  items_.resize(start_.back());
+  std::vector<int> next(start_.begin(), start_.end() - 1);
+  eachSquare([&](size_t cell, int triangle) { items_[next[cell]++] = triangle; });
+}
+
+Eigen::AlignedBox2d TriangleGrid::squareOf(int i, int j) const {
+  const Eigen::Vector2d low = extent_.min() + cell_ * Eigen::Vector2d(i, j);
+  return grown({low, low.array() + cell_}, kSeam + 1e-9 * cell_);
+}
+
+// A large triangle's bounds hold squares that it does not overlap: most of them for a slanted
+// sliver.
+template <typename Visit>
+void TriangleGrid::eachSquare(Visit visit_one) const {
+  constexpr int kFewSquares = 4;
+  for (size_t t = 0; t < triangles_.size(); ++t) {
+    const Range range = rangeOf(grown(planOf(triangles_[t]), kSeam));
+    const bool few =
+        range.high[0] - range.low[0] < kFewSquares && range.high[1] - range.low[1] < kFewSquares;
+    for (int j = range.low[1]; j <= range.high[1]; ++j) {
+      for (int i = range.low[0]; i <= range.high[0]; ++i) {
+        if (few || heightsWithin(triangles_[t], squareOf(i, j)))
+          visit_one(static_cast<size_t>(j) * count_[0] + i, static_cast<int>(t));
+      }
+    }
+  }
+}
+
+}  // namespace amble

@@ -1,0 +1,28 @@
+/// A directed k-nearest PRM (after Kavraki, Svestka, Latombe and Overmars, IEEE T-RA 12(4), 1996),
+/// to compare with: every free sample becomes a node and is connected, in each direction, with its
+/// nearest nodes.
+///
+/// max_failures counts its samples. Nearest is by straight distance. Samples, threads and seeds as
+/// in the visibility roadmap.
+#pragma once
+
+#include "planner/roadmap/sampled_roadmap.h"
+
+namespace amble {
+
+class NearestRoadmap : public SampledRoadmap {
+ public:
+  using SampledRoadmap::SampledRoadmap;
+
+  static constexpr int kNeighbours =
+      6;  ///< by trial: fewer leave a room in pieces, more cost edges
+
+ protected:
+  Verdict judge(Candidate& candidate, SteeringScratch& scratch) const override;
+  bool exhausted(const SearchLimits& limits) const override {
+    return samples() >= limits.max_failures;
+  }
+  long long effort() const override { return samples(); }
+};
+
+}  // namespace amble

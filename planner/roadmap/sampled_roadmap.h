@@ -1,0 +1,108 @@
+/// What roadmaps that grow by samples share: samples judged in order of their index, on any number
+/// of threads.
+///
+/// A batch of samples is judged ahead, in parallel, against the roadmap as it stands; steering's
+/// answers are remembered with the sample. Then they are judged again one after another, each
+/// against the roadmap that those before it left, which asks steering only what has become new. So
+/// the roadmap depends on seed and indices, not on threads.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "planner/roadmap/roadmap.h"
+#include "planner/roadmap/stance_sampler.h"
+#include "planner/search_limits.h"
+
+namespace amble {
+
+/// An edge between two places that was refused, for the report of why there is no walk.
+struct RefusedEdge {
+  int from = -1;  ///< nodes; a sample that was thrown away is stood for by the node that covered it
+  int to = -1;
+  SteeringFailure failure;
+};
+
+/// A place that may become a node, with what steering said about it so far.
+struct Candidate {
+  Waypoint at;
+  bool enter = true, leave = true;  ///< edges may end here, begin here
+  bool end = false;                 ///< of a query: kept in any case
+  bool all_round = true;            ///< the body can stand there by any heading
+  bool counted = true;  ///< as a failure unless it becomes a guard, which sets the count back
+  std::map<std::pair<int, bool>, SteerResult>
+      answers;  ///< by (node, whether from the candidate to the node)
+};
+
+/// One question that a judgement rests on.
+struct Question {
+  int node = -1;
+  bool to_node = false;  ///< from the candidate to the node, or the other way
+};
+
+struct Verdict {
+  bool keep = false;
+  NodeKind kind = NodeKind::kSample;
+  int stands_for = -1;              ///< of one that is not kept: a node that covers it, or -1
+  std::vector<Question> questions;  ///< in order; every edge that was found is kept with the node
+};
+
+/// Not for threads to share: it starts its own.
+class SampledRoadmap {
+ public:
+  /// @pre steering outlives the roadmap.
+  SampledRoadmap(const Steering& steering, const Eigen::AlignedBox2d& bounds);
+  virtual ~SampledRoadmap() = default;
+
+  /// An end of a query, which becomes a node; one that is there already is found again. @return the
+  /// node
+  int insert(const Waypoint& at, bool enter, bool leave);
+
+  /// Adds the ends of passages, once, and then samples until walks lead from one node to the other,
+  /// the counted limit is reached, or limits.stopped().
+  /// @return whether walks lead there
+  bool connect(int from, int to, const SearchLimits& limits);
+
+  void clear();  ///< as if made anew
+
+  const Roadmap& roadmap() const { return roadmap_; }
+  const SteeringCount& steering() const { return count_; }
+  const std::vector<RefusedEdge>& refused() const { return refused_; }
+  long long samples() const { return samples_; }
+  int failures() const { return failures_; }  ///< in a row, now
+
+  /// Estimated share of the free space that is covered [0 to 1]; 0 where the method knows none.
+  virtual double coverage() const { return 0.0; }
+
+ protected:
+  /// What becomes of a candidate, given the roadmap as it is. Steering's answers are left in the
+  /// candidate.
+  virtual Verdict judge(Candidate& candidate, SteeringScratch& scratch) const = 0;
+  virtual bool exhausted(const SearchLimits& limits) const = 0;
+  virtual long long effort() const = 0;  ///< what exhausted() compares with max_failures
+
+  /// Asks steering unless the candidate knows the answer; notes the question. @return whether there
+  /// is an edge
+  bool ask(Candidate& candidate, Question question, Verdict& verdict,
+           SteeringScratch& scratch) const;
+
+ private:
+  struct Draft;
+  std::vector<Draft> draft(const SearchLimits& limits,
+                           std::vector<SteeringScratchPtr>& scratches) const;
+  int commit(Candidate& candidate, SteeringScratch& scratch);
+  void insertPassages(const SearchLimits& limits);
+  bool joins(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch);
+
+  const Steering& steering_;
+  StanceSampler sampler_;
+  Roadmap roadmap_;
+  SteeringCount count_;
+  std::vector<RefusedEdge> refused_;
+  long long samples_ = 0;
+  int failures_ = 0;
+  bool has_passages_ = false;
+};
+
+}  // namespace amble

@@ -1,0 +1,93 @@
+#include "planner/roadmap/visibility_roadmap.h"
+
+#include <algorithm>
+
+namespace amble {
+namespace {
+
+// Nodes that lead to the candidate (to_node == false), or that it leads to.
+std::vector<int> neighbours(const Candidate& candidate, const Verdict& verdict, bool to_node) {
+  std::vector<int> nodes;
+  for (const Question& question : verdict.questions) {
+    if (question.to_node != to_node) continue;
+    if (candidate.answers.at({question.node, to_node}).edge) nodes.push_back(question.node);
+  }
+  return nodes;
+}
+
+}  // namespace
+
+std::vector<int> VisibilityRoadmap::guardsByDistance(const Waypoint& at) const {
+  std::vector<std::pair<double, int>> order;
+  for (int node = 0; node < roadmap().size(); ++node) {
+    const RoadmapNode& guard = roadmap().nodes()[node];
+    if (guard.kind != NodeKind::kGuard) continue;
+    order.emplace_back((guard.at.stance.position - at.stance.position).squaredNorm(), node);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<int> guards;
+  for (const auto& [distance, node] : order) guards.push_back(node);
+  return guards;
+}
+
+// In each component until one covers the candidate. Returns whether any does; the first that did
+// stands for it.
+bool VisibilityRoadmap::askGuards(Candidate& candidate, Verdict& verdict,
+                                  SteeringScratch& scratch) const {
+  const std::vector<int> component = roadmap().components();
+  const std::vector<int> guards = guardsByDistance(candidate.at);
+  std::vector<bool> covered(roadmap().size(), false);  // by component
+  for (const int guard : guards) {
+    if (covered[component[guard]]) continue;
+    const bool out = candidate.leave && ask(candidate, {guard, true}, verdict, scratch);
+    const bool in = candidate.enter && ask(candidate, {guard, false}, verdict, scratch);
+    if (!out || !in) continue;
+    covered[component[guard]] = true;
+    if (verdict.stands_for < 0) verdict.stands_for = guard;
+  }
+  return verdict.stands_for >= 0;
+}
+
+// A terminal is asked unless walks lead between it and the candidate anyway.
+void VisibilityRoadmap::askTerminals(Candidate& candidate, Verdict& verdict,
+                                     SteeringScratch& scratch) const {
+  for (int node = 0; node < roadmap().size(); ++node) {
+    const RoadmapNode& terminal = roadmap().nodes()[node];
+    if (terminal.kind != NodeKind::kTerminal) continue;
+    const bool to_node = terminal.enter;
+    if (to_node ? !candidate.leave : !candidate.enter) continue;
+    const std::vector<bool> known =
+        to_node ? roadmap().reaching(node) : roadmap().reachableFrom(node);
+    const std::vector<int> between = neighbours(candidate, verdict, to_node);
+    if (std::any_of(between.begin(), between.end(), [&](int other) { return known[other]; }))
+      continue;
+    ask(candidate, {node, to_node}, verdict, scratch);
+  }
+}
+
+// Whether some node could be walked to through the candidate that could not be before.
+bool VisibilityRoadmap::joins(const Candidate& candidate, const Verdict& verdict) const {
+  const std::vector<int> after = neighbours(candidate, verdict, true);
+  for (const int before : neighbours(candidate, verdict, false)) {
+    const std::vector<bool> known = roadmap().reachableFrom(before);
+    if (std::any_of(after.begin(), after.end(), [&](int node) { return !known[node]; }))
+      return true;
+  }
+  return false;
+}
+
+Verdict VisibilityRoadmap::judge(Candidate& candidate, SteeringScratch& scratch) const {
+  Verdict verdict;
+  const bool covered = askGuards(candidate, verdict, scratch);
+  askTerminals(candidate, verdict, scratch);
+  if (candidate.end) {
+    verdict.kind = candidate.enter && candidate.leave ? NodeKind::kGuard : NodeKind::kTerminal;
+    verdict.keep = true;
+  } else {
+    verdict.kind = covered || !candidate.all_round ? NodeKind::kConnector : NodeKind::kGuard;
+    verdict.keep = covered || !candidate.all_round ? joins(candidate, verdict) : true;
+  }
+  return verdict;
+}
+
+}  // namespace amble

@@ -1,0 +1,53 @@
+/// What the body covers wherever it walks: lines along the root path that something touches only if
+/// the body does.
+///
+/// A cheap test before animation, that refuses and never allows. At the height of the pelvis the
+/// trunk stays on the path but for a few centimetres of sway, and no point of the path is walked by
+/// without it. At the height of the shanks each leg passes every point of the path on its own side,
+/// since a leg is one chain from foot to hip that moves from behind the point to before it. So
+/// there are three lines, at a height and an offset from the path each, that lie inside the body
+/// when it passes. How far inside is measured on a straight walk from standing to standing, and
+/// half of that is used: turning walks sway otherwise.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "environments/collision/collision_world.h"
+#include "planner/steering/straight_walk.h"
+
+namespace amble {
+
+class BodyCore {
+ public:
+  /// Of a body on a walk; without lines, which refuses nothing, where the walk has no frames.
+  BodyCore(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
+           const Body& body, double stature);
+
+  struct Touch {
+    int part = -1;
+    int object = -1;
+  };
+  struct Way {
+    const RootPath& path;
+    double z;                            ///< of the ground at its begin [m]
+    bool standing_first, standing_last;  ///< legs that walk there cover less of the path
+    const SceneGround& ground;
+  };
+  /// What the body would touch on its way, or none, which says nothing. Asked where the way is
+  /// level: on slopes and stairs the body is carried otherwise.
+  std::optional<Touch> touch(const Way& way, const CollisionWorld& world,
+                             CollisionScratch& scratch) const;
+
+ private:
+  struct Line {
+    double offset = 0.0;  // from the path, left positive [m]
+    double height = 0.0;  // over the ground [m]
+    double radius = 0.0;  // of what is inside the body for sure [m, > 0]
+    int part = -1;        // of the body
+    bool leg = false;
+  };
+  std::vector<Line> lines_;
+};
+
+}  // namespace amble

@@ -1,0 +1,116 @@
+/// Local method of the planner (Pettré §5, "steering method"): what it is asked and what it
+/// answers.
+///
+/// An extension point: `WalkSteering` walks a whole body; tests put a disc in its place, and the
+/// planner `cylinder` the body's bounding cylinder. Steering is directed: steer(a, b) says nothing
+/// about steer(b, a).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "animation/steps/root_path.h"
+#include "animation/steps/stance.h"
+
+namespace amble {
+
+/// A place that edges are asked between: a stance, and what of it is left to the edge.
+struct Waypoint {
+  Stance stance;
+  bool any_heading = false;  ///< the edge chooses the heading (start or goal without one)
+  bool any_leading = true;   ///< at an edge's end that walks: either foot may be in front
+};
+
+/// The four stages (DESIGN.md, section 3).
+enum class SteeringStage { kRootPath, kLimits, kAnimation, kValidation };
+
+/// Which rule of which stage refused, and what stood in the way.
+struct SteeringFailure {
+  SteeringStage stage = SteeringStage::kRootPath;
+  std::string_view rule;  ///< of static storage: "contact", "turn_rate", ...; what reports count
+  int part = -1;          ///< of the body, where a contact refused
+  int object = -1;        ///< of the scene, where a contact refused
+  double gap = 0.0;       ///< distance that was proved there [m]
+};
+
+/// A walk that was checked: an optional turn on the spot, a root path, an optional turn on the
+/// spot. It holds what the walk is made of, not its frames: animating it again gives the same
+/// frames to the bit.
+struct WalkEdge {
+  Stance from, to;          ///< as walked: free headings and feet are settled
+  double turn_first = 0.0;  ///< on the spot at `from`, before walking [rad, left positive]
+  RootPath path;            ///< empty where the edge only turns
+  double turn_last = 0.0;   ///< on the spot at `to`, after walking [rad, left positive]
+  bool any_leading = true;  ///< as asked: `to.leading` was the walk's choice
+  int steps = 0;            ///< of the walk between the turns
+  double duration = 0.0;    ///< [s, >= 0], a whole number of frames
+  double length = 0.0;      ///< of the root path [m, >= 0]
+  double effort = 0.0;      ///< what climbing and lifting cost beside time, in time [s, >= 0]
+
+  double cost() const { return duration + effort; }  ///< [s]
+};
+
+/// Two stances between which a walk is likely that samples would hardly find.
+struct StancePair {
+  Stance first, second;
+};
+
+struct SteerResult {
+  std::optional<WalkEdge> edge;
+  SteeringFailure failure;  ///< meaningful where there is no edge
+  int poses = 0;            ///< frames handed to the collision check
+};
+
+/// Scratch memory of one thread.
+class SteeringScratch {
+ public:
+  virtual ~SteeringScratch() = default;
+};
+using SteeringScratchPtr = std::unique_ptr<SteeringScratch>;
+
+/// Const after construction: threads may share it, each with its own scratch. Answers depend on the
+/// arguments only.
+class Steering {
+ public:
+  virtual ~Steering() = default;
+  virtual SteeringScratchPtr makeScratch() const = 0;
+
+  /// Puts the stance on the ground and asks whether the body can stand there.
+  virtual std::optional<SteeringFailure> stand(Stance& stance, SteeringScratch& scratch) const = 0;
+
+  /// Puts the stance on the ground; false where there is none.
+  virtual bool place(Stance& stance) const = 0;
+
+  /// The walk from one waypoint to another, checked, or the rule that refused.
+  virtual SteerResult steer(const Waypoint& from, const Waypoint& to,
+                            SteeringScratch& scratch) const = 0;
+
+  /// Heights of the ground at (x, y), where it lies in several layers or is not level; else none is
+  /// needed: `place` finds it [m].
+  virtual std::vector<double> floors(double, double) const { return {}; }
+  /// Most floors over one another; 0 where they need not be told apart.
+  virtual int layers() const { return 0; }
+  /// Ends of narrow passages, standing: a roadmap takes them before any sample.
+  virtual std::vector<StancePair> passages() const { return {}; }
+
+  /// No edge between two places is faster than their distance over this [m/s, > 0].
+  virtual double topSpeed() const = 0;
+};
+
+/// What steering was asked and answered, for reports. Counts only answers that a result depends on,
+/// so that it is the same at any number of threads.
+struct SteeringCount {
+  std::map<std::string, long long> refusals;  ///< by rule
+  long long poses = 0;                        ///< frames handed to the collision check
+  long long asked = 0;                        ///< edges asked for
+
+  void add(const SteerResult& result);
+  void add(const SteeringFailure& failure) { ++refusals[std::string(failure.rule)]; }
+  void add(const SteeringCount& other);
+};
+
+}  // namespace amble

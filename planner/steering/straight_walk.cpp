@@ -1,0 +1,53 @@
+#include "planner/steering/straight_walk.h"
+
+#include <cmath>
+#include <limits>
+
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+constexpr int kPlaces = 7;      // a side of the ground's extent
+constexpr int kDirections = 8;  // from each
+
+bool isLevel(const AnimationBuffer& buffer) {
+  Eigen::AlignedBox1d heights;
+  for (const FrameState& state : buffer.states)
+    heights.extend(Eigen::AlignedBox1d::VectorType(state.position.z()));
+  return heights.sizes()[0] <= SceneGround::kLevel;
+}
+
+}  // namespace
+
+StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround& ground,
+                          double length) {
+  const Eigen::AlignedBox2d extent = ground.extent();
+  StraightWalk walk;
+  if (extent.isEmpty()) return walk;
+  for (int i = 0; i < kPlaces * kPlaces * kDirections; ++i) {
+    const int place = i / kDirections;
+    const Eigen::Vector2d share((place % kPlaces + 0.5) / kPlaces,
+                                (place / kPlaces + 0.5) / kPlaces);
+    Stance from;
+    const double lowest = ground.heights().min()[0];
+    from.position << extent.min() + share.cwiseProduct(extent.sizes()), lowest;
+    if (!ground.isLevel()) {
+      const auto under = ground.stand(from.position.x(), from.position.y(), lowest,
+                                      std::numeric_limits<double>::infinity());
+      if (!under) continue;
+      from.position.z() = under->height;
+    }
+    from.heading = 2.0 * kPi * (i % kDirections) / kDirections;
+    Stance to = from;
+    to.position += length * Eigen::Vector3d(std::cos(from.heading), std::sin(from.heading), 0.0);
+    walk.path = RootPath({makeBezier(from.position.head<2>(), from.heading, to.position.head<2>(),
+                                     to.heading, 1.0 / 3.0)});
+    if (synthesizer.walk(from, to, walk.path, true, walk.buffer).refused == WalkRule::kNone &&
+        isLevel(walk.buffer))
+      return walk;
+  }
+  return {};
+}
+
+}  // namespace amble

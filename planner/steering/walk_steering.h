@@ -1,0 +1,55 @@
+/// The steering method for a walking body (Pettré §3 to §5), in four stages with named refusals
+/// (DESIGN.md, section 3).
+///
+///   1 root path   cubic Beziers between the two stances       refuses: no_curve
+///   2 limits      turn rates of the library, whole steps      refuses: turn_rate, step_length
+///   3 animation   the synthesizer's frames, feet on footprints refuses: reach, no_ground
+///   4 validation  the whole body, at frames and between them  refuses: contact
+///
+/// Between two standing stances an edge is one curve with the stances' own headings (of several
+/// handle lengths the one of least curvature) or, if that is refused, the straight line with turns
+/// on the spot at its ends. At a stance that walks there is no turn; all handle lengths are tried
+/// there, gentlest first. Where one end may turn, curves that arrive at it (or leave it) by another
+/// heading are tried too. The first that passes all stages is the edge.
+#pragma once
+
+#include "animation/synthesis/walk_synthesizer.h"
+#include "environments/collision/collision_world.h"
+#include "planner/steering/body_core.h"
+#include "planner/steering/steering.h"
+
+namespace amble {
+
+class WalkSteering : public Steering {
+ public:
+  /// @pre all outlive the steering; the world's body is the synthesizer's.
+  WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
+               const SceneGround& ground);
+
+  SteeringScratchPtr makeScratch() const override;
+  std::optional<SteeringFailure> stand(Stance& stance, SteeringScratch& scratch) const override;
+  bool place(Stance& stance) const override;
+  SteerResult steer(const Waypoint& from, const Waypoint& to,
+                    SteeringScratch& scratch) const override;
+  double topSpeed() const override;
+  std::vector<double> floors(double x, double y) const override { return ground_.floors(x, y); }
+  int layers() const override;
+  std::vector<StancePair> passages() const override;
+
+  /// The frames of an edge, as they were checked. `out` is overwritten.
+  void animate(const WalkEdge& edge, AnimationBuffer& out) const;
+
+  /// The first contact of an animation, between its frames too, or none.
+  std::optional<SteeringFailure> contact(const AnimationBuffer& buffer,
+                                         SteeringScratch& scratch) const;
+
+ private:
+  SteerResult judge(WalkEdge edge, SteeringScratch& scratch) const;
+
+  const WalkSynthesizer& synthesizer_;
+  const CollisionWorld& world_;
+  const SceneGround& ground_;
+  BodyCore core_;
+};
+
+}  // namespace amble

@@ -1,0 +1,215 @@
+#include "animation/analysis/gait_measures.h"
+
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include "animation/captures/bvh.h"
+#include "animation/clips/floor_fit.h"
+#include "animation/quality/walk_quality.h"
+#include "base/rotation.h"
+#include "tests/animation/captures.h"
+#include "tests/animation/puppet.h"
+#include "tests/animation/random_clip.h"
+
+namespace amble {
+namespace {
+
+GaitMeasures measured(const Puppet& puppet, const Ground* ground = nullptr) {
+  return measureGait(puppet.clip(), Puppet::roles(), puppet.plants(), ground);
+}
+
+TEST(GaitMeasures, OfNothingAreNothing) {
+  Clip clip = Puppet().clip();
+  clip.poses.clear();
+  clip.joint_positions.clear();
+  EXPECT_EQ(measureGait(clip, Puppet::roles(), FootPlants()).speed, 0.0);
+}
+
+TEST(GaitMeasures, OfAClipWithoutPlantsSayNothingOfFeet) {
+  const Puppet puppet;
+  FootPlants none;
+  none.frames = puppet.clip().frames();
+  const GaitMeasures gait = measureGait(puppet.clip(), Puppet::roles(), none);
+  EXPECT_EQ(gait.toe_skate, 0.0);
+  EXPECT_EQ(gait.penetration, 0.0);
+  EXPECT_TRUE(gait.steps.empty());
+  EXPECT_EQ(gait.flight, 1.0);
+  EXPECT_NEAR(gait.speed, puppet.speed, 1e-9);
+}
+
+TEST(GaitMeasures, OfADrawnWalkAreThoseItWasDrawnWith) {
+  for (const double speed : {0.6, 1.2, 1.7}) {
+    const Puppet puppet{.speed = speed};
+    const GaitMeasures gait = measured(puppet);
+    EXPECT_NEAR(gait.speed, speed, 1e-6);
+    EXPECT_NEAR(gait.turn_rate, 0.0, 1e-9);
+    EXPECT_NEAR(gait.step_length, 0.5 * speed * puppet.period, 1e-6);
+    EXPECT_NEAR(gait.step_width, puppet.width, 1e-6);
+    EXPECT_NEAR(gait.step_time, 0.5 * puppet.period, 0.005);
+    EXPECT_NEAR(gait.cadence, 120.0 / puppet.period, 0.01 * 120.0 / puppet.period);
+    EXPECT_NEAR(gait.lift, puppet.lift, 0.001);
+    EXPECT_NEAR(gait.double_support, 2.0 * puppet.stance - 1.0, 0.02);
+    EXPECT_EQ(gait.flight, 0.0);
+    EXPECT_LT(gait.length_asymmetry, 1e-6);
+    EXPECT_LT(gait.time_asymmetry, 0.02);
+    EXPECT_NEAR(gait.toe_height[kRight], Puppet::kToe, 1e-12);
+    EXPECT_NEAR(gait.ankle_height[kLeft], Puppet::kAnkle, 1e-12);
+  }
+}
+
+TEST(GaitMeasures, APlantedFootThatStaysDoesNotSkateDriftOrSink) {
+  const GaitMeasures gait = measured(Puppet{.turn_rate = 0.6});
+  EXPECT_LT(gait.toe_skate, 1e-9);
+  EXPECT_LT(gait.largest_drift, 1e-9);
+  EXPECT_LT(gait.penetration, 1e-9);
+}
+
+TEST(GaitMeasures, ASlidingFootSkatesAsFastAsItSlides) {
+  const Puppet puppet{.slide = 0.05};
+  const GaitMeasures gait = measured(puppet);
+  EXPECT_NEAR(gait.toe_skate, 0.05, 1e-6);
+  // The plant without 15 % at both ends, half of it to either side of the median.
+  EXPECT_NEAR(gait.drift, 0.5 * 0.7 * puppet.stance * puppet.period * 0.05, 0.001);
+}
+
+TEST(GaitMeasures, AFootThatSwingsThroughTheGroundPenetratesIt) {
+  EXPECT_NEAR(measured(Puppet{.lift = 0.0, .sink = 0.02}).penetration, 0.02, 1e-4);
+}
+
+TEST(GaitMeasures, EachStepOfASteadyWalkMeasuresWhatTheClipDoes) {
+  const Puppet puppet{.turn_rate = 0.3};
+  const GaitMeasures gait = measured(puppet);
+  ASSERT_GE(gait.steps.size(), 6u);
+  for (size_t i = 2; i + 2 < gait.steps.size(); ++i) {
+    const StepMeasures& step = gait.steps[i];
+    EXPECT_NEAR(step.speed, gait.speed, 1e-6);
+    EXPECT_NEAR(step.turn_rate, puppet.turn_rate, 1e-6);
+    EXPECT_NEAR(step.double_support, 2.0 * (puppet.stance - 0.5), 0.05);
+    EXPECT_NEAR(step.stride, 2.0 * step.length, 0.02 * step.stride);
+  }
+  EXPECT_NEAR(gait.cycle_frequency, 1.0 / puppet.period, 0.01);
+  EXPECT_NEAR(gait.leg_length, Puppet::kThigh + Puppet::kShank, 1e-12);
+  EXPECT_NEAR(gait.normalised_speed, gait.speed / gait.leg_length, 1e-12);
+}
+
+TEST(GaitMeasures, TheToeOfAFlatFootClearsTheGroundByItsLiftInTheMiddleOfTheSwing) {
+  const Puppet puppet{.lift = 0.1};
+  // Drawn as lift * sin(pi u): at 0.3 of the swing, and at 0.7, lowest in between.
+  EXPECT_NEAR(measured(puppet).toe_clearance, 0.1 * std::sin(0.3 * kPi), 0.006);
+}
+
+TEST(GaitMeasures, FootprintsOfACircleTurnWithIt) {
+  const Puppet puppet{.turn_rate = 0.5, .duration = 12.0};
+  const GaitMeasures gait = measured(puppet);
+  EXPECT_NEAR(gait.turn_rate, 0.5, 1e-6);
+  EXPECT_NEAR(gait.peak_turn_rate, 0.5, 1e-6);
+  EXPECT_NEAR(gait.speed, puppet.speed, 0.01 * puppet.speed);
+  EXPECT_NEAR(measured(Puppet{.turn_rate = -0.5}).turn_rate, -0.5, 1e-6);
+}
+
+TEST(GaitMeasures, ALimpIsAsymmetric) {
+  const Puppet puppet{.right_phase = 0.55};
+  const GaitMeasures gait = measured(puppet);
+  EXPECT_NEAR(gait.time_asymmetry, 0.2, 0.02);  // 0.55 against 0.45 of the period
+  EXPECT_NEAR(gait.step_time_variation, 0.1, 0.01);
+  EXPECT_NEAR(gait.length_asymmetry, 0.2, 1e-6);  // and of the way
+}
+
+TEST(GaitMeasures, ShortStancesAreFlight) {
+  const Puppet puppet{.speed = 2.8, .period = 0.7, .stance = 0.4};
+  const GaitMeasures gait = measured(puppet);
+  EXPECT_NEAR(gait.flight, 0.2, 0.03);
+  EXPECT_EQ(gait.double_support, 0.0);
+}
+
+TEST(GaitMeasures, HeightsAreOverTheGroundThatIsGiven) {
+  const FlatGround lower(-0.25);
+  const GaitMeasures gait = measured(Puppet(), &lower);
+  EXPECT_NEAR(gait.toe_height[kLeft], Puppet::kToe + 0.25, 1e-12);
+  for (const PlantMeasures& plant : gait.plants) EXPECT_NEAR(plant.at.z(), -0.25, 1e-12);
+}
+
+TEST(GaitMeasures, StepsAlternateAndFootprintsAreWhereFeetStood) {
+  const Puppet puppet;
+  const GaitMeasures gait = measured(puppet);
+  ASSERT_GE(gait.steps.size(), 8u);
+  for (size_t i = 1; i < gait.steps.size(); ++i)
+    EXPECT_NE(gait.steps[i].side, gait.steps[i - 1].side);
+  for (const PlantMeasures& plant : gait.plants) {
+    if (plant.plant.first == 0 || plant.plant.last == gait.plants.back().plant.last) continue;
+    const double begin = plant.plant.strike / puppet.rate - puppet.strike(plant.side, 0);
+    const Eigen::Vector3d print =
+        puppet.footprint(plant.side, static_cast<int>(std::lround(begin / puppet.period)));
+    EXPECT_LT((plant.at - print - Eigen::Vector3d(0.5 * Puppet::kFoot, 0, 0)).norm(), 1e-9);
+  }
+}
+
+/// A capture from its first good frame on, level.
+Clip levelled(const Capture& capture, JointRoles& roles) {
+  const Clip whole = readBvh(capture.file, {.metres_per_unit = capture.metres_per_unit});
+  Clip clip = whole;
+  clip.poses.clear();
+  clip.poses.append(whole.poses, capture.skip, whole.frames() - capture.skip);
+  roles = guessJointRoles(clip.skeleton, capture.path);
+  return levelClip(clip, fitFloor(clip, roles), 0.08);
+}
+
+TEST(GaitMeasuresOfCaptures, SpeedAndStepsOfSteadyWalksAreThoseOfTheManifest) {
+  AMBLE_NEEDS_CAPTURES();
+  std::map<std::string, YAML::Node> facts;
+  for (const YAML::Node& clip :
+       YAML::LoadFile((sharedFolder() / "mocap/MANIFEST.yaml").string())["clips"]) {
+    facts[clip["path"].as<std::string>()] = clip;
+  }
+  int compared = 0;
+  for (const Capture& capture : captures()) {
+    const YAML::Node fact = facts[capture.path];
+    if (capture.path.starts_with("cmu_daz")) continue;  // retargeted: feet are not anchored
+    if (capture.kind != "walk" || fact["steady_cyclic"].as<std::string>("") != "yes") continue;
+    JointRoles roles;
+    const Clip clip = levelled(capture, roles);
+    const GaitMeasures gait = measureGait(clip, roles, detectPlants(clip, roles));
+    const double speed = fact["measured"]["mean_speed_by_unit_mps"].as<double>();
+    EXPECT_NEAR(gait.speed, speed, 0.06 * speed) << capture.path;
+    const double time = fact["measured"]["step_time_s"].as<double>();
+    EXPECT_NEAR(gait.step_time, time, 0.06 * time) << capture.path;
+    EXPECT_LT(std::abs(gait.turn_rate), 5.0 * kDegree) << capture.path;
+    ++compared;
+  }
+  EXPECT_GE(compared, 8);
+}
+
+/// QUALITY.md's figures for real clips, medians over a set of walks: our definitions give them
+/// back.
+TEST(GaitMeasuresOfCaptures, AreQualitysFiguresForRealClips) {
+  AMBLE_NEEDS_CAPTURES();
+  std::vector<double> skate, drift, root, pop, support;
+  for (const Capture& capture : captures()) {
+    if (!capture.path.starts_with("cmu_mb2") || !capture.kind.starts_with("walk") ||
+        capture.kind.size() > 9)
+      continue;
+    JointRoles roles;
+    const Clip clip = levelled(capture, roles);
+    const GaitMeasures gait = measureGait(clip, roles, detectPlants(clip, roles));
+    EXPECT_EQ(gait.knee_backwards, 0.0) << capture.path;
+    EXPECT_EQ(gait.bone_length_change, 0.0) << capture.path;
+    skate.push_back(gait.toe_skate);
+    drift.push_back(gait.drift);
+    root.push_back(gait.root_acceleration);
+    pop.push_back(gait.pops);
+    support.push_back(gait.double_support);
+  }
+  const auto median = [](std::vector<double>& values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+  };
+  ASSERT_GE(skate.size(), 12u);
+  EXPECT_NEAR(median(skate), 0.106, 0.25 * 0.106);
+  EXPECT_NEAR(median(drift), 0.0126, 0.25 * 0.0126);
+  EXPECT_NEAR(median(root), 6.8, 0.25 * 6.8);
+  EXPECT_NEAR(median(pop), 3.8, 0.25 * 3.8);
+  EXPECT_NEAR(median(support), 0.17, 0.04);
+}
+
+}  // namespace
+}  // namespace amble

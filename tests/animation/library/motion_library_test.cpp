@@ -1,0 +1,209 @@
+#include "animation/library/motion_library.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/rotation.h"
+#include "tests/animation/captures.h"
+
+namespace amble {
+namespace {
+
+const std::filesystem::path kMotions =
+    std::filesystem::path(AMBLE_SOURCE_DIR) / "animation/motions";
+
+std::string contentOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// A folder of the test's own, with the default library in it.
+class MotionLibraryFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("amble_") + test->name());
+    std::filesystem::create_directories(folder_);
+    std::filesystem::copy_file(kMotions / "default.bvh", folder_ / "default.bvh",
+                               std::filesystem::copy_options::overwrite_existing);
+    text_ = contentOf(kMotions / "default.yaml");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// Replaces the first `from` after the first `after`; remembers the line where it stands.
+  void replace(const std::string& from, const std::string& to, const std::string& after = "") {
+    const size_t at = text_.find(from, text_.find(after));
+    ASSERT_NE(at, std::string::npos) << from;
+    line_ = 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + at, '\n'));
+    text_.replace(at, from.size(), to);
+  }
+
+  /// The error that reading the text throws.
+  InputError error() const {
+    std::ofstream(folder_ / "library.yaml") << text_;
+    try {
+      readMotionLibrary(folder_ / "library.yaml");
+    } catch (const InputError& error) {
+      return error;
+    }
+    return InputError("none", 0, "nothing was refused");
+  }
+
+  void expectRefused(const std::string& part) const {
+    const InputError refused = error();
+    EXPECT_NE(std::string(refused.what()).find(part), std::string::npos) << refused.what();
+    EXPECT_EQ(refused.line(), line_) << refused.what();
+  }
+
+  std::filesystem::path folder_;
+  std::string text_;
+  int line_ = 0;
+};
+
+TEST_F(MotionLibraryFile, RefusesUnknownKeysWithTheirLine) {
+  replace("stature:", "statute:");
+  expectRefused("statute");
+  SetUp();
+  replace("      closure:", "      closeness:");
+  expectRefused("closeness");
+  SetUp();
+  replace("        lift_off:", "        lift:");
+  expectRefused("lift");
+}
+
+TEST_F(MotionLibraryFile, RefusesASkeletonThatIsNotThere) {
+  replace("skeleton: default.bvh", "skeleton: nobody.bvh");
+  EXPECT_NE(std::string(error().what()).find("nobody.bvh"), std::string::npos) << error().what();
+}
+
+TEST_F(MotionLibraryFile, RefusesJointsAndRolesThatTheSkeletonDoesNotHave) {
+  replace("left_foot: LeftFoot", "left_foot: LeftHoof");
+  expectRefused("no joint LeftHoof");
+  SetUp();
+  replace("left_foot: LeftFoot", "left_hoof: LeftFoot");
+  expectRefused("no role left_hoof");
+  SetUp();
+  replace("  left_toe: LeftToeBase\n", "");
+  EXPECT_NE(std::string(error().what()).find("a leg's joint is missing"), std::string::npos);
+}
+
+TEST_F(MotionLibraryFile, RefusesChannelsThatDoNotFitTheSkeleton) {
+  replace("        - [0, 0, 0, 0, 0, 0]\n", "", "alpha:");
+  EXPECT_NE(std::string(error().what()).find("68 channels"), std::string::npos) << error().what();
+  SetUp();
+  replace("        - [0, 0, 0, 0, 0, 0]\n", "        - [0, 0, 0, 0, 0]\n");
+  EXPECT_EQ(error().line(), line_) << error().what();
+  SetUp();
+  replace("        - [1, 0, 0, 0]\n", "", "rotations:");
+  EXPECT_NE(std::string(error().what()).find("21 rotations"), std::string::npos) << error().what();
+}
+
+TEST_F(MotionLibraryFile, RefusesARotationThatIsNone) {
+  replace("        - [1, 0, 0, 0]", "        - [1, 1, 0, 0]", "rotations:");
+  expectRefused("not a rotation");
+}
+
+TEST_F(MotionLibraryFile, RefusesAWalkThatIsCalledStraightAndTurns) {
+  replace("turning: turn", "turning: straight");
+  expectRefused("degrees/s is called straight");
+  SetUp();
+  replace("turning: straight", "turning: turn");
+  expectRefused("degrees/s is called a turn");
+}
+
+TEST_F(MotionLibraryFile, RefusesALibraryWithoutItsPosture) {
+  replace("- name: stand", "- name: sit");
+  EXPECT_NE(std::string(error().what()).find("no posture `stand`"), std::string::npos);
+}
+
+TEST_F(MotionLibraryFile, RefusesALibraryWithoutAStraightWalk) {
+  const size_t first = text_.find("  - name: walk-slow\n");
+  const size_t turns = text_.find("  - name: turn-right-slow\n");
+  ASSERT_LT(first, turns);
+  text_.erase(first, turns - first);
+  EXPECT_NE(std::string(error().what()).find("no straight walk"), std::string::npos);
+}
+
+TEST_F(MotionLibraryFile, RefusesTwoMotionsOfOneName) {
+  replace("- name: walk-slow-mirrored", "- name: walk-slow");
+  expectRefused("walk-slow is there twice");
+}
+
+TEST_F(MotionLibraryFile, RefusesNumbersOutOfRange) {
+  replace("period: 1.2", "period: 71.2");
+  expectRefused("period [s]");
+  SetUp();
+  replace("harmonics: 5", "harmonics: 13");
+  expectRefused("harmonics");
+}
+
+TEST_F(MotionLibraryFile, RefusesARecipeWhoseClipIsNotThere) {
+  std::ofstream(folder_ / "r.yaml") << "skeleton: r.bvh\ncaptures: .\nlicence: none\ncredit: us\n"
+                                       "motions:\n  - {name: stand, kind: posture, clip: no.bvh}\n";
+  try {
+    buildMotionLibrary(folder_ / "r.yaml");
+    FAIL() << "nothing was refused";
+  } catch (const InputError& refused) {
+    EXPECT_NE(std::string(refused.what()).find("no.bvh"), std::string::npos) << refused.what();
+  }
+}
+
+TEST_F(MotionLibraryFile, WhatIsWrittenReadsAsItWas) {
+  const MotionLibrary library = readMotionLibrary(kMotions / "default.yaml");
+  writeMotionLibrary(library, folder_ / "again.yaml");
+  EXPECT_EQ(contentOf(folder_ / "again.yaml"), text_);
+  EXPECT_EQ(contentOf(folder_ / "default.bvh"), contentOf(kMotions / "default.bvh"));
+  const MotionLibrary again = readMotionLibrary(folder_ / "again.yaml");
+  ASSERT_EQ(again.motions.size(), library.motions.size());
+  for (size_t i = 0; i < library.motions.size(); ++i) {
+    EXPECT_EQ(again.motions[i].name, library.motions[i].name);
+    EXPECT_EQ(again.motions[i].cycle.series.alpha, library.motions[i].cycle.series.alpha);
+    EXPECT_EQ(again.motions[i].cycle.series.beta, library.motions[i].cycle.series.beta);
+    EXPECT_EQ(again.motions[i].cycle.turn_rate, library.motions[i].cycle.turn_rate);
+  }
+}
+
+TEST_F(MotionLibraryFile, CreditsWithQuotesAndBackslashesComeBack) {
+  MotionLibrary library = readMotionLibrary(kMotions / "default.yaml");
+  library.motions[0].source.credit = "\"Anna\" \\ Bert: # 'both'";
+  writeMotionLibrary(library, folder_ / "again.yaml");
+  EXPECT_EQ(readMotionLibrary(folder_ / "again.yaml").motions[0].source.credit,
+            library.motions[0].source.credit);
+}
+
+TEST_F(MotionLibraryFile, TheDefaultLibraryIsWhatItsRecipeMakesOfTheCaptures) {
+  AMBLE_NEEDS_CAPTURES();
+  const MotionLibrary built =
+      buildMotionLibrary(kMotions / "default.recipe.yaml", sharedFolder() / "mocap");
+  writeMotionLibrary(built, folder_ / "default.yaml");
+  EXPECT_TRUE(contentOf(folder_ / "default.yaml") == text_) << "default.yaml is another";
+  EXPECT_TRUE(contentOf(folder_ / "default.bvh") == contentOf(kMotions / "default.bvh"))
+      << "default.bvh is another";
+}
+
+TEST(MotionLibrary, TheDefaultLibraryTurnsBothWaysAlike) {
+  const MotionLibrary library = openMotionLibrary("default");
+  double left = 0.0, right = 0.0;
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kWalk || !motion.turning) continue;
+    (motion.cycle.turn_rate > 0.0 ? left : right) += motion.cycle.turn_rate;
+  }
+  EXPECT_GT(left, 0.0);
+  EXPECT_NEAR(left, -right, 1e-3);  // every turn is there with its mirror image; legs differ
+}
+
+TEST(MotionLibrary, ALibraryIsFoundRelativeToWhereItIsNamed) {
+  EXPECT_EQ(openMotionLibrary("default.yaml", kMotions).motions.size(),
+            openMotionLibrary("default").motions.size());
+  EXPECT_THROW(openMotionLibrary("nothing.yaml", kMotions), InputError);
+}
+
+}  // namespace
+}  // namespace amble

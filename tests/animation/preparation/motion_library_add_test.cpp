@@ -1,0 +1,122 @@
+#include "animation/preparation/motion_library_add.h"
+
+#include <gtest/gtest.h>
+
+#include "animation/synthesis/walk_synthesizer.h"
+#include "base/error.h"
+#include "base/rotation.h"
+#include "tests/animation/captures.h"
+
+namespace amble {
+namespace {
+
+MotionRequest walkOf(const std::string& clip) {
+  MotionRequest request;
+  request.name = "walk";
+  request.file = sharedFolder() / "mocap" / clip;
+  request.source = {clip, {0, 0}, false, "as the captures'", "their makers"};
+  return request;
+}
+
+/// The error of adding the motion to an empty library.
+std::string refusal(const MotionRequest& request) {
+  MotionLibrary library;
+  try {
+    addMotion(library, request);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(AddMotion, WhatIsUnfitIsRefusedWithTheReason) {
+  AMBLE_NEEDS_CAPTURES();
+  EXPECT_NE(refusal(walkOf("accad_female1/Female1_B05_WalkBackwards.bvh")).find("backwards"),
+            std::string::npos);
+  EXPECT_NE(refusal(walkOf("accad_female1/Female1_A01_Stand.bvh")).find("no whole cycle"),
+            std::string::npos);
+  MotionRequest turn = walkOf("accad_female1/Female1_B03_Walk1.bvh");
+  turn.turning = true;
+  EXPECT_NE(refusal(turn).find("walks straight"), std::string::npos);
+  MotionRequest start = walkOf("accad_female1/Female1_B03_Walk1.bvh");
+  start.kind = MotionKind::kStart;
+  EXPECT_NE(refusal(start).find("does not stand"), std::string::npos);
+}
+
+TEST(AddMotion, ANameIsGivenOnce) {
+  AMBLE_NEEDS_CAPTURES();
+  MotionLibrary library;
+  addMotion(library, walkOf("accad_female1/Female1_B03_Walk1.bvh"));
+  EXPECT_THROW(addMotion(library, walkOf("accad_female1/Female1_B03_Walk1.bvh")), InputError);
+}
+
+// Other subjects, other rigs, another format: each alone makes a library that walks.
+TEST(AddMotion, OneWalkOfAnySubjectMakesALibraryThatWalks) {
+  AMBLE_NEEDS_CAPTURES();
+  for (const char* const clip :
+       {"accad_male1/Male1_B3_Walk.bvh", "cmu_mb2/08_03.bvh", "cmu_asfamc/07_05-walk.amc"}) {
+    MotionLibrary library;
+    addMotion(library, walkOf(clip));
+    ASSERT_NE(library.find("stand"), nullptr);
+    const FlatGround ground;
+    const WalkSynthesizer synthesizer(library, ground, {});
+    Stance from, to;
+    to.position.x() = 5.0;
+    const RootPath path({makeBezier(from.position.head<2>(), 0.0, to.position.head<2>(), 0.0)});
+    AnimationBuffer walk;
+    EXPECT_EQ(synthesizer.walk(from, to, path, true, walk).refused, WalkRule::kNone) << clip;
+    std::vector<JointFrame> joints(library.skeleton.size());
+    forwardKinematics(library.skeleton, walk.poses[walk.size() / 2], joints);
+    EXPECT_GT(joints[library.roles.head].p_WJ.z(), 0.75 * library.stature) << clip;
+    for (const ArmJoints& arm : library.roles.arms) {  // arms hang
+      EXPECT_LT(joints[arm.fore_arm].p_WJ.z(), joints[arm.arm].p_WJ.z() - 0.1) << clip;
+    }
+  }
+}
+
+TEST(AddMotion, AMovementChangesItsChainsOnly) {
+  const MotionLibrary library = openMotionLibrary("default");
+  ASSERT_NE(library.find("carry"), nullptr);
+  const FlatGround ground;
+  CharacterSettings carrying;
+  carrying.actions = {"carry"};
+  const WalkSynthesizer plain(library, ground, {}), carries(library, ground, carrying);
+  Stance from, to;
+  to.position.x() = 5.0;
+  const RootPath path({makeBezier(from.position.head<2>(), 0.0, to.position.head<2>(), 0.0)});
+  AnimationBuffer a, b;
+  ASSERT_EQ(plain.walk(from, to, path, true, a).refused, WalkRule::kNone);
+  ASSERT_EQ(carries.walk(from, to, path, true, b).refused, WalkRule::kNone);
+  ASSERT_EQ(a.size(), b.size());
+  std::vector<bool> moved(library.skeleton.size(), false);
+  for (const char* const chain : {"left_arm", "right_arm"}) {
+    for (const int j : chainJoints(library.skeleton, library.roles, chain)) moved[j] = true;
+  }
+  double most = 0.0;
+  for (int i = 0; i < a.size(); i += 5) {
+    for (int j = 0; j < library.skeleton.size(); ++j) {
+      const double angle = a.poses.rotations(i)[j].angularDistance(b.poses.rotations(i)[j]);
+      if (moved[j]) {
+        most = std::max(most, angle);
+      } else {
+        EXPECT_EQ(angle, 0.0) << library.skeleton.joint(j).name;
+      }
+    }
+  }
+  EXPECT_GT(most, 30.0 * kDegree);  // a box is carried on bent elbows
+}
+
+TEST(Transition, StartsAndStopsOfCapturesAreWithinWhatPeopleDo) {
+  const MotionLibrary library = openMotionLibrary("default");
+  for (const char* const name : {"start", "stop"}) {
+    const Motion* motion = library.find(name);
+    ASSERT_NE(motion, nullptr) << name;
+    EXPECT_GT(motion->transition.first_speed, 0.3 * motion->transition.speed);
+    EXPECT_LE(motion->transition.first_speed, 1.1 * motion->transition.speed);
+    EXPECT_GT(motion->transition.acceleration, 0.4);
+    EXPECT_LT(motion->transition.acceleration, 2.0);
+  }
+}
+
+}  // namespace
+}  // namespace amble

@@ -1,0 +1,136 @@
+#include "animation/quality/walk_quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "animation/library/motion_library.h"
+#include "animation/synthesis/walk_synthesizer.h"
+
+namespace amble {
+namespace {
+
+constexpr double kGravity = 9.81;
+
+TEST(DoubleSupportNorm, IsTheClasssInTheMiddleOfItsRange) {
+  const double leg = 0.85, unit = std::sqrt(kGravity * leg);
+  EXPECT_NEAR(doubleSupportNorm(0.432 * unit, leg), 0.19, 1e-9);
+  EXPECT_NEAR(doubleSupportNorm(0.5 * (0.432 + 0.568) * unit, leg), 0.175, 1e-9);
+}
+
+TEST(DoubleSupportNorm, NeverGrowsWithSpeed) {
+  for (double speed = 0.0; speed < 3.0; speed += 0.05) {
+    EXPECT_GE(doubleSupportNorm(speed, 0.8), doubleSupportNorm(speed + 0.05, 0.8));
+  }
+  EXPECT_EQ(doubleSupportNorm(0.0, 0.8), 0.36);
+  EXPECT_EQ(doubleSupportNorm(9.0, 0.8), 0.14);
+}
+
+TEST(QualityAnchors, AtACapturedSpeedTheJerkIsThatOfTheCapture) {
+  const MotionLibrary library = openMotionLibrary("default");
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kWalk || motion.turning || motion.source.mirrored) continue;
+    const double jerk = motion.cycle.capture.joint_jerk;
+    EXPECT_NEAR(anchorsOf(library, 1.0, motion.cycle.speed).joint_jerk, jerk, 0.01 * jerk);
+  }
+}
+
+TEST(QualityAnchors, BetweenAndBeyondTheCapturesNothingIsExtrapolated) {
+  const MotionLibrary library = openMotionLibrary("default");
+  double least = 1e9, most = 0.0;
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kWalk || motion.turning) continue;
+    least = std::min(least, motion.cycle.capture.joint_jerk);
+    most = std::max(most, motion.cycle.capture.joint_jerk);
+  }
+  for (double speed = 0.3; speed < 3.0; speed += 0.1) {
+    const double jerk = anchorsOf(library, 1.0, speed).joint_jerk;
+    EXPECT_GE(jerk, least);
+    EXPECT_LE(jerk, most);
+  }
+}
+
+// Lengths times s, times of its root: accelerations stay, jerk is over the root.
+TEST(QualityAnchors, ScaleFollowsFroude) {
+  const MotionLibrary library = openMotionLibrary("default");
+  const QualityAnchors one = anchorsOf(library, 1.0, 1.3);
+  const QualityAnchors tall = anchorsOf(library, 1.21, 1.1 * 1.3);
+  EXPECT_NEAR(tall.joint_jerk, one.joint_jerk / 1.1, 1e-9 * one.joint_jerk);
+  EXPECT_EQ(tall.root_acceleration, one.root_acceleration);
+}
+
+/// Six metres straight ahead, from standing to standing.
+class JudgeWalk : public testing::Test {
+ protected:
+  JudgeWalk() : library_(openMotionLibrary("default")), synthesizer_(library_, ground_, {}) {
+    Stance from, to;
+    to.position = {6.0, 0.0, 0.0};
+    const RootPath path({makeBezier(from.position.head<2>(), 0.0, to.position.head<2>(), 0.0)});
+    EXPECT_EQ(synthesizer_.walk(from, to, path, true, walk_).refused, WalkRule::kNone);
+    clip_ = {"walk", synthesizer_.skeleton(), walk_.frame_time, walk_.poses, {}};
+  }
+  std::vector<QualityLine> judged() const {
+    return judgeWalk(clip_, synthesizer_.roles(), walk_, ground_,
+                     anchorsOf(library_, 1.0, synthesizer_.settings().speed));
+  }
+  QualityLine line(const std::string& measure) const {
+    for (const QualityLine& each : judged()) {
+      if (each.measure == measure) return each;
+    }
+    ADD_FAILURE() << "no line '" << measure << "'";
+    return {};
+  }
+
+  FlatGround ground_;
+  MotionLibrary library_;
+  WalkSynthesizer synthesizer_;
+  AnimationBuffer walk_;
+  Clip clip_;
+};
+
+TEST_F(JudgeWalk, AStraightWalkHoldsEveryBar) {
+  const auto lines = judged();
+  EXPECT_GE(lines.size(), 14u);
+  for (const QualityLine& each : lines) {
+    EXPECT_TRUE(each.holds()) << each.measure << " is " << each.value << " " << each.unit
+                              << "; expected at most " << each.bar;
+  }
+}
+
+// 3 cm/s to the side: planted toes travel as fast.
+TEST_F(JudgeWalk, ADragIsSkateAndDrift) {
+  for (int i = 0; i < clip_.frames(); ++i) clip_.poses.p_WR(i).y() += 0.03 * i * walk_.frame_time;
+  EXPECT_FALSE(line("toe skate").holds());
+  EXPECT_NEAR(line("toe skate").value, 0.03, 0.01);
+  EXPECT_FALSE(line("drift per plant").holds());
+}
+
+TEST_F(JudgeWalk, AWalkBesideItsPathIsAPathError) {
+  for (int i = 0; i < clip_.frames(); ++i) clip_.poses.p_WR(i).y() += 0.1;
+  EXPECT_NEAR(line("path error, end").value, 0.1, 0.02);
+  EXPECT_FALSE(line("path error, mean").holds());
+  EXPECT_FALSE(line("path error, end").holds());
+}
+
+TEST_F(JudgeWalk, AWalkFasterThanItsPlanIsNotWhatWasAsked) {
+  for (int i = 0; i < clip_.frames(); ++i) clip_.poses.p_WR(i).x() *= 1.2;
+  EXPECT_NEAR(line("speed, achieved against asked").value, 0.2, 0.03);
+  EXPECT_FALSE(line("speed, achieved against asked").holds());
+}
+
+TEST_F(JudgeWalk, ASunkenFrameIsPenetration) {
+  clip_.poses.p_WR(clip_.frames() / 2).z() -= 0.05;
+  EXPECT_FALSE(line("penetration").holds());
+}
+
+TEST_F(JudgeWalk, StandingHasNoSpeedToJudge) {
+  ASSERT_EQ(synthesizer_.stand({}, walk_).refused, WalkRule::kNone);
+  clip_.poses = walk_.poses;
+  for (const QualityLine& each : judged()) {
+    EXPECT_TRUE(each.holds()) << each.measure;
+    EXPECT_NE(each.measure, "speed, achieved against asked");
+  }
+}
+
+}  // namespace
+}  // namespace amble

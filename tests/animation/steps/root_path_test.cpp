@@ -1,0 +1,158 @@
+#include "animation/steps/root_path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/rotation.h"
+#include "tests/animation/random_clip.h"
+#include "tests/animation/walk_paths.h"
+
+namespace amble {
+namespace {
+
+Eigen::Vector2d pointOf(const Bezier& c, double u) {
+  const double v = 1.0 - u;
+  return v * v * v * c.col(0) + 3.0 * u * v * v * c.col(1) + 3.0 * u * u * v * c.col(2) +
+         u * u * u * c.col(3);
+}
+
+double polylineLength(const Bezier& c, int segments) {
+  double length = 0.0;
+  for (int i = 0; i < segments; ++i) {
+    length += (pointOf(c, (i + 1.0) / segments) - pointOf(c, 1.0 * i / segments)).norm();
+  }
+  return length;
+}
+
+/// A curve as walks are planned: its ends face within 100 degrees of the way from one to the other.
+Bezier randomBezier(Generator& generator, const Eigen::Vector2d& from, double* heading) {
+  const double way = uniform(generator, -kPi, kPi), size = uniform(generator, 0.5, 6.0);
+  const Eigen::Vector2d to = from + size * Eigen::Vector2d(std::cos(way), std::sin(way));
+  const double first =
+      heading != nullptr ? *heading : way + uniform(generator, -100, 100) * kDegree;
+  const double last = way + uniform(generator, -100, 100) * kDegree;
+  if (heading != nullptr) *heading = last;
+  return makeBezier(from, first, to, last, uniform(generator, 0.3, 0.7));
+}
+
+TEST(RootPath, ArcLengthIsThatOfAFinePolyline) {
+  Generator generator(31);
+  for (int i = 0; i < 30; ++i) {
+    const Bezier curve = randomBezier(generator, Eigen::Vector2d(1, -2), nullptr);
+    // Chords fall short by the square of their length: two polylines cancel that.
+    const double length = (4.0 * polylineLength(curve, 8000) - polylineLength(curve, 4000)) / 3.0;
+    EXPECT_NEAR(RootPath({curve}).length(), length, 1e-9 * length);
+  }
+}
+
+TEST(RootPath, EndsAreTheControlPointsAndHeadingsThatWereGiven) {
+  Generator generator(32);
+  for (int i = 0; i < 30; ++i) {
+    const Eigen::Vector2d from(uniform(generator, -9, 9), uniform(generator, -9, 9));
+    const Eigen::Vector2d to(uniform(generator, -9, 9), uniform(generator, -9, 9));
+    const double a = uniform(generator, -kPi, kPi), b = uniform(generator, -kPi, kPi);
+    const RootPath path({makeBezier(from, a, to, b)});
+    EXPECT_EQ(path.at(0.0).position, from);
+    EXPECT_EQ(path.at(path.length()).position, to);
+    EXPECT_NEAR(wrapAngle(path.at(0.0).heading - a), 0.0, 1e-12);
+    EXPECT_NEAR(wrapAngle(path.at(path.length()).heading - b), 0.0, 1e-12);
+  }
+}
+
+TEST(RootPath, PlacesBeyondTheEndsAreTheEnds) {
+  const RootPath path({makeBezier({0, 0}, 0.3, {2, 1}, -0.4)});
+  EXPECT_EQ(path.at(-1.0).position, path.at(0.0).position);
+  EXPECT_EQ(path.at(path.length() + 1.0).position, path.at(path.length()).position);
+}
+
+TEST(RootPath, PositionMovesByTheHeadingsUnitVectorAndHeadingByTheCurvature) {
+  Generator generator(33);
+  constexpr double h = 1e-5;
+  for (int i = 0; i < 20; ++i) {
+    const RootPath path({randomBezier(generator, Eigen::Vector2d::Zero(), nullptr)});
+    for (int k = 1; k < 60; ++k) {
+      const double s = path.length() * k / 60.0;
+      const RootPath::Sample here = path.at(s), before = path.at(s - h), after = path.at(s + h);
+      const Eigen::Vector2d moved = (after.position - before.position) / (2.0 * h);
+      const Eigen::Vector2d along(std::cos(here.heading), std::sin(here.heading));
+      EXPECT_LT((moved - along).norm(), 1e-7);
+      EXPECT_NEAR((after.heading - before.heading) / (2.0 * h), here.curvature, 1e-5);
+    }
+  }
+}
+
+TEST(RootPath, SamplesAtEqualArcsAreEquallySpaced) {
+  Generator generator(34);
+  for (int i = 0; i < 20; ++i) {
+    const RootPath path({randomBezier(generator, Eigen::Vector2d::Zero(), nullptr)});
+    constexpr int kSamples = 2000;
+    const double step = path.length() / kSamples, bend = step * path.maxCurvature();
+    for (int k = 0; k < kSamples; ++k) {
+      const double chord = (path.at((k + 1) * step).position - path.at(k * step).position).norm();
+      EXPECT_LE(chord, step * (1.0 + 1e-9));
+      EXPECT_GE(chord, step * (1.0 - bend * bend / 20.0 - 1e-9));  // a chord is 1 - bend^2 / 24
+    }
+  }
+}
+
+TEST(RootPath, HeadingDoesNotJumpWhereTheAngleWraps) {
+  for (const double angle : {2.0 * kPi, -2.0 * kPi}) {
+    const RootPath path = circlePath(1.5, angle, 2.0);
+    EXPECT_NEAR(path.at(path.length()).heading - path.at(0.0).heading, angle, 1e-9);
+    double before = path.at(0.0).heading;
+    for (int k = 1; k <= 500; ++k) {
+      const double heading = path.at(path.length() * k / 500.0).heading;
+      EXPECT_NEAR(heading - before, angle / 500.0, 1e-5);
+      before = heading;
+    }
+  }
+}
+
+TEST(RootPath, CurvatureOfACircleIsOneOverItsRadiusLeftPositive) {
+  for (const double radius : {0.4, 1.0, 5.0}) {
+    const RootPath left = circlePath(radius, 2.0, 0.3), right = circlePath(-radius, -2.0, 0.3);
+    EXPECT_NEAR(left.length(), 2.0 * radius, 1e-6);
+    for (int k = 0; k <= 100; ++k) {
+      EXPECT_NEAR(left.at(left.length() * k / 100.0).curvature * radius, 1.0, 1e-4);
+      EXPECT_NEAR(right.at(right.length() * k / 100.0).curvature * radius, -1.0, 1e-4);
+    }
+    EXPECT_NEAR(left.maxCurvature() * radius, 1.0, 1e-4);
+    EXPECT_NEAR(right.maxCurvature() * radius, 1.0, 1e-4);
+  }
+}
+
+TEST(RootPath, AnAppendedPathGoesOnWhereTheFirstEnds) {
+  Generator generator(35);
+  double heading = 3.0;
+  const RootPath first({randomBezier(generator, Eigen::Vector2d::Zero(), &heading)});
+  const RootPath next({randomBezier(generator, first.curves()[0].col(3), &heading)});
+  RootPath both = first;
+  both.append(next);
+  EXPECT_NEAR(both.length(), first.length() + next.length(), 1e-12);
+  for (int k = 0; k <= 50; ++k) {
+    const double s = next.length() * k / 50.0;
+    EXPECT_LT((both.at(first.length() + s).position - next.at(s).position).norm(), 1e-9);
+    EXPECT_NEAR(wrapAngle(both.at(first.length() + s).heading - next.at(s).heading), 0.0, 1e-9);
+  }
+  EXPECT_NEAR(both.at(first.length() - 1e-9).heading, both.at(first.length() + 1e-9).heading, 1e-6);
+}
+
+TEST(RootPath, AStraightLineHasNoCurvature) {
+  const RootPath path({makeBezier({1, 1}, kPi / 4, {4, 4}, kPi / 4)});
+  EXPECT_NEAR(path.length(), std::sqrt(18.0), 1e-12);
+  EXPECT_LT(path.maxCurvature(), 1e-12);
+}
+
+TEST(RootPath, AnEmptyPathAndAPointHaveNoLength) {
+  EXPECT_TRUE(RootPath().empty());
+  EXPECT_EQ(RootPath().length(), 0.0);
+  EXPECT_EQ(RootPath().at(1.0).position, Eigen::Vector2d::Zero());
+  const RootPath point({makeBezier({2, 3}, 1.0, {2, 3}, 1.0)});
+  EXPECT_EQ(point.length(), 0.0);
+  EXPECT_EQ(point.at(0.0).position, Eigen::Vector2d(2, 3));
+  EXPECT_EQ(point.maxCurvature(), 0.0);
+}
+
+}  // namespace
+}  // namespace amble

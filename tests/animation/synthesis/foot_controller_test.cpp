@@ -1,0 +1,192 @@
+#include "animation/synthesis/foot_controller.h"
+
+#include <gtest/gtest.h>
+
+#include "animation/clips/carry_over.h"
+#include "animation/synthesis/walk_controller.h"
+#include "base/rotation.h"
+#include "tests/animation/random_clip.h"
+
+namespace amble {
+namespace {
+
+/// The default library's character, standing at the origin unless told otherwise.
+struct Standing {
+  MotionLibrary library = openMotionLibrary("default");
+  std::array<FootShape, 2> shapes = library.feet();
+  GaitBlend blend{library, 1.0};
+  FootController feet{library.skeleton, library.roles, shapes, blend,
+                      kneeAxes(library.roles, referenceOf(library.skeleton, library.roles,
+                                                          library.stand().rotations))};
+
+  /// `frames` frames of the standing posture with its root at a height, feet 16 cm apart.
+  AnimationBuffer buffer(int frames, double root_height) const {
+    AnimationBuffer out;
+    out.poses = PoseArray(library.skeleton.size());
+    out.poses.resize(frames);
+    FrameState state;
+    for (const Side side : {kLeft, kRight}) {
+      FootState& foot = state.feet[side];
+      foot.at = 0.5;
+      foot.strike_roll = foot.lift_roll = 0.0;
+      foot.from.position = foot.to.position = {0.0, side == kLeft ? 0.08 : -0.08, 0.0};
+    }
+    Eigen::VectorXd channels = Eigen::VectorXd::Zero(3 + 3 * library.skeleton.size());
+    channels[2] = root_height;
+    for (int i = 0; i < frames; ++i) {
+      out.states.push_back(state);
+      projectChannels(channels, library.stand().rotations, {0, 0, 0}, 0.0, out.poses.p_WR(i),
+                      out.poses.rotations(i));
+    }
+    return out;
+  }
+
+  std::vector<JointFrame> joints(const AnimationBuffer& buffer, int frame) const {
+    std::vector<JointFrame> frames(library.skeleton.size());
+    forwardKinematics(library.skeleton, buffer.poses[frame], frames);
+    return frames;
+  }
+  double low() const { return library.stand().root_height - 0.03; }  // knees bent a little
+};
+
+constexpr double kFar = 10.0;  // a leg that is never too short [m]
+
+TEST(FootController, AFootprintOutOfReachIsRefused) {
+  const Standing s;
+  AnimationBuffer buffer = s.buffer(3, s.low());
+  buffer.states[1].feet[kLeft].from.position.x() = 0.9;
+  EXPECT_FALSE(s.feet.apply(buffer));
+}
+
+TEST(FootController, ARootTooHighForItsLegsIsRefused) {
+  const Standing s;
+  AnimationBuffer buffer = s.buffer(1, s.library.stand().root_height + 0.1);
+  EXPECT_FALSE(s.feet.apply(buffer));
+}
+
+TEST(FootController, FeetComeToTheirTargetsAndNothingElseMoves) {
+  const Standing s;
+  const AnimationBuffer before = s.buffer(1, s.low());
+  AnimationBuffer after = before;
+  ASSERT_TRUE(s.feet.apply(after));
+  const auto joints = s.joints(after, 0);
+  for (const Side side : {kLeft, kRight}) {
+    const LegJoints& leg = s.library.roles.legs[side];
+    const FootTarget target = footTarget(after.states[0].feet[side], s.blend.foot(side),
+                                         s.shapes[side], joints[leg.up_leg].p_WJ, kFar);
+    EXPECT_LT((joints[leg.foot].p_WJ - target.ankle).norm(), 1e-9);
+    EXPECT_LT(joints[leg.foot].q_WJ.angularDistance(target.q_WF), 1e-6);
+  }
+  EXPECT_EQ(after.poses.p_WR(0), before.poses.p_WR(0));
+  for (int j = 0; j < s.library.skeleton.size(); ++j) {
+    if (s.library.skeleton.isAncestor(s.library.roles.legs[kLeft].up_leg, j) ||
+        s.library.skeleton.isAncestor(s.library.roles.legs[kRight].up_leg, j)) {
+      continue;
+    }
+    EXPECT_EQ(after.poses.rotations(0)[j].coeffs(), before.poses.rotations(0)[j].coeffs());
+  }
+}
+
+TEST(FootController, MissingHeightIsWhatTheRootMustBeLowered) {
+  const Standing s;
+  std::vector<JointFrame> scratch(s.library.skeleton.size());
+  const double high = s.library.stand().root_height + 0.05;
+  const double missing = s.feet.missingHeight(s.buffer(1, high), 0, 0.99, scratch);
+  ASSERT_GT(missing, 0.0);
+  EXPECT_NEAR(s.feet.missingHeight(s.buffer(1, high - missing), 0, 0.99, scratch), 0.0, 1e-3);
+  EXPECT_EQ(s.feet.missingHeight(s.buffer(1, high - 0.2), 0, 0.99, scratch), 0.0);
+}
+
+TEST(FootController, HipsDipWhereALegIsTooShortAndNotAtTheEnds) {
+  const Standing s;
+  AnimationBuffer buffer = s.buffer(121, s.low());
+  std::vector<JointFrame> scratch(s.library.skeleton.size());
+  buffer.poses.p_WR(60).z() += s.feet.missingHeight(buffer, 60, 1.0, scratch);
+  // Raised until the legs are a centimetre too short.
+  while (s.feet.missingHeight(buffer, 60, FootController::kDipReach, scratch) < 0.01) {
+    buffer.poses.p_WR(60).z() += 0.001;
+  }
+  const AnimationBuffer before = buffer;
+  ASSERT_TRUE(s.feet.apply(buffer));
+  EXPECT_LT(buffer.poses.p_WR(60).z(), before.poses.p_WR(60).z() - 0.0099);
+  EXPECT_LT(buffer.poses.p_WR(55).z(), before.poses.p_WR(55).z());
+  EXPECT_EQ(buffer.poses.p_WR(0), before.poses.p_WR(0));
+  EXPECT_EQ(buffer.poses.p_WR(120), before.poses.p_WR(120));
+}
+
+TEST(FootTarget, AStandingFootIsFlatOnItsPrint) {
+  const Standing s;
+  FootState foot;
+  foot.at = 0.5;
+  foot.strike_roll = foot.lift_roll = 0.0;
+  foot.from.position = foot.to.position = {1, 2, 0.3};
+  foot.from.heading = foot.to.heading = 0.9;
+  const FootShape& shape = s.shapes[kLeft];
+  const FootTarget target = footTarget(foot, s.blend.foot(kLeft), shape, {1, 2, 1}, kFar);
+  const Eigen::Vector3d on_S(shape.ankle_x, 0, shape.ankle_height);
+  EXPECT_LT((target.ankle - foot.from.position - aboutZ(0.9) * on_S).norm(), 1e-12);
+  EXPECT_LT(target.q_WF.angularDistance(aboutZ(0.9) * shape.q_SF), 1e-7);
+  EXPECT_EQ(target.toe_bend, 0.0);
+}
+
+TEST(FootTarget, APlantedFootRollsAboutAPointThatDoesNotMove) {
+  const Standing s;
+  for (const Side side : {kLeft, kRight}) {
+    const FootShape& shape = s.shapes[side];
+    for (double at = 0.0; at <= 1.0; at += 0.01) {
+      FootState foot;
+      foot.at = at;
+      const FootTarget target = footTarget(foot, s.blend.foot(side), shape, {0, 0, 1}, kFar);
+      const Eigen::Quaterniond q_WS = target.q_WF * shape.q_SF.conjugate();
+      const double pivot = footPitch(s.blend.foot(side), at) < 0.0 ? shape.heel_x : shape.ball_x;
+      const Eigen::Vector3d p =
+          target.ankle +
+          q_WS * Eigen::Vector3d(pivot - shape.ankle_x, 0, shape.radius - shape.ankle_height);
+      EXPECT_LT((p - Eigen::Vector3d(pivot, 0, shape.radius)).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(FootTarget, ASwingIsContinuousWithTheStancesAroundIt) {
+  const Standing s;
+  FootState before, swing, after;
+  before.at = 1.0;
+  swing.to.position = {1.2, 0.1, 0.05};
+  swing.to.heading = 0.2;
+  after.from = after.to = swing.to;
+  const auto targetOf = [&](const FootState& state) {
+    return footTarget(state, s.blend.foot(kLeft), s.shapes[kLeft], {0.6, 0, 1}, kFar);
+  };
+  swing.at = 1.0 + 1e-9;
+  EXPECT_LT((targetOf(before).ankle - targetOf(swing).ankle).norm(), 1e-6);
+  EXPECT_LT(targetOf(before).q_WF.angularDistance(targetOf(swing).q_WF), 1e-6);
+  swing.at = 2.0;
+  EXPECT_LT((targetOf(after).ankle - targetOf(swing).ankle).norm(), 1e-9);
+  EXPECT_LT(targetOf(after).q_WF.angularDistance(targetOf(swing).q_WF), 1e-6);
+}
+
+TEST(FootTarget, TheHeelOfALegBehindRisesWhereTheLegWouldBeTooLong) {
+  const Standing s;
+  FootState foot;
+  foot.at = 0.5;
+  const Eigen::Vector3d hip(0.45, 0.0, 0.85);  // far ahead of the foot
+  const FootTarget free = footTarget(foot, s.blend.foot(kLeft), s.shapes[kLeft], hip, kFar);
+  const double longest = (free.ankle - hip).norm() - 0.02;
+  const FootTarget held = footTarget(foot, s.blend.foot(kLeft), s.shapes[kLeft], hip, longest);
+  EXPECT_LT((held.ankle - hip).norm(), longest + 1e-6);
+  EXPECT_GT(held.ankle.z(), free.ankle.z());
+  EXPECT_GT(held.toe_bend, 0.0);
+}
+
+TEST(FootTarget, AHeelInFrontDoesNotRise) {
+  const Standing s;
+  FootState foot;
+  foot.at = 0.5;
+  const Eigen::Vector3d hip(-0.45, 0.0, 0.85);
+  const FootTarget free = footTarget(foot, s.blend.foot(kLeft), s.shapes[kLeft], hip, kFar);
+  const FootTarget held = footTarget(foot, s.blend.foot(kLeft), s.shapes[kLeft], hip, 0.5);
+  EXPECT_LT((held.ankle - free.ankle).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace amble

@@ -1,0 +1,294 @@
+// Walks on slopes, stairs and over things: the bars of the issue that asked for them, measured on
+// the poses.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "animation/ground/slope_ground.h"
+#include "animation/ground/stair_ground.h"
+#include "animation/quality/step_measures.h"
+#include "animation/quality/walk_quality.h"
+#include "animation/synthesis/walk_synthesizer.h"
+#include "base/rotation.h"
+#include "tests/animation/walk_paths.h"
+
+namespace amble {
+namespace {
+
+const MotionLibrary& library() {
+  static const MotionLibrary kLibrary = openMotionLibrary("default");
+  return kLibrary;
+}
+
+/// Heel, ball and toes' tip of a foot: centres of round ends [m, World].
+std::array<Eigen::Vector3d, 3> footPoints(const WalkSynthesizer& walker,
+                                          std::span<const JointFrame> joints, Side side) {
+  const FootShape& foot = walker.feet()[side];
+  const LegJoints& leg = walker.roles().legs[side];
+  const Eigen::Quaterniond q_WS = joints[leg.foot].q_WJ * foot.q_SF.conjugate();
+  const Eigen::Quaterniond q_WT =
+      joints[leg.toe].q_WJ * foot.q_FT.conjugate() * foot.q_SF.conjugate();
+  const Eigen::Vector3d sole =
+      joints[leg.foot].p_WJ - q_WS * Eigen::Vector3d(foot.ankle_x, 0.0, foot.ankle_height);
+  const Eigen::Vector3d ball = sole + q_WS * Eigen::Vector3d(foot.ball_x, 0.0, foot.radius);
+  return {sole + q_WS * Eigen::Vector3d(foot.heel_x, 0.0, foot.radius), ball,
+          ball + q_WT * Eigen::Vector3d(foot.tip_x - foot.ball_x, 0.0, 0.0)};
+}
+
+struct Walked {
+  WalkResult result;
+  AnimationBuffer buffer;
+};
+
+/// `length` metres along +x from the origin; both ends stand, or both walk.
+Walked walkOver(const WalkSynthesizer& walker, const Ground& ground, double length,
+                bool standing = true, const GaitWishes& wishes = {}) {
+  Stance from, to;
+  from.standing = to.standing = standing;
+  from.position.z() = *ground.height(0.0, 0.0, 0.0, 0.3);
+  double z = from.position.z();
+  for (double x = 0.0; x <= length; x += 0.01) z = *ground.height(x, 0.0, z, 0.4);
+  to.position = {length, 0.0, z};
+  Walked walked;
+  walked.result = walker.walk(from, to, straightPath(length), true, walked.buffer, wishes);
+  return walked;
+}
+
+/// What holds of every walk: soles are on their ground, knees bend forwards, planted feet rest,
+/// steps are what they were asked to be.
+void expectGoodSteps(const WalkSynthesizer& walker, const Ground& ground,
+                     const AnimationBuffer& walk, const std::string& what) {
+  std::vector<JointFrame> joints(walker.skeleton().size());
+  double deepest = 0.0, drift = 0.0, backwards = 0.0;
+  std::array<std::optional<Eigen::Vector3d>, 2> rest;
+  for (int i = 0; i < walk.size(); ++i) {
+    forwardKinematics(walker.skeleton(), walk.poses[i], joints);
+    for (const Side side : {kLeft, kRight}) {
+      const auto points = footPoints(walker, joints, side);
+      const double radius = walker.feet()[side].radius;
+      double ball_height = 1.0;
+      for (const Eigen::Vector3d& p : points) {
+        const auto under = ground.surface(p.x(), p.y(), p.z(), 1.0);
+        ASSERT_TRUE(under.has_value());
+        const double height = (p.z() - under->height) * under->normal.z() - radius;
+        deepest = std::max(deepest, -height);
+        if (&p == &points[1]) ball_height = height;
+      }
+      // The ball rests from flat foot to lift-off.
+      const FootState& foot = walk.states[i].feet[side];
+      if (!foot.planted() || ball_height > 0.0005) {
+        rest[side].reset();
+      } else if (!rest[side]) {
+        rest[side] = points[1];
+      } else {
+        drift = std::max(drift, (points[1] - *rest[side]).norm());
+      }
+      const LegJoints& leg = walker.roles().legs[side];
+      const Eigen::Vector3d thigh = joints[leg.leg].p_WJ - joints[leg.up_leg].p_WJ;
+      const Eigen::Vector3d shank = joints[leg.foot].p_WJ - joints[leg.leg].p_WJ;
+      const double heading = walk.states[i].heading;
+      const Eigen::Vector3d left(-std::sin(heading), std::cos(heading), 0.0);
+      backwards =
+          std::max(backwards, -thigh.cross(shank).dot(left) / (thigh.norm() * shank.norm()));
+    }
+  }
+  EXPECT_LE(deepest, 0.005) << what;
+  EXPECT_LE(drift, 0.002) << what;
+  EXPECT_LE(backwards, std::sin(8.0 * kDegree)) << what;
+  const auto steps =
+      measureWalkSteps(walker.skeleton(), walker.roles(), walker.feet(), walk, ground);
+  EXPECT_FALSE(steps.empty());
+  const GaitParameters miss = largestMiss(steps);
+  EXPECT_LE(miss.stride, 0.02) << what;
+  EXPECT_LE(miss.climb, 0.02) << what;
+  EXPECT_LE(miss.lift, 0.02) << what;
+  for (const StepMeasure& step : steps) {
+    EXPECT_LE(step.tilt, 3.0 * kDegree) << what;
+    EXPECT_GE(step.supported, 0.7) << what;
+  }
+}
+
+TEST(UnevenWalk, SlopesAreClimbedAndDescended) {
+  for (const double degrees : {5.0, 10.0, 15.0, 20.0, -5.0, -10.0, -15.0, -20.0}) {
+    const SlopeGround ground(degrees * kDegree);
+    const WalkSynthesizer walker(library(), ground, {});
+    for (const bool standing : {true, false}) {
+      const Walked walked = walkOver(walker, ground, 5.9, standing);
+      ASSERT_EQ(walked.result.refused, WalkRule::kNone) << degrees;
+      expectGoodSteps(walker, ground, walked.buffer, "slope of " + std::to_string(degrees));
+    }
+  }
+}
+
+TEST(UnevenWalk, StairsAreTakenOneTreadAStepInTheMiddleOfEach) {
+  for (const double rise : {0.12, 0.17, 0.19, -0.12, -0.17, -0.19}) {
+    const Stairs flight{.rise = rise, .going = 0.29, .count = 10, .start = 1.25};
+    const StairGround ground(flight);
+    const WalkSynthesizer walker(library(), ground, {});
+    for (const bool standing : {true, false}) {
+      const Walked walked = walkOver(walker, ground, 1.25 + 9 * 0.29 + 1.4, standing);
+      ASSERT_EQ(walked.result.refused, WalkRule::kNone) << rise;
+      expectGoodSteps(walker, ground, walked.buffer, "stairs of " + std::to_string(rise));
+      std::vector<int> feet(flight.count - 1, 0);  // by tread
+      for (const Footprint& print : walked.buffer.footprints) {
+        const double at = (print.position.x() - flight.start) / flight.going;
+        if (at < 0.0 || at >= flight.count - 1) continue;
+        ++feet[static_cast<int>(at)];
+        EXPECT_NEAR(at - std::floor(at), 0.5, 0.07);
+      }
+      for (const int count : feet) EXPECT_EQ(count, 1);
+    }
+  }
+}
+
+TEST(UnevenWalk, ToesClearEveryNosingWhereverTheStairsBegin) {
+  for (double start = 1.0; start < 1.7; start += 0.1) {
+    const Stairs flight{.rise = 0.17, .going = 0.29, .count = 5, .start = start};
+    const StairGround ground(flight);
+    const WalkSynthesizer walker(library(), ground, {});
+    const Walked walked = walkOver(walker, ground, start + 4 * 0.29 + 1.3, false);
+    ASSERT_EQ(walked.result.refused, WalkRule::kNone) << start;
+    std::vector<JointFrame> joints(walker.skeleton().size());
+    double least = 1.0;
+    for (int i = 0; i < walked.buffer.size(); ++i) {
+      forwardKinematics(walker.skeleton(), walked.buffer.poses[i], joints);
+      for (const Side side : {kLeft, kRight}) {
+        const FootState& foot = walked.buffer.states[i].feet[side];
+        if (foot.planted()) continue;
+        const auto points = footPoints(walker, joints, side);
+        for (int k = 0; k < flight.count; ++k) {
+          const Eigen::Vector2d nosing(start + k * flight.going, (k + 1) * flight.rise);
+          if (nosing.y() < foot.from.position.z() + 0.01) continue;
+          const Eigen::Vector2d a(points[1].x(), points[1].z()), b(points[2].x(), points[2].z());
+          const double t = std::clamp((nosing - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+          least = std::min(least, (a + t * (b - a) - nosing).norm() - walker.feet()[side].radius);
+        }
+      }
+    }
+    EXPECT_GE(least, 0.01) << start;
+  }
+}
+
+TEST(UnevenWalk, StridesAndLiftsComeAsAskedAndHoldTheBarsOfGoodWalks) {
+  const FlatGround ground;
+  const WalkSynthesizer walker(library(), ground, {});
+  const QualityAnchors anchors = anchorsOf(library(), 1.0, walker.settings().speed);
+  const auto judge = [&](const Walked& walked, const std::string& what) {
+    ASSERT_EQ(walked.result.refused, WalkRule::kNone) << what;
+    expectGoodSteps(walker, ground, walked.buffer, what);
+    const Clip clip{"walk", walker.skeleton(), walked.buffer.frame_time, walked.buffer.poses, {}};
+    for (const QualityLine& line :
+         judgeWalk(clip, walker.roles(), walked.buffer, ground, anchors)) {
+      EXPECT_TRUE(line.holds()) << what << ": " << line.measure << " is " << line.value;
+    }
+  };
+  for (const double s : {0.6, 0.8, 1.0, 1.2, 1.4}) {
+    const double step = s * walker.capturedStep();
+    GaitWishes wishes;
+    wishes.stride = [=](double) { return step; };
+    const Walked walked = walkOver(walker, ground, 9 * step, true, wishes);
+    judge(walked, "stride " + std::to_string(s));
+    const auto steps =
+        measureWalkSteps(walker.skeleton(), walker.roles(), walker.feet(), walked.buffer, ground);
+    double low = 9.0, high = 0.0;
+    for (size_t i = 0; i + 1 < steps.size(); ++i) {
+      EXPECT_NEAR(steps[i].achieved.stride, step, 0.02 * step) << s;
+    }
+    for (int i = walked.buffer.size() / 3; i < 2 * walked.buffer.size() / 3; ++i) {
+      low = std::min(low, walked.buffer.poses.p_WR(i).z());
+      high = std::max(high, walked.buffer.poses.p_WR(i).z());
+    }
+    EXPECT_GE(high - low, 0.015) << s;
+    EXPECT_LE(high - low, 0.045) << s;
+  }
+  for (const double f : {0.5, 0.8, 2.0, 3.0}) {
+    const double lift = f * walker.capturedLift();
+    GaitWishes wishes;
+    wishes.lift = [=](double) { return lift; };
+    const Walked walked = walkOver(walker, ground, 6.0, true, wishes);
+    judge(walked, "lift " + std::to_string(f));
+    const auto steps =
+        measureWalkSteps(walker.skeleton(), walker.roles(), walker.feet(), walked.buffer, ground);
+    for (const StepMeasure& step : steps) EXPECT_NEAR(step.achieved.lift, lift, 0.02 * lift) << f;
+  }
+}
+
+TEST(UnevenWalk, TheCapturedLiftAndALevelSlopeGiveTheFlatWalkBack) {
+  const FlatGround flat;
+  const SlopeGround level(0.0);
+  const WalkSynthesizer on_flat(library(), flat, {}), on_slope(library(), level, {});
+  const Walked plain = walkOver(on_flat, flat, 5.0);
+  GaitWishes wishes;
+  wishes.lift = [&](double) { return on_flat.capturedLift(); };
+  for (const Walked& same :
+       {walkOver(on_slope, level, 5.0), walkOver(on_flat, flat, 5.0, true, wishes)}) {
+    ASSERT_EQ(same.buffer.size(), plain.buffer.size());
+    for (int i = 0; i < plain.buffer.size(); ++i) {
+      EXPECT_LT((same.buffer.poses.p_WR(i) - plain.buffer.poses.p_WR(i)).norm(), 1e-3);
+      for (int j = 0; j < plain.buffer.poses.joints(); ++j) {
+        const auto& a = same.buffer.poses.rotations(i)[j];
+        EXPECT_LT(a.angularDistance(plain.buffer.poses.rotations(i)[j]), 0.1 * kDegree);
+      }
+    }
+  }
+}
+
+TEST(UnevenWalk, EdgesOnASlopeJoinToTheBit) {
+  const SlopeGround ground(12.0 * kDegree);
+  const WalkSynthesizer walker(library(), ground, {});
+  const auto stance = [&](double x) {
+    Stance s;
+    s.standing = false;
+    s.position = {x, 0.0, std::tan(12.0 * kDegree) * x};
+    return s;
+  };
+  AnimationBuffer first, second;
+  Stance middle = stance(4.1);
+  const WalkResult up = walker.walk(stance(0.0), middle, straightPath(4.1), true, first);
+  ASSERT_EQ(up.refused, WalkRule::kNone);
+  middle.leading = up.leading;
+  RootPath on({makeBezier({4.1, 0.0}, 0.0, {8.0, 0.0}, 0.0, 1.0 / 3.0)});
+  ASSERT_EQ(walker.walk(middle, stance(8.0), on, true, second).refused, WalkRule::kNone);
+  const int last = first.size() - 1;
+  EXPECT_EQ(first.poses.p_WR(last), second.poses.p_WR(0));
+  for (int j = 0; j < first.poses.joints(); ++j) {
+    EXPECT_EQ(first.poses.rotations(last)[j].coeffs(), second.poses.rotations(0)[j].coeffs());
+  }
+}
+
+TEST(UnevenWalk, WhatCannotBeWalkedIsRefusedByItsRule) {
+  const auto refusal = [](const Ground& ground, double length, CharacterSettings settings = {}) {
+    const WalkSynthesizer walker(library(), ground, settings);
+    return walkOver(walker, ground, length).result.refused;
+  };
+  EXPECT_EQ(refusal(SlopeGround(22.0 * kDegree), 4.0), WalkRule::kSlope);
+  EXPECT_EQ(refusal(SlopeGround(12.0 * kDegree), 4.0, {.max_slope = 10.0 * kDegree}),
+            WalkRule::kSlope);
+  const StairGround high({.rise = 0.3, .going = 1.0, .count = 1, .start = 2.0});
+  EXPECT_NE(refusal(high, 4.0), WalkRule::kNone);
+  // Treads that are too short for 70 % of a foot.
+  EXPECT_NE(refusal(StairGround({.rise = 0.17, .going = 0.12, .count = 8, .start = 1.5}), 4.0),
+            WalkRule::kNone);
+}
+
+TEST(UnevenWalk, TurningOnTheSpotKeepsFeetOnTheSlope) {
+  const SlopeGround ground(10.0 * kDegree);
+  const WalkSynthesizer walker(library(), ground, {});
+  AnimationBuffer out;
+  ASSERT_EQ(walker.turnOnSpot(Stance{}, 2.4, out).refused, WalkRule::kNone);
+  std::vector<JointFrame> joints(walker.skeleton().size());
+  for (int i = 0; i < out.size(); ++i) {
+    forwardKinematics(walker.skeleton(), out.poses[i], joints);
+    for (const Side side : {kLeft, kRight}) {
+      for (const Eigen::Vector3d& p : footPoints(walker, joints, side)) {
+        const auto under = ground.surface(p.x(), p.y(), p.z(), 1.0);
+        EXPECT_GT((p.z() - under->height) * under->normal.z() - walker.feet()[side].radius, -0.005);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace amble

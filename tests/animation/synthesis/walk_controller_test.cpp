@@ -1,0 +1,169 @@
+#include "animation/synthesis/walk_controller.h"
+
+#include <gtest/gtest.h>
+
+#include "base/rotation.h"
+#include "tests/animation/random_clip.h"
+
+namespace amble {
+namespace {
+
+const MotionLibrary& library() {
+  static const MotionLibrary kLibrary = openMotionLibrary("default");
+  return kLibrary;
+}
+
+const GaitBlend& blend() {
+  static const GaitBlend kBlend(library(), 1.0);
+  return kBlend;
+}
+
+Eigen::VectorXd standChannels() {
+  Eigen::VectorXd channels = Eigen::VectorXd::Zero(3 + 3 * library().skeleton.size());
+  channels[2] = 0.93;
+  return channels;
+}
+
+WalkController controllerOf(WalkController::Carriage carriage = {}) {
+  return {blend(), library().stand().rotations, standChannels(), std::move(carriage)};
+}
+
+/// One frame, posed.
+Pose posed(const WalkController& controller, const FrameState& state) {
+  AnimationBuffer buffer;
+  buffer.poses = PoseArray(library().skeleton.size());
+  buffer.poses.resize(1);
+  buffer.states = {state};
+  EXPECT_TRUE(controller.apply(buffer));
+  const PoseView view = buffer.poses[0];
+  return {view.p_WR, {view.rotations.begin(), view.rotations.end()}};
+}
+
+FrameState walking(double phase) {
+  FrameState state;
+  state.position = {1, -2, 0.5};
+  state.heading = 0.7;
+  state.phase = phase;
+  state.turn_rate = state.blended_turn_rate = 0.3;
+  state.step_length = 0.6;
+  return state;
+}
+
+TEST(ProjectChannels, IsTheReferenceTurnedByRotationVectorsOnThePathsPointAndHeading) {
+  Generator generator(91);
+  const std::vector<Eigen::Quaterniond> reference = {
+      randomRotation(generator), randomRotation(generator), randomRotation(generator)};
+  Eigen::VectorXd channels(12);
+  for (double& c : channels) c = uniform(generator, -0.5, 0.5);
+  const Eigen::Vector3d position = randomVector(generator, 3.0);
+  const double heading = 2.0;
+  Eigen::Vector3d p_WR;
+  std::vector<Eigen::Quaterniond> q(3);
+  projectChannels(channels, reference, position, heading, p_WR, q);
+  EXPECT_LT((p_WR - position - aboutZ(heading) * Eigen::Vector3d(channels.head<3>())).norm(),
+            1e-14);
+  for (int j = 0; j < 3; ++j) {
+    const Eigen::Vector3d v = channels.segment<3>(3 + 3 * j);
+    const double angle = v.norm();
+    Eigen::Quaterniond expected =
+        reference[j] * Eigen::Quaterniond(Eigen::AngleAxisd(angle, v / angle));
+    if (j == 0) expected = aboutZ(heading) * expected;
+    EXPECT_LT((q[j].coeffs() - expected.coeffs()).norm(), 1e-14);
+  }
+}
+
+TEST(ProjectChannels, ZeroChannelsAreTheReferenceItself) {
+  Eigen::Vector3d p_WR;
+  std::vector<Eigen::Quaterniond> q(library().stand().rotations.size());
+  projectChannels(Eigen::VectorXd::Zero(3 + 3 * library().skeleton.size()),
+                  library().stand().rotations, {1, 2, 3}, 0.0, p_WR, q);
+  EXPECT_EQ(p_WR, Eigen::Vector3d(1, 2, 3));
+  for (size_t j = 0; j < q.size(); ++j) {
+    EXPECT_LT(q[j].angularDistance(library().stand().rotations[j]), 1e-12);
+  }
+}
+
+TEST(WalkController, WalkingItIsTheBlendedCycleOnTheRootPath) {
+  const FrameState state = walking(0.35);
+  const Pose pose = posed(controllerOf(), state);
+  Eigen::VectorXd channels;
+  blend().evaluate(0.35, 0.3, 0.6, channels);
+  Pose expected;
+  expected.rotations.resize(pose.rotations.size());
+  projectChannels(channels, library().stand().rotations, state.position, state.heading,
+                  expected.p_WR, expected.rotations);
+  EXPECT_EQ(pose.p_WR, expected.p_WR);
+  for (size_t j = 0; j < pose.rotations.size(); ++j) {
+    EXPECT_EQ(pose.rotations[j].coeffs(), expected.rotations[j].coeffs());
+  }
+}
+
+TEST(WalkController, StandingItDoesNotDependOnTheCycle) {
+  FrameState one = walking(0.1), two = walking(0.8);
+  two.turn_rate = -1.0;
+  two.step_length = 0.3;
+  one.standing = two.standing = 1.0;
+  const Pose a = posed(controllerOf(), one), b = posed(controllerOf(), two);
+  EXPECT_EQ(a.p_WR, b.p_WR);
+  EXPECT_NEAR(a.p_WR.z(), one.position.z() + 0.93, 1e-15);
+  for (size_t j = 0; j < a.rotations.size(); ++j) {
+    EXPECT_EQ(a.rotations[j].coeffs(), b.rotations[j].coeffs());
+  }
+}
+
+TEST(WalkController, StandingIsMixedInEvenly) {
+  FrameState state = walking(0.2);
+  const double walk = posed(controllerOf(), state).p_WR.z();
+  state.standing = 0.25;
+  const double mixed = posed(controllerOf(), state).p_WR.z();
+  EXPECT_NEAR(mixed, 0.75 * walk + 0.25 * (state.position.z() + 0.93), 1e-12);
+}
+
+TEST(WalkController, CyclesAreBlendedForTheBlendedTurnRateAlone) {
+  FrameState state = walking(0.2), turning = state, blended = state;
+  turning.turn_rate = 0.4;
+  blended.blended_turn_rate = 0.4;
+  EXPECT_EQ(posed(controllerOf(), state).p_WR, posed(controllerOf(), turning).p_WR);
+  EXPECT_NE(posed(controllerOf(), state).p_WR, posed(controllerOf(), blended).p_WR);
+}
+
+TEST(WalkController, SwayMovesTheRootToTheLeft) {
+  FrameState state = walking(0.2);
+  const Eigen::Vector3d before = posed(controllerOf(), state).p_WR;
+  state.sway = 0.03;
+  const Eigen::Vector3d moved = posed(controllerOf(), state).p_WR - before;
+  EXPECT_LT((moved - aboutZ(state.heading) * Eigen::Vector3d(0, 0.03, 0)).norm(), 1e-12);
+}
+
+TEST(WalkController, CarriageLeadsAndLowersTheWalkingRootOnly) {
+  WalkController::Carriage carriage{0.02, {0.0, 0.05, 0.1}, 1.0};
+  FrameState state = walking(0.0);
+  const Eigen::Vector3d moved =
+      posed(controllerOf(carriage), state).p_WR - posed(controllerOf(), state).p_WR;
+  const double lowered = 0.06 * WalkController::loweringShare(0.0);  // of a step of 0.6 m
+  EXPECT_LT((moved - aboutZ(state.heading) * Eigen::Vector3d(0.02, 0, -lowered)).norm(), 1e-12);
+  state.standing = 1.0;
+  EXPECT_EQ(posed(controllerOf(carriage), state).p_WR, posed(controllerOf(), state).p_WR);
+}
+
+TEST(WalkController, LoweringIsLinearBetweenItsStepsAndHeldBeyondThem) {
+  const WalkController controller = controllerOf({0.0, {0.0, 0.01, 0.04}, 0.8});
+  EXPECT_NEAR(controller.lowering(0.2), 0.005, 1e-15);
+  EXPECT_NEAR(controller.lowering(0.4), 0.01, 1e-15);
+  EXPECT_NEAR(controller.lowering(0.6), 0.025, 1e-15);
+  EXPECT_NEAR(controller.lowering(5.0), 0.04, 1e-15);
+  EXPECT_EQ(controllerOf().lowering(0.5), 0.0);
+}
+
+TEST(WalkController, LoweringIsWholeInDoubleSupportsAndLeastBetweenThem) {
+  for (double phase = 0.0; phase < 1.0; phase += 0.01) {
+    const double share = WalkController::loweringShare(phase);
+    EXPECT_LE(share, 1.0);
+    EXPECT_GE(share, WalkController::loweringShare(0.25));
+    EXPECT_NEAR(share, WalkController::loweringShare(phase + 0.5), 1e-12);  // either foot in front
+  }
+  EXPECT_EQ(WalkController::loweringShare(0.0), 1.0);
+}
+
+}  // namespace
+}  // namespace amble

@@ -1,0 +1,182 @@
+#include "environments/body/body.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "animation/captures/bvh.h"
+#include "tests/environments/test_walker.h"
+
+namespace amble {
+namespace {
+
+struct Placed {
+  std::vector<Eigen::Vector3d> from, to;
+};
+
+Placed place(const Skeleton& skeleton, const Body& body, PoseView pose) {
+  std::vector<JointFrame> frames(skeleton.size());
+  forwardKinematics(skeleton, pose, frames);
+  Placed placed{std::vector<Eigen::Vector3d>(body.parts.size()),
+                std::vector<Eigen::Vector3d>(body.parts.size())};
+  placeBody(body, frames, placed.from, placed.to);
+  return placed;
+}
+
+Pose randomPose(const Skeleton& skeleton, std::mt19937_64& generator) {
+  std::uniform_real_distribution<double> angle(-2.0, 2.0);
+  Pose pose;
+  for (int j = 0; j < skeleton.size(); ++j)
+    pose.rotations.push_back(expRotation({angle(generator), angle(generator), angle(generator)}));
+  return pose;
+}
+
+TEST(Body, HasEveryPartOnce) {
+  const TestWalker walker;
+  for (const char* name : {"head", "neck", "chest", "abdomen", "pelvis", "left hand", "right hand",
+                           "left thigh", "right shank", "left sole, outside", "left sole, inside",
+                           "left toes", "right toes", "right upper arm", "left forearm"})
+    EXPECT_GE(walker.part(name), 0) << name;
+  for (const BodyPart& part : walker.body.parts) {
+    EXPECT_GT(part.radius, 0.0);
+    const bool is_foot = part.name.find("sole") != std::string::npos ||
+                         part.name.find("toes") != std::string::npos ||
+                         part.name.find("instep") != std::string::npos;
+    EXPECT_EQ(part.sole >= 0, is_foot) << part.name;
+    if (is_foot) {
+      EXPECT_EQ(part.sole, part.name.starts_with("left") ? kLeft : kRight);
+    }
+  }
+}
+
+TEST(Body, StandsOnTheFloorWithItsCrownAtItsStature) {
+  const TestWalker walker;
+  const Placed placed = place(walker.skeleton, walker.body, walker.standing(0, 0));
+  double lowest = 1e9, highest = -1e9;
+  for (size_t i = 0; i < walker.body.parts.size(); ++i) {
+    const double r = walker.body.parts[i].radius;
+    lowest = std::min({lowest, placed.from[i].z() - r, placed.to[i].z() - r});
+    highest = std::max({highest, placed.from[i].z() + r, placed.to[i].z() + r});
+  }
+  EXPECT_NEAR(lowest, 0.0, 1e-9);
+  EXPECT_NEAR(highest, walker.stature, 1e-9);
+  for (const char* name : {"left sole, outside", "right sole, inside", "left toes"}) {
+    const int i = walker.part(name);
+    EXPECT_NEAR(placed.from[i].z() - walker.body.parts[i].radius, 0.0, 1e-9) << name;
+    EXPECT_NEAR(placed.to[i].z() - walker.body.parts[i].radius, 0.0, 1e-9) << name;
+  }
+}
+
+TEST(Body, OnlySolesComeNearTheFloorWhileStanding) {
+  const TestWalker walker;
+  const Placed placed = place(walker.skeleton, walker.body, walker.standing(0, 0));
+  for (size_t i = 0; i < walker.body.parts.size(); ++i) {
+    if (walker.body.parts[i].sole >= 0) continue;
+    EXPECT_GT(std::min(placed.from[i].z(), placed.to[i].z()) - walker.body.parts[i].radius, 0.03)
+        << walker.body.parts[i].name;
+  }
+}
+
+TEST(Body, IsAsBroadAndDeepAsPeopleAre) {
+  const TestWalker walker;
+  const Placed placed = place(walker.skeleton, walker.body, walker.standing(0, 0));  // faces +x
+  const auto extent = [&](const std::string& name, int axis) {
+    const int i = walker.part(name);
+    return std::abs(placed.from[i][axis] - placed.to[i][axis]) + 2.0 * walker.body.parts[i].radius;
+  };
+  // Gordon et al. 1989 over 1.756 m, times 1.70 m.
+  EXPECT_NEAR(extent("chest", 1), 0.322 / 1.756 * 1.70, 1e-9);
+  EXPECT_NEAR(extent("chest", 0), 0.243 / 1.756 * 1.70, 1e-9);
+  EXPECT_NEAR(extent("pelvis", 1), 0.342 / 1.756 * 1.70, 1e-9);
+  EXPECT_NEAR(extent("left sole, outside", 0), 0.152 * 1.70 - 0.06 + walker.foot.radius, 1e-6);
+  const int l = walker.part("left shoulder"), r = walker.part("right shoulder");
+  EXPECT_NEAR(std::abs(placed.to[l].y() - placed.to[r].y()) + 2.0 * walker.body.parts[l].radius,
+              0.46, 0.02);
+}
+
+TEST(Body, FeetPointForwardAndSolesSpreadToEitherSide) {
+  const TestWalker walker;
+  const Placed placed = place(walker.skeleton, walker.body, walker.standing(0, 0));
+  const int outside = walker.part("left sole, outside"), inside = walker.part("left sole, inside");
+  EXPECT_GT(placed.to[outside].x(), placed.from[outside].x() + 0.1);
+  EXPECT_GT(placed.to[outside].y(), placed.to[inside].y() + 0.03);  // left is +y
+  EXPECT_EQ(placed.from[outside], placed.from[inside]);
+}
+
+TEST(Body, ScalesWithStature) {
+  const TestWalker walker;
+  const double factor = 0.8;
+  const Body small = makeBody(walker.skeleton.scaled(factor), walker.roles, factor * walker.stature,
+                              {factor * walker.foot.ankle_height, factor * walker.foot.radius});
+  ASSERT_EQ(small.parts.size(), walker.body.parts.size());
+  for (size_t i = 0; i < small.parts.size(); ++i) {
+    EXPECT_NEAR(small.parts[i].radius, factor * walker.body.parts[i].radius, 1e-12);
+    EXPECT_LT((small.parts[i].from - factor * walker.body.parts[i].from).norm(), 1e-9)
+        << small.parts[i].name;
+    EXPECT_LT((small.parts[i].to - factor * walker.body.parts[i].to).norm(), 1e-9);
+  }
+}
+
+TEST(Body, NoPointIsFartherFromAJointThanItsReach) {
+  const TestWalker walker;
+  std::mt19937_64 generator(1);
+  for (int n = 0; n < 200; ++n) {
+    const Pose pose = randomPose(walker.skeleton, generator);
+    std::vector<JointFrame> frames(walker.skeleton.size());
+    forwardKinematics(walker.skeleton, pose, frames);
+    for (size_t i = 0; i < walker.body.parts.size(); ++i) {
+      const BodyPart& part = walker.body.parts[i];
+      for (int j = 0; j < walker.skeleton.size(); ++j) {
+        const double reach = walker.body.reach[i][j];
+        if (!walker.skeleton.isAncestor(j, part.joint)) {
+          EXPECT_EQ(reach, 0.0);
+          continue;
+        }
+        for (const Eigen::Vector3d& end : {part.from, part.to})
+          EXPECT_LE((frames[part.joint] * end - frames[j].p_WJ).norm() + part.radius, reach + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Body, AFootThatRollsOverHeelAndBallDoesNotSinkIn) {
+  const TestWalker walker;
+  const LegJoints& leg = walker.roles.legs[kLeft];
+  for (double pitch = -0.5; pitch <= 1.0; pitch += 0.05) {
+    // The ankle as FootShape has it over a sole at the origin; the toes stay flat once the heel is
+    // up.
+    const Eigen::Vector3d ankle = rolledAnkle(walker.foot, pitch);
+    const Eigen::Quaterniond q_WF(Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+                                  walker.foot.q_SF);
+    const JointFrame foot{q_WF, ankle};
+    JointFrame toe{q_WF, foot * walker.skeleton.joint(leg.toe).offset};
+    if (pitch > 0.0) toe.q_WJ = walker.foot.q_SF;
+    for (const BodyPart& part : walker.body.parts) {
+      if (part.sole != kLeft) continue;
+      const JointFrame& frame = part.joint == leg.toe ? toe : foot;
+      const double lowest = std::min((frame * part.from).z(), (frame * part.to).z()) - part.radius;
+      EXPECT_GT(lowest, -1e-9) << part.name << " at " << pitch;
+    }
+  }
+}
+
+TEST(Body, CanBeMadeOfEveryCommonRig) {
+  const std::filesystem::path mocap = std::filesystem::path(AMBLE_SHARED) / "mocap";
+  if (!std::filesystem::exists(mocap)) GTEST_SKIP() << mocap << " is not there";
+  for (const char* name : {"accad_female1/Female1_B03_Walk1.bvh", "accad_male1/Male1_B3_Walk.bvh",
+                           "cmu_mb2/07_01.bvh", "cmu_daz/07_01.bvh", "cmu_max/131_01.bvh"}) {
+    Clip clip = readBvh(mocap / name);
+    const JointRoles roles = guessJointRoles(clip.skeleton, name);
+    const Skeleton skeleton = clip.skeleton.scaled(guessUnit(clip.skeleton, roles));
+    const double stature = statureOf(skeleton, roles);
+    const Body body = makeBody(skeleton, roles, stature, {0.039 * stature, 0.0095 * stature});
+    EXPECT_EQ(body.parts.size(), 25u) << name;
+    for (const BodyPart& part : body.parts) {
+      EXPECT_TRUE(part.from.allFinite() && part.to.allFinite()) << name << part.name;
+      EXPECT_LT((part.to - part.from).norm(), 0.35 * stature) << name << " " << part.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace amble

@@ -1,0 +1,211 @@
+#include "environments/ground/scene_ground.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/rotation.h"
+#include "tests/environments/test_scenes.h"
+
+namespace amble {
+namespace {
+
+TEST(SceneGround, IsTheFloorWhatLiesOnItAndStepsButNoFurniture) {
+  const Scene scene = sceneOf({floorSlab(), makeObject("rug", Box{{2, 2, 0.01}}, {3, 0, 0.005}),
+                               makeObject("table", makeBox({1, 1, 0.05}), {-3, 0, 0.725}),
+                               makeObject("step", Box{{1, 1, 0.15}}, {0, 5, 0.075}),
+                               makeObject("high step", Box{{1, 1, 0.3}}, {5, 5, 0.15})});
+  const SceneGround ground(scene, 0.0);
+  EXPECT_TRUE(ground.isGround(0));
+  EXPECT_TRUE(ground.isGround(1));
+  EXPECT_FALSE(ground.isGround(2));
+  EXPECT_TRUE(ground.isGround(3));
+  EXPECT_FALSE(ground.isGround(4));
+  EXPECT_NEAR(ground.height(0, 0, 0, 0.3).value(), 0.0, 1e-12);
+  EXPECT_NEAR(ground.height(3, 0, 0, 0.3).value(), 0.01, 1e-12);
+  EXPECT_NEAR(ground.height(-3, 0, 0, 1.0).value(), 0.0, 1e-12);
+  EXPECT_EQ(ground.extent().min(), Eigen::Vector2d(-10, -10));
+  EXPECT_EQ(ground.extent().max(), Eigen::Vector2d(10, 10));
+}
+
+TEST(SceneGround, EndsWhereTheFloorEnds) {
+  const SceneGround ground(sceneOf({floorSlab()}), 0.0);
+  EXPECT_TRUE(ground.height(10, 10, 0, 0.3).has_value());
+  EXPECT_FALSE(ground.height(10.01, 0, 0, 0.3).has_value());
+  EXPECT_FALSE(ground.height(1e9, 0, 0, 0.3).has_value());
+  EXPECT_FALSE(ground.height(0, 0, 0.5, 0.3).has_value());
+  EXPECT_FALSE(ground.height(0, 0, -0.5, 0.3).has_value());
+}
+
+TEST(SceneGround, OfASceneWithoutFloorIsNowhere) {
+  const SceneGround ground(sceneOf({}), 0.0);
+  EXPECT_FALSE(ground.height(0, 0, 0, 1).has_value());
+  EXPECT_TRUE(ground.extent().isEmpty());
+}
+
+TEST(SceneGround, RolesDecide) {
+  const auto slab = [](Role role) {
+    SceneObject object = floorSlab();
+    object.role = role;
+    return SceneGround(sceneOf({object}), 0.0).height(0, 0, 0, 0.1).has_value();
+  };
+  EXPECT_TRUE(slab(Role::kAuto));
+  EXPECT_TRUE(slab(Role::kGround));
+  EXPECT_FALSE(slab(Role::kObstacle));
+  EXPECT_FALSE(slab(Role::kIgnore));
+}
+
+TEST(SceneGround, SteepAndDownFacingSurfacesAreNoGround) {
+  SceneObject ramp = makeObject("ramp", Box{{4, 4, 0.01}}, {0, 0, 0});
+  ramp.X_WO.linear() = expRotation({0.4, 0, 0}).toRotationMatrix();
+  EXPECT_FALSE(SceneGround(sceneOf({ramp}), 0.0).isGround(0));
+  const TriangleMesh up{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}};
+  EXPECT_TRUE(SceneGround(sceneOf({makeObject("sheet", up, {0, 0, 0})}), 0.0).isGround(0));
+  EXPECT_FALSE(SceneGround(sceneOf({makeObject("sheet", turned(up), {0, 0, 0})}), 0.0).isGround(0));
+  EXPECT_TRUE(SceneGround(sceneOf({makeObject("sheet", turned(up), {0, 0, 0}, Role::kGround)}), 0.0)
+                  .isGround(0));
+}
+
+TEST(SceneGround, AClosedMeshFacesOutHoweverItIsWound) {
+  const TriangleMesh slab = makeBox({20, 20, 0.1});
+  for (const TriangleMesh& mesh : {slab, turned(slab)}) {
+    const SceneGround ground(sceneOf({makeObject("floor", mesh, {0, 0, -0.05})}), 0.0);
+    EXPECT_NEAR(ground.height(1, 2, 0, 0.3).value(), 0.0, 1e-12);
+  }
+}
+
+TEST(SceneGround, HasNoSeamsBetweenTiles) {
+  std::vector<SceneObject> tiles;
+  for (int i = 0; i < 4; ++i)
+    tiles.push_back(makeObject("tile", makeBox({0.3, 3, 0.02}), {0.3 * i, 0, -0.01}));
+  const SceneGround ground(sceneOf(tiles), 0.0);
+  for (double x = -0.15; x <= 1.05; x += 0.01)
+    EXPECT_TRUE(ground.height(x, 0.7, 0, 0.1).has_value()) << x;
+}
+
+// A floor, ten steps and an upper floor that they lead to.
+Scene storeys(double rise) {
+  std::vector<SceneObject> objects = stairs(10, rise, 0.29);
+  objects.push_back(floorSlab());
+  objects.push_back(makeObject("upstairs", Box{{4, 4, 0.2}}, {4.9, 0, 10 * rise - 0.1}));
+  return sceneOf(objects);
+}
+
+TEST(SceneGround, TreadsAreGroundToTheirEdges) {
+  const Scene scene = storeys(0.17);
+  const SceneGround ground(scene);
+  EXPECT_FALSE(ground.isLevel());
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_TRUE(ground.isGround(i));
+    for (const double inset : {0.001, 0.1, 0.289}) {
+      const auto point = ground.surface(0.29 * i + inset, 0.3, 0.17 * i + 0.1, 0.1);
+      ASSERT_TRUE(point.has_value()) << i << " " << inset;
+      EXPECT_NEAR(point->height, 0.17 * (i + 1), 1e-12);
+      EXPECT_EQ(point->normal, Eigen::Vector3d::UnitZ());
+    }
+  }
+  EXPECT_NEAR(ground.height(5, 0, 1.7, 0.1).value(), 1.7, 1e-12);
+  EXPECT_NEAR(ground.height(5, 0, 0, 0.1).value(), 0.0, 1e-12);
+}
+
+TEST(SceneGround, StepsHigherThanTheCharacterTakesAreNone) {
+  const Scene scene = storeys(0.27);
+  const SceneGround ground(scene);
+  for (int i = 0; i < 9; ++i) EXPECT_FALSE(ground.isGround(i)) << i;
+  EXPECT_TRUE(ground.isGround(11));  // the upper floor is a floor
+}
+
+TEST(SceneGround, ARampIsGroundUpToTheSteepestSlope) {
+  for (const double slope : {10.0, 19.9, 20.1, 30.0}) {
+    SceneObject ramp = makeObject("ramp", Box{{4, 2, 0.02}}, {0, 0, 0.8});
+    ramp.X_WO.linear() = expRotation({0, -slope * kDegree, 0}).toRotationMatrix();
+    const Scene scene = sceneOf({floorSlab(), ramp});
+    const SceneGround ground(scene);
+    EXPECT_EQ(ground.isGround(1), slope < 20.0) << slope;
+    if (slope > 20.0) continue;
+    const auto point = ground.surface(0.3, 0.1, 0.9, 0.3);
+    ASSERT_TRUE(point.has_value());
+    const double tangent = std::tan(slope * kDegree);
+    EXPECT_NEAR(point->height, 0.8 + 0.3 * tangent + 0.01 / std::cos(slope * kDegree), 1e-9);
+    EXPECT_NEAR(std::acos(point->normal.z()), slope * kDegree, 1e-6);
+    EXPECT_LT(point->normal.x(), 0.0);
+  }
+}
+
+TEST(SceneGround, StonesAndLogsHaveNoRoomForAFoot) {
+  const Scene scene =
+      sceneOf({floorSlab(), makeObject("stone", Box{{0.08, 0.1, 0.06}}, {0, 0, 0.03}),
+               makeObject("log", Box{{0.1, 3, 0.15}}, {2, 0, 0.075}),
+               makeObject("plank", Box{{0.3, 3, 0.15}}, {4, 0, 0.075})});
+  GroundSettings settings;
+  settings.foot_breadth = 0.12;
+  const SceneGround ground(scene, settings);
+  EXPECT_FALSE(ground.isGround(1));
+  EXPECT_FALSE(ground.isGround(2));
+  EXPECT_TRUE(ground.isGround(3));
+}
+
+TEST(SceneGround, OfSliversAndATriangleIsTheSame) {
+  TriangleMesh slivers;
+  for (int i = 0; i < 400; ++i) {
+    const double x = -2 + 0.01 * i, next = -2 + 0.01 * (i + 1);
+    slivers = joined(
+        slivers, {{{x, -2, 0}, {next, -2, 0}, {next, 2, 0}, {x, 2, 0}}, {{0, 1, 2}, {0, 2, 3}}});
+  }
+  const TriangleMesh one{{{-10, -10, 0}, {10, -10, 0}, {0, 20, 0}}, {{0, 1, 2}}};
+  for (const TriangleMesh& mesh : {slivers, one}) {
+    const Scene scene = sceneOf({makeObject("floor", mesh, {0, 0, 0})});
+    const SceneGround ground(scene);
+    for (double x = -1.987; x < 2.0; x += 0.0137) {
+      const auto point = ground.surface(x, 0.3 * x, 0.05, 0.1);
+      ASSERT_TRUE(point.has_value()) << x;
+      EXPECT_NEAR(point->height, 0.0, 1e-12);
+      EXPECT_NEAR(point->normal.z(), 1.0, 1e-12);
+    }
+  }
+}
+
+TEST(SceneGround, TheCrestIsTheHighestOfWhatCanBeSteppedOver) {
+  const Scene scene = sceneOf({floorSlab(), makeObject("log", Box{{0.1, 3, 0.15}}, {2, 0, 0.075}),
+                               makeObject("wall", Box{{0.1, 3, 2}}, {4, 0, 1})});
+  const SceneGround ground(scene);
+  const auto crest = [&](double from, double to) {
+    return ground.crest({from, 0.2}, {to, 0.2}, 0.05, -0.2, 0.4);
+  };
+  EXPECT_NEAR(crest(0, 1.94), 0.0, 1e-12);
+  EXPECT_NEAR(crest(0, 1.96), 0.15, 1e-12);
+  EXPECT_NEAR(crest(3, 5), 0.0, 1e-12);  // a wall is not to step over
+  EXPECT_LT(ground.crest({30, 0}, {31, 0}, 0.1, -1, 1), -1e9);
+}
+
+TEST(Floors, ListsStoreysAndNoTables) {
+  const Scene scene = sceneOf({floorSlab(), makeObject("upstairs", Box{{10, 10, 0.2}}, {0, 0, 2.6}),
+                               makeObject("table", Box{{2, 1, 0.05}}, {0, 0, 0.725}),
+                               makeObject("rug", Box{{2, 2, 0.01}}, {0, 0, 0.005})});
+  const std::vector<double> two = SceneGround(scene).floors(0, 0);
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_NEAR(two[0], 0.0, 1e-12);
+  EXPECT_NEAR(two[1], 2.7, 1e-12);
+  EXPECT_EQ(SceneGround(scene).floors(8, 8).size(), 1u);
+  EXPECT_TRUE(SceneGround(scene).floors(30, 0).empty());
+}
+
+TEST(Floors, ASmallPlatformIsOneWhereItIsSaidToBeGround) {
+  const SceneObject stage = makeObject("stage", Box{{1, 1, 0.4}}, {0, 0, 0.2}, Role::kGround);
+  EXPECT_EQ(SceneGround(sceneOf({floorSlab(), stage})).floors(0, 0), std::vector<double>{0.4});
+}
+
+TEST(Floors, WhatLiesUnderALowStepIsNone) {
+  const Scene scene = storeys(0.17);
+  const SceneGround ground(scene);
+  EXPECT_EQ(ground.floors(0.4, 0).size(), 1u);
+  EXPECT_EQ(ground.floors(5, 0).size(), 2u);
+}
+
+TEST(Floors, WhereOnlySmallThingsAreTheyAreFloors) {
+  const SceneObject stool = makeObject("stool", Box{{0.5, 0.5, 0.4}}, {0, 0, 0.2});
+  EXPECT_EQ(SceneGround(sceneOf({stool})).floors(0, 0), std::vector<double>{0.4});
+}
+
+}  // namespace
+}  // namespace amble

@@ -1,0 +1,211 @@
+#include "environments/scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/rotation.h"
+#include "tests/environments/test_files.h"
+
+namespace amble {
+namespace {
+
+const std::string kFloor = "  - name: floor\n    box: {size: [8, 6, 0.1]}\n    at: [4, 3, -0.05]\n";
+
+// The refusal of a scene with these objects beside a floor, without the file's name.
+std::string refusal(const std::string& objects, const std::string& before = "objects:\n") {
+  const TestFolder folder;
+  folder.write("cube.obj", cubeObj());
+  const auto file = folder.write("scene.yaml", before + kFloor + objects);
+  const std::string error = errorOf([&] { readScene(file); });
+  if (error.empty()) return "";
+  EXPECT_TRUE(error.starts_with(file.string() + ":")) << error;
+  return error.substr(file.string().size() + 1);
+}
+
+Eigen::AlignedBox3d boundsOf(const SceneObject& object) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& v : worldMesh(object).vertices) box.extend(v);
+  return box;
+}
+
+void expectBounds(const SceneObject& object, const Eigen::Vector3d& min,
+                  const Eigen::Vector3d& max) {
+  EXPECT_LT((boundsOf(object).min() - min).norm(), 1e-6) << boundsOf(object).min().transpose();
+  EXPECT_LT((boundsOf(object).max() - max).norm(), 1e-6) << boundsOf(object).max().transpose();
+}
+
+TEST(ReadScene, BadInputIsRefusedAtItsLine) {
+  // Line 5 is the first of the objects given here.
+  const std::vector<std::pair<std::string, std::string>> bad = {
+      {"  - name: a\n    bok: {size: [1, 1, 1]}\n", "6: "},
+      {"  - name: a\n", "5: "},
+      {"  - box: {size: [1, 1, 1]}\n", "5: "},
+      {"  - name: a\n    box: {size: [1, 1, 1]}\n    sphere: {radius: 1}\n", "7: "},
+      {"  - name: a\n    box: {size: [1, 1, 0]}\n", "6: "},
+      {"  - name: a\n    box: {size: [1, 1, .nan]}\n", "6: "},
+      {"  - name: a\n    box: {size: [1, 1]}\n", "6: "},
+      {"  - name: a\n    sphere: {radius: -1}\n", "6: "},
+      {"  - name: a\n    capsule: {radius: 0.5, height: 1}\n", "6: "},
+      {"  - name: a\n    sphere: {radius: 1}\n    role: floor\n", "7: "},
+      {"  - name: a\n    sphere: {radius: 1}\n    scale: 2\n", "7: "},
+      {"  - name: a\n    sphere: {radius: 1}\n    parts: []\n", "7: "},
+      {"  - name: a\n    sphere: {radius: 1}\n    at: [1, 2]\n", "7: "},
+      {"  - name: a\n    sphere: {radius: 1}\n    turn: 90\n    rotate: [0, 0, 90]\n", "8: "},
+      {"  - name: floor\n    sphere: {radius: 1}\n", "5: "},
+      {"  - name: a\n    mesh: nothing.obj\n    up: y\n", "6: "},
+      {"  - name: a\n    mesh: cube.obj\n", "6: "},
+      {"  - name: a\n    mesh: cube.obj\n    up: x\n", "7: "},
+      {"  - name: a\n    mesh: cube.obj\n    up: y\n    scale: 0\n", "8: "},
+      {"  - name: a\n    mesh: cube.obj\n    up: y\n    parts: [{match: door, role: ignore}]\n",
+       "8: "},
+  };
+  for (const auto& [objects, line] : bad) {
+    const std::string error = refusal(objects);
+    EXPECT_TRUE(error.starts_with(line)) << objects << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+  }
+}
+
+TEST(ReadScene, AMisspelledKeyIsNamed) {
+  EXPECT_NE(refusal("  - name: a\n    sphere: {radius: 1}\n    rolle: ground\n").find("role"),
+            std::string::npos);
+}
+
+TEST(ReadScene, ASecondObjectOfANameNamesTheFirst) {
+  EXPECT_NE(refusal("  - name: floor\n    sphere: {radius: 1}\n").find("line 2"),
+            std::string::npos);
+}
+
+TEST(ReadScene, ASceneWithoutObjectsIsRefused) {
+  const TestFolder folder;
+  EXPECT_NE(errorOf([&] { readScene(folder.write("a.yaml", "name: a\n")); }), "");
+  EXPECT_NE(errorOf([&] { readScene(folder.write("b.yaml", "name: a\nobjects: []\n")); }), "");
+}
+
+TEST(ReadScene, ASceneInMillimetresIsToldItsScale) {
+  const TestFolder folder;
+  folder.write("room.obj", "v 0 0 0\nv 8000 0 0\nv 0 0 6000\nf 1 2 3\n");
+  const std::string millimetres = errorOf([&] {
+    readScene(folder.write("mm.yaml", "objects:\n  - name: room\n    mesh: room.obj\n    up: y\n"));
+  });
+  EXPECT_NE(millimetres.find("scale: 0.001"), std::string::npos) << millimetres;
+  const std::string kilometres = errorOf([&] {
+    readScene(folder.write(
+        "km.yaml",
+        "objects:\n  - name: room\n    mesh: room.obj\n    up: y\n    scale: 0.000001\n"));
+  });
+  EXPECT_NE(kilometres.find("scale: 0.001"), std::string::npos) << kilometres;
+}
+
+TEST(ReadScene, FormatsThatSayTheirAxesTakeNoUp) {
+  const std::filesystem::path model = "/usr/share/assimp/models/FBX/cubes_with_names.fbx";
+  if (!std::filesystem::exists(model)) GTEST_SKIP() << "assimp-testmodels is not installed";
+  EXPECT_TRUE(
+      refusal("  - name: a\n    mesh: " + model.string() + "\n    up: y\n").starts_with("7: "));
+  EXPECT_EQ(refusal("  - name: a\n    mesh: " + model.string() + "\n"), "");
+}
+
+TEST(ReadScene, PlacesByUpThenScaleThenTurnThenAt) {
+  const TestFolder folder;
+  // One triangle whose corner stands out by 1, 2, 3 along the file's axes.
+  folder.write("t.obj", "v 1 2 3\nv 0 0 0\nv 1 0 0\nf 1 2 3\n");
+  const Scene scene = readScene(
+      folder.write("s.yaml",
+                   "objects:\n"
+                   "  - {name: a, mesh: t.obj, up: y, scale: 2, turn: 90, at: [10, 20, 30]}\n"
+                   "  - {name: b, mesh: t.obj, up: z, rotate: [90, 0, 0]}\n"
+                   "  - {name: c, mesh: t.obj, up: z, rotate: [90, 0, 90]}\n"));
+  ASSERT_EQ(scene.objects.size(), 3u);
+  const auto corner = [&](int i) { return worldMesh(scene.objects[i]).vertices[0]; };
+  // y up: (1, -3, 2); scaled (2, -6, 4); turned (6, 2, 4).
+  EXPECT_LT((corner(0) - Eigen::Vector3d(16, 22, 34)).norm(), 1e-12);
+  // About x: (1, 2, 3) becomes (1, -3, 2); and then about z: (3, 1, 2).
+  EXPECT_LT((corner(1) - Eigen::Vector3d(1, -3, 2)).norm(), 1e-12);
+  EXPECT_LT((corner(2) - Eigen::Vector3d(3, 1, 2)).norm(), 1e-12);
+}
+
+TEST(ReadScene, PrimitivesStandUprightCentredOnAt) {
+  const TestFolder folder;
+  const Scene scene =
+      readScene(folder.write("s.yaml",
+                             "objects:\n"
+                             "  - {name: a, cylinder: {radius: 0.25, height: 2}, at: [1, 2, 3]}\n"
+                             "  - {name: b, capsule: {radius: 0.25, height: 2}, at: [1, 2, 3]}\n"
+                             "  - {name: c, sphere: {radius: 0.25}, at: [1, 2, 3]}\n"
+                             "  - {name: d, box: {size: [1, 2, 3]}, at: [1, 2, 3], turn: 90}\n"));
+  expectBounds(scene.objects[0], {0.75, 1.75, 2}, {1.25, 2.25, 4});
+  expectBounds(scene.objects[1], {0.75, 1.75, 2}, {1.25, 2.25, 4});
+  expectBounds(scene.objects[2], {0.75, 1.75, 2.75}, {1.25, 2.25, 3.25});
+  expectBounds(scene.objects[3], {0, 1.5, 1.5}, {2, 2.5, 4.5});
+  EXPECT_EQ(scene.triangleCount(), 0);
+}
+
+TEST(ReadScene, PartsHaveTheRoleOfTheFirstPatternThatMatches) {
+  const TestFolder folder;
+  folder.write("house.obj",
+               "o Front_Door\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no wall\nv 0 0 1\nv 1 0 1\nv 0 1 "
+               "1\nf 4 5 6\n"
+               "o Back_door\nv 0 0 2\nv 1 0 2\nv 0 1 2\nf 7 8 9\n");
+  const Scene scene = readScene(folder.write(
+      "s.yaml",
+      "objects:\n  - name: house\n    mesh: house.obj\n    up: y\n"
+      "    role: obstacle\n"
+      "    parts: [{match: \"back*\", role: ground}, {match: \"*door*\", role: ignore}]\n"));
+  ASSERT_EQ(scene.objects.size(), 3u);
+  EXPECT_EQ(scene.objects[0].role, Role::kIgnore);
+  EXPECT_EQ(scene.objects[1].role, Role::kObstacle);
+  EXPECT_EQ(scene.objects[2].role, Role::kGround);
+  EXPECT_EQ(scene.objects[1].name, "house");
+  EXPECT_EQ(scene.objects[1].part, "wall");
+  EXPECT_EQ(scene.triangleCount(), 3);
+}
+
+TEST(ReadScene, NamesEveryFileThatItRead) {
+  const TestFolder folder;
+  folder.write("cube.obj", cubeObj());
+  const auto file = folder.write("s.yaml",
+                                 "objects:\n  - {name: a, mesh: cube.obj, up: y}\n"
+                                 "  - {name: b, mesh: cube.obj, up: y, at: [3, 0, 0]}\n");
+  const Scene scene = readScene(file);
+  ASSERT_EQ(scene.inputs.size(), 2u);
+  EXPECT_EQ(scene.inputs[0], file);
+  EXPECT_EQ(scene.inputs[1].filename(), "cube.obj");
+}
+
+TEST(Scene, BoundsLeaveOutWhatIsIgnored) {
+  const TestFolder folder;
+  const Scene scene = readScene(
+      folder.write("s.yaml",
+                   "objects:\n  - {name: a, box: {size: [2, 2, 2]}}\n"
+                   "  - {name: b, box: {size: [2, 2, 2]}, at: [9, 0, 0], role: ignore}\n"));
+  EXPECT_EQ(scene.objects.size(), 2u);
+  EXPECT_EQ(scene.bounds().max(), Eigen::Vector3d(1, 1, 1));
+}
+
+TEST(MatchesPattern, StarsAndQuestionMarksWithoutRegardToCase) {
+  EXPECT_TRUE(matchesPattern("*door*", "IfcDoor_Haustuer"));
+  EXPECT_TRUE(matchesPattern("d??r", "DOOR"));
+  EXPECT_TRUE(matchesPattern("*", ""));
+  EXPECT_TRUE(matchesPattern("a*b*c", "axxbxxbc"));
+  EXPECT_FALSE(matchesPattern("a*b*c", "axxbxxbd"));
+  EXPECT_FALSE(matchesPattern("door", "doors"));
+  EXPECT_FALSE(matchesPattern("", "x"));
+  EXPECT_TRUE(matchesPattern("[door]", "[DOOR]"));
+}
+
+TEST(Apartment, IsReadWithItsThirtyThreeObjects) {
+  const std::filesystem::path mesh =
+      std::filesystem::path(AMBLE_SHARED) / "scenes/apartment/apartment.obj";
+  if (!std::filesystem::exists(mesh)) GTEST_SKIP() << mesh << " is not there";
+  const TestFolder folder;
+  const Scene scene = readScene(folder.write(
+      "s.yaml", "objects:\n  - {name: flat, mesh: " + std::filesystem::absolute(mesh).string() +
+                    ", up: y}\n"));
+  EXPECT_EQ(scene.objects.size(), 33u);
+  EXPECT_NEAR(scene.bounds().sizes().x(), 21.8, 0.1);
+  EXPECT_NEAR(scene.bounds().sizes().z(), 2.5, 0.1);
+}
+
+}  // namespace
+}  // namespace amble

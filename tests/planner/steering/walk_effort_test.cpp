@@ -1,0 +1,37 @@
+#include "planner/steering/walk_effort.h"
+
+#include <gtest/gtest.h>
+
+namespace amble {
+namespace {
+
+AnimationBuffer walkOf(const std::vector<GaitParameters>& steps) {
+  AnimationBuffer walk;
+  for (const GaitParameters& gait : steps) {
+    walk.footprints.emplace_back();
+    walk.footprints.back().gait = gait;
+  }
+  return walk;
+}
+
+TEST(WalkEffort, OfALevelWalkIsNone) {
+  EXPECT_EQ(effortOf(walkOf({}), 0.05, 1.2), 0.0);
+  EXPECT_EQ(effortOf(walkOf({{0.65, 0.05, 0.0}, {0.65, 0.055, 0.0}}), 0.05, 1.2), 0.0);
+}
+
+TEST(WalkEffort, AMetreWonCostsAsMuchAsEightOnTheLevel) {
+  const AnimationBuffer walk = walkOf({{0.3, 0.05, 0.5}, {0.3, 0.05, 0.5}});
+  EXPECT_NEAR(effortOf(walk, 0.05, 1.0), 19.6 / 2.5, 1e-12);
+  EXPECT_NEAR(effortOf(walk, 0.05, 2.0), 9.8 / 2.5, 1e-12);
+}
+
+TEST(WalkEffort, GoingDownIsChargedNothingAndLiftingSomething) {
+  EXPECT_EQ(effortOf(walkOf({{0.3, 0.05, -0.2}}), 0.05, 1.2), 0.0);
+  const double low = effortOf(walkOf({{0.6, 0.15, 0.0}}), 0.05, 1.2);
+  const double high = effortOf(walkOf({{0.6, 0.25, 0.0}}), 0.05, 1.2);
+  EXPECT_GT(low, 0.0);
+  EXPECT_NEAR(high, 2.0 * low, 1e-12);
+}
+
+}  // namespace
+}  // namespace amble
