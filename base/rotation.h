@@ -2,13 +2,15 @@
 #pragma once
 
 #include <Eigen/Geometry>
-
-#include "animation/body/skeleton.h"
+#include <array>
 
 namespace amble {
 
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kDegree = kPi / 180.0;  ///< [rad]
+
+/// Order of a joint's rotation channels as a file writes them: {'Z','X','Y'} is R = Rz * Rx * Ry.
+using RotationOrder = std::array<char, 3>;
 
 /// Rotation by |v| about v. Inverse of logRotation for |v| < pi.
 Eigen::Quaterniond expRotation(const Eigen::Vector3d& v);

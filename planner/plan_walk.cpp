@@ -7,6 +7,7 @@
 
 #include "base/rotation.h"
 #include "planner/legs/leg_planner.h"
+#include "planner/refine_walk.h"
 #include "planner/steering/walk_steering.h"
 
 namespace amble {

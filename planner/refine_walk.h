@@ -18,6 +18,7 @@
 
 #include <vector>
 
+#include "planner/plan_request.h"
 #include "planner/search_limits.h"
 #include "planner/steering/steering.h"
 
@@ -34,11 +35,6 @@ struct EdgePath {
   double duration() const;  ///< [s]
   double length() const;    ///< [m]
   int stops() const;        ///< nodes between the ends at which the walk stands
-};
-
-struct RefineSettings {
-  bool walk_on = true;  ///< false: pass 1 only
-  int tries = 50;       ///< a round of pass 3 [>= 0]; by trial
 };
 
 /// @pre path.edges is not empty. limits.deadline and limits.stop end it early, with what is

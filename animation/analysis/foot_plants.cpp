@@ -6,6 +6,7 @@
 
 #include "animation/analysis/low_pass.h"
 #include "animation/clips/floor_fit.h"
+#include "base/ease.h"
 #include "base/statistics.h"
 
 namespace amble {
@@ -191,7 +192,7 @@ Eigen::MatrixXd finer(const Eigen::MatrixXd& rows, int factor) {
     const Eigen::RowVectorXd from = row(k), to = row(k + 1);
     const Eigen::RowVectorXd slope_from = 0.5 * (to - row(k - 1)),
                              slope_to = 0.5 * (row(k + 2) - from);
-    const double s = t * t * (3.0 - 2.0 * t);
+    const double s = smoothstep(t);
     fine.row(i) = (1.0 - s) * from + s * to + t * (1.0 - t) * (1.0 - t) * slope_from -
                   t * t * (1.0 - t) * slope_to;
   }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "animation/body/pelvis.h"
 #include "base/statistics.h"
 
 namespace amble {

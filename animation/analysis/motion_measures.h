@@ -40,15 +40,6 @@ double kneeBackwardsShare(const Clip& clip, const JointRoles& roles);
 /// Largest change of a bone's length over the clip: of moving joints only [m].
 double boneLengthChange(const Clip& clip);
 
-/// Which way the pelvis faces: across the line between the hip joints [rad].
-double pelvisHeading(std::span<const JointFrame> joints, const JointRoles& roles);
-
-/// Heading of the pelvis at each frame, across the line of the hip joints, without jumps [rad].
-std::vector<double> pelvisHeadings(const Clip& clip, const JointRoles& roles);
-
-/// Middle of the two hip joints at each frame [m, World].
-std::vector<Eigen::Vector3d> pelvisPath(const Clip& clip, const JointRoles& roles);
-
 /// A moving average over `window` seconds, centred; at the ends over what is there on both sides
 /// alike, so that they stay.
 std::vector<Eigen::Vector3d> smoothed(const std::vector<Eigen::Vector3d>& points, double frame_time,

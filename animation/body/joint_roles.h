@@ -11,6 +11,7 @@ namespace amble {
 
 /// Left first, so that `legs[kLeft]` reads well.
 enum Side : int { kLeft = 0, kRight = 1 };
+constexpr Side other(Side side) { return side == kLeft ? kRight : kLeft; }
 
 struct LegJoints {
   int up_leg = -1;  ///< hip joint

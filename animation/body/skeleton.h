@@ -6,15 +6,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace amble {
+#include "base/rotation.h"
 
-/// Order of a joint's rotation channels as a file writes them: {'Z','X','Y'} is R = Rz * Rx * Ry.
-using RotationOrder = std::array<char, 3>;
+namespace amble {
 
 struct Joint {
   std::string name;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "animation/analysis/motion_measures.h"
+#include "animation/body/pelvis.h"
 #include "base/rotation.h"
 
 namespace amble {

@@ -6,27 +6,11 @@
 /// lengths. Joints without a role keep their rotation of the target's reference.
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "animation/body/clip.h"
 #include "animation/body/joint_roles.h"
+#include "animation/body/reference_pose.h"
 
 namespace amble {
-
-/// A pose of a rig in which it is upright, seen from its heading (x forward, y left, z up).
-struct ReferencePose {
-  std::vector<Eigen::Quaterniond> q_HJ;  ///< of each joint in the heading frame
-};
-
-/// The rig's rest pose where somebody stands in it; else (rigs whose joints all point along their
-/// bones) the mean pose of the clip, feet from the times at which they stand. @pre clip in World
-ReferencePose referenceOf(const Clip& clip, const JointRoles& roles);
-/// The rest pose where somebody stands in it, else that of a standing posture.
-ReferencePose referenceOf(const Skeleton& skeleton, const JointRoles& roles,
-                          const std::vector<Eigen::Quaterniond>& stand);
-/// Axes about which the knees bend, in the thighs' joint frames, by Side: left in the reference.
-std::array<Eigen::Vector3d, 2> kneeAxes(const JointRoles& roles, const ReferencePose& reference);
 
 /// A rig with its roles and reference; a view.
 struct UprightRig {

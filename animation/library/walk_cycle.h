@@ -15,36 +15,13 @@
 #include "animation/body/clip.h"
 #include "animation/body/foot_shape.h"
 #include "animation/body/joint_roles.h"
+#include "animation/library/foot_cycle.h"
 #include "animation/library/fourier.h"
 
 namespace amble {
 
 /// Slower than this is straight, faster is a turn: walkers sway by as much [rad/s].
 inline constexpr double kStraightTurnRate = 0.15;
-
-/// How one foot goes from a footprint to the next, and rolls. tau runs over the swing, 0 at
-/// lift-off and 1 at strike.
-///
-/// The polynomials are kept times tau^2 (1 - tau)^2, so that a swing begins and ends at rest on its
-/// footprints: captured feet slide, ours do not.
-struct FootCycle {
-  double strike = 0.0;    ///< captured phase at which the heel lands [cycles]
-  double lift_off = 0.0;  ///< captured phase at which the toe leaves [cycles]
-  /// How far the captured sole moves on from its footprint between strike and lift-off, as it rolls
-  /// and slides [m].
-  double slip = 0.0;
-  /// Progress from print to print beyond 3 tau^2 - 2 tau^3 [1]; height over the line between them
-  /// [m]; straying to the left of that line [m]; roll and yaw of the sole against the heading that
-  /// turns from print to print [rad]. Coefficients of tau^0, tau^1, ...
-  std::array<double, 4> progress = {}, height = {}, sideways = {}, roll = {}, yaw = {};
-  /// Pitch of the sole, toes down positive [rad], over one cycle of the foot: kStanceSamples from
-  /// strike to lift-off, then kSwingSamples from lift-off to the next strike, where it begins anew.
-  /// 0 while the foot is flat.
-  std::vector<double> pitch;
-
-  static constexpr int kStanceSamples = 24;
-  static constexpr int kSwingSamples = 16;
-};
 
 /// QUALITY.md's measures of the clip that a cycle was cut from: its anchors.
 struct CaptureQuality {
@@ -96,27 +73,5 @@ struct Posture {
   double step_width = 0.0;  ///< between the footprints [m]
   std::array<double, 2> toe_out = {0, 0};  ///< [rad], left positive, by Side
 };
-
-struct CycleOptions {
-  std::string clip;      ///< for messages
-  bool turning = false;  ///< look for a turn: the cycle with the least closure for its turn rate
-  int harmonics = 0;     ///< of the low-pass [1, 12]; 0: as few as leave little out
-  std::optional<std::pair<int, int>> frames;  ///< look only within these frames of the clip
-};
-
-/// Finds the steady cycles of a levelled clip, fits a line or circle to each, averages the errors
-/// around it over the cycles and takes their Fourier series. Fit: of all lines (circles) the one on
-/// which the cycle closes, that is, whose ends are a whole cycle's ends; least squares over a
-/// single cycle would lean with the sway. @param reference  the library's reference rotations, root
-/// against heading first
-/// @throws InputError naming the clip where no whole cycle is found.
-WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
-                           const std::array<FootShape, 2>& feet,
-                           const std::vector<Eigen::Quaterniond>& reference,
-                           const CycleOptions& options, std::pair<int, int>* used_frames = nullptr);
-
-/// The mean pose of a standing clip's frames [first, last].
-Posture preparePosture(const Clip& level, const JointRoles& roles,
-                       const std::array<FootShape, 2>& feet, int first, int last);
 
 }  // namespace amble

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "animation/preparation/foot_cycle_fit.h"
+#include "animation/preparation/walk_cycle_fit.h"
 #include "base/error.h"
 #include "base/rotation.h"
 

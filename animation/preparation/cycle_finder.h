@@ -6,6 +6,7 @@
 
 #include "animation/library/walk_cycle.h"
 #include "animation/preparation/gait_track.h"
+#include "animation/preparation/walk_cycle_fit.h"
 
 namespace amble {
 

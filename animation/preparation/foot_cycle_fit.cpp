@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/ease.h"
 #include "base/error.h"
 #include "base/rotation.h"
 
@@ -18,8 +19,6 @@ constexpr double kFlatPitch = 5.0 * kDegree;
 // it by 10 to 20 mm [m].
 constexpr double kSwingClearance = 0.015;
 constexpr int kSwingPoints = 33;  // at which a swing is fitted
-
-double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
 
 // The swing's two plants: the one it leaves and the one it comes to.
 struct Swing {
@@ -216,30 +215,6 @@ bool hasSwing(const GaitTrack& track, Side side, double begin, double end) {
   return swingWithin(track, side, begin, end).has_value();
 }
 
-FootCycle meanFoot(const std::vector<FootCycle>& feet) {
-  const double share = 1.0 / static_cast<double>(feet.size());
-  const auto wrapped = [](double phase) { return phase - std::floor(phase); };
-  FootCycle mean;
-  mean.pitch.assign(feet.front().pitch.size(), 0.0);
-  double strike = 0.0, lift_off = 0.0;  // beyond the first foot's
-  for (const FootCycle& foot : feet) {
-    strike += share * (wrapped(foot.strike - feet.front().strike + 0.5) - 0.5);
-    lift_off += share * (wrapped(foot.lift_off - feet.front().lift_off + 0.5) - 0.5);
-    mean.slip += share * foot.slip;
-    for (int k = 0; k < 4; ++k) {
-      mean.progress[k] += share * foot.progress[k];
-      mean.height[k] += share * foot.height[k];
-      mean.sideways[k] += share * foot.sideways[k];
-      mean.roll[k] += share * foot.roll[k];
-      mean.yaw[k] += share * foot.yaw[k];
-    }
-    for (size_t i = 0; i < mean.pitch.size(); ++i) mean.pitch[i] += share * foot.pitch[i];
-  }
-  mean.strike = wrapped(feet.front().strike + strike);
-  mean.lift_off = wrapped(feet.front().lift_off + lift_off);
-  return mean;
-}
-
 FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Vector2d& path_point,
                            double path_heading, Side leading) {
   FootPlacing placing;
@@ -264,30 +239,6 @@ FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Ve
   placing.width = print[kLeft].y() - print[kRight].y();
   placing.forward = 0.5 * (print[kLeft].x() + print[kRight].x());
   return placing;
-}
-
-double swingPolynomial(const std::array<double, 4>& c, double tau) {
-  const double window = tau * tau * (1.0 - tau) * (1.0 - tau);
-  return window * (c[0] + tau * (c[1] + tau * (c[2] + tau * c[3])));
-}
-
-double swingProgress(const FootCycle& foot, double tau) {
-  return smoothstep(tau) + swingPolynomial(foot.progress, tau);
-}
-
-double footPitch(const FootCycle& foot, double x) {
-  constexpr int kStance = FootCycle::kStanceSamples, kSwing = FootCycle::kSwingSamples;
-  constexpr int n = kStance + kSwing;
-  const double at = x < 1.0 ? x * kStance : kStance + (x - 1.0) * kSwing;
-  const double floor = std::floor(at);
-  const double t = at - floor;
-  const auto p = [&](int k) {
-    return foot.pitch[static_cast<size_t>(((static_cast<int>(floor) + k) % n + n) % n)];
-  };
-  // Catmull-Rom: through the samples, with a continuous slope.
-  const double m0 = 0.5 * (p(1) - p(-1)), m1 = 0.5 * (p(2) - p(0));
-  const double a = 2.0 * (p(0) - p(1)) + m0 + m1, b = 3.0 * (p(1) - p(0)) - 2.0 * m0 - m1;
-  return p(0) + t * (m0 + t * (b + t * a));
 }
 
 }  // namespace amble

@@ -20,9 +20,6 @@ bool hasSwing(const GaitTrack& track, Side side, double begin, double end);
 FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape, double begin,
                        double end, const std::string& clip);
 
-/// Mean of the feet of several cycles; phases by the shorter way around the cycle. @pre one or more
-FootCycle meanFoot(const std::vector<FootCycle>& feet);
-
 /// Where a walk puts its feet.
 struct FootPlacing {
   double width = 0.0;    ///< between the lines of left and right footprints [m]
@@ -36,12 +33,5 @@ struct FootPlacing {
 /// and heading there.
 FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Vector2d& path_point,
                            double path_heading, Side leading);
-
-/// The polynomials and the pitch of a foot.
-double swingPolynomial(const std::array<double, 4>& coefficients, double tau);
-double swingProgress(const FootCycle& foot, double tau);
-/// Pitch at x: 0 to 1 is the stance from strike to lift-off, 1 to 2 the swing [rad]. Smooth, with
-/// period 2.
-double footPitch(const FootCycle& foot, double x);
 
 }  // namespace amble

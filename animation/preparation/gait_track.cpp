@@ -5,6 +5,7 @@
 
 #include "animation/analysis/foot_plants.h"
 #include "animation/analysis/motion_measures.h"
+#include "animation/body/pelvis.h"
 #include "base/rotation.h"
 
 namespace amble {

@@ -3,10 +3,12 @@
 #include <cmath>
 
 #include "animation/analysis/motion_measures.h"
+#include "animation/body/pelvis.h"
 #include "animation/clips/carry_over.h"
 #include "animation/clips/level_capture.h"
 #include "animation/clips/mirror_clip.h"
 #include "animation/preparation/transition_fit.h"
+#include "animation/preparation/walk_cycle_fit.h"
 #include "base/error.h"
 #include "base/rotation.h"
 

@@ -6,6 +6,7 @@
 
 #include "animation/analysis/foot_plants.h"
 #include "animation/analysis/motion_measures.h"
+#include "animation/body/pelvis.h"
 #include "base/error.h"
 
 namespace amble {

@@ -9,7 +9,7 @@
 
 #include "animation/body/foot_shape.h"
 #include "animation/ground/ground.h"
-#include "animation/synthesis/animation_buffer.h"
+#include "animation/steps/foot_state.h"
 
 namespace amble {
 

@@ -25,8 +25,6 @@ constexpr double kFinest = 0.001;  // to which their ends are found [m]
 constexpr int kSweeps = 40;        // of evening out
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-Side other(Side side) { return side == kLeft ? kRight : kLeft; }
-
 // Rise per metre of the plane that a foot stands in, along a direction in plan.
 double tiltAlong(const FootPlace& place, const Eigen::Vector2d& direction) {
   return -place.normal.head<2>().dot(direction) / place.normal.z();

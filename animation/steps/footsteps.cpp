@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ease.h"
+
 namespace amble {
 namespace {
 
@@ -15,13 +17,6 @@ constexpr double kLastStrike = 0.12;
 constexpr double kFirstDelay = 1.3;
 // A first step pushes off with half of the heel's rise.
 constexpr double kFirstRoll = 0.5;
-
-double smoothstep(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
-Side other(Side side) { return side == kLeft ? kRight : kLeft; }
 
 GroundPoint ahead(const Stance& stance, double forward) {
   return {stance.position +

@@ -9,8 +9,8 @@
 #include <functional>
 #include <vector>
 
+#include "animation/steps/foot_state.h"
 #include "animation/steps/stance.h"
-#include "animation/synthesis/animation_buffer.h"
 
 namespace amble {
 

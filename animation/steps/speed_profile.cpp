@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/ease.h"
+
 namespace amble {
 namespace {
 
@@ -22,11 +24,6 @@ double pace(double stretch) {
 }
 
 constexpr double kRounding = 1e-6;  // a step as long as the longest is walked [1]
-
-double smoothstep(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 }  // namespace
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "animation/synthesis/foot_controller.h"
+#include "animation/steps/foot_target.h"
+#include "base/ease.h"
 #include "base/rotation.h"
 
 namespace amble {
@@ -23,13 +24,6 @@ constexpr double kFlatLanding = 0.15;
 // up and 1.19 s down stairs of 0.17 m by 0.29 m, against steps of 0.53 s on the level.
 constexpr double kStairRise = 0.17;  // [m]
 constexpr double kSlowerUp = 0.33, kSlowerDown = 0.13;
-
-double smoothstep(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
-Side other(Side side) { return side == kLeft ? kRight : kLeft; }
 
 WalkRule ruleOf(Foothold::Refusal refusal) {
   switch (refusal) {
@@ -80,10 +74,12 @@ double WalkSteps::heightAt(const SpeedProfile::Sample& at, double length) const 
 }
 
 StepPlacer::StepPlacer(const Ground& ground, const std::array<FootShape, 2>& shapes,
-                       const GaitBlend& blend, const Settings& settings)
+                       const StrideLaw& law, const std::array<FootCycle, 2>& cycles,
+                       const Settings& settings)
     : ground_(ground),
       shapes_(shapes),
-      blend_(blend),
+      law_(law),
+      cycles_(cycles),
       s_(settings),
       holds_(ground, shapes, settings.footholds),
       clearance_(ground, shapes, kHighestLift * settings.scale) {}
@@ -104,7 +100,7 @@ StanceFeet StepPlacer::stanceFeet(const Stance& stance) const {
     const double pace = slopePace(slopeUnder(stance));
     if (pace < 1.0) {
       const double speed = s_.limits.speed * pace;
-      result.placement.step_length = blend_.law().stepLength(speed);
+      result.placement.step_length = law_.stepLength(speed);
       result.placement.half_support = 0.5 * doubleSupport(speed, s_.leg_length);
     }
   }
@@ -243,15 +239,14 @@ WalkRule StepPlacer::standOnGround(Footsteps& steps) const {
 void StepPlacer::adapted(WalkSteps& walk, const RootPath& path, bool any_leading,
                          const GaitWishes& wishes, const SpeedLimits& limits) const {
   const WalkRule natural_rule = walk.refused;
-  const StrideLaw& law = blend_.law();
   Stance other_end = walk.end;
   other_end.leading = other(walk.end.leading);
   const StanceFeet other_feet = stanceFeet(other_end);
-  const double first_step = law.stepLength(std::min(limits.speed, law.onset().first_speed));
+  const double first_step = law_.stepLength(std::min(limits.speed, law_.onset().first_speed));
   const auto wanted = [&](double arc) {
     if (wishes.stride) return wishes.stride(arc);
     const double pace = limits.pace ? limits.pace(arc) : 1.0;
-    const double step = law.stepLength(limits.speed * pace);
+    const double step = law_.stepLength(limits.speed * pace);
     const bool starts = walk.from.standing && arc < step;
     const bool stops = walk.end.standing && arc > path.length() - step;
     return starts || stops ? std::min(step, first_step) : step;
@@ -267,8 +262,8 @@ void StepPlacer::adapted(WalkSteps& walk, const RootPath& path, bool any_leading
       .any_leading = any_leading && other_feet.refused == WalkRule::kNone,
       .preferred = firstFoot(walk.from, walk.end, path, 0, true),
       .wanted = wanted,
-      .shortest = StrideLaw::kShortestStep * law.capturedStep(),
-      .longest = StrideLaw::kLongestStep * law.capturedStep(),
+      .shortest = StrideLaw::kShortestStep * law_.capturedStep(),
+      .longest = StrideLaw::kLongestStep * law_.capturedStep(),
   };
   const FootstepPlan plan = planFootsteps(request, holds_);
   walk.refused = plan.refused;
@@ -290,7 +285,6 @@ void StepPlacer::adapted(WalkSteps& walk, const RootPath& path, bool any_leading
 // Nodes are midway between prints; steps up and down take longer than those on the level.
 void StepPlacer::time(WalkSteps& walk, const FootstepPlan& plan, const RootPath& path,
                       const SpeedLimits& limits) const {
-  const StrideLaw& law = blend_.law();
   const std::vector<FootPlace>& places = walk.feet->places();
   const auto paceAt = [&](double arc) { return limits.pace ? limits.pace(arc) : 1.0; };
   TimedSteps timed;
@@ -311,8 +305,8 @@ void StepPlacer::time(WalkSteps& walk, const FootstepPlan& plan, const RootPath&
     const double middle = 0.5 * (timed.arcs[i - 1] + timed.arcs[i]);
     double speed = limits.speed * paceAt(middle);
     if ((i == 1 && walk.from.standing) || (i == walk.steps && walk.end.standing))
-      speed = std::min(speed, law.onset().first_speed);
-    double duration = law.stepLength(speed) / speed;
+      speed = std::min(speed, law_.onset().first_speed);
+    double duration = law_.stepLength(speed) / speed;
     const double height = stepHeight(places[i], places[i + 1]) / (kStairRise * s_.scale);
     duration *= 1.0 + std::abs(height) * (height > 0.0 ? kSlowerUp : kSlowerDown);
     const double turning = std::abs(path.at(middle).curvature) / limits.max_turn_rate;
@@ -340,7 +334,7 @@ void StepPlacer::shapeSwings(WalkSteps& walk, const RootPath& path,
   walk.gait.clear();
   for (int i = 0; i < 2; ++i) feet.landings()[i].strike_roll = slopeStrike(places[i]);
   for (int i = 1; i <= walk.steps; ++i) {
-    const FootCycle& cycle = blend_.foot(feet.side(i));
+    const FootCycle& cycle = cycles_[feet.side(i)];
     const FootShape& foot = shapes_[feet.side(i)];
     Footsteps::Landing& landing = feet.landings()[i + 1];
     const double height = stepHeight(places[i], places[i + 1]);

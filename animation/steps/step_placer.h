@@ -14,11 +14,12 @@
 #include "animation/steps/foothold.h"
 #include "animation/steps/footstep_plan.h"
 #include "animation/steps/footsteps.h"
+#include "animation/steps/gait_parameters.h"
 #include "animation/steps/speed_profile.h"
 #include "animation/steps/step_timing.h"
+#include "animation/steps/stride_law.h"
 #include "animation/steps/swing_path.h"
 #include "animation/steps/walk_rule.h"
-#include "animation/synthesis/gait_blend.h"
 
 namespace amble {
 
@@ -80,8 +81,8 @@ class StepPlacer {
     std::array<double, 2> captured_lift = {0.05, 0.05};  ///< by Side [m]
   };
   /// @pre what is referred to outlives it
-  StepPlacer(const Ground& ground, const std::array<FootShape, 2>& shapes, const GaitBlend& blend,
-             const Settings& settings);
+  StepPlacer(const Ground& ground, const std::array<FootShape, 2>& shapes, const StrideLaw& law,
+             const std::array<FootCycle, 2>& cycles, const Settings& settings);
 
   StanceFeet stanceFeet(const Stance& stance) const;
   WalkSteps plan(const Stance& from, const Stance& to, const RootPath& path, bool any_leading,
@@ -109,7 +110,8 @@ class StepPlacer {
 
   const Ground& ground_;
   const std::array<FootShape, 2>& shapes_;
-  const GaitBlend& blend_;
+  const StrideLaw& law_;
+  const std::array<FootCycle, 2>& cycles_;  // by Side
   Settings s_;
   FootholdFinder holds_;
   SwingClearance clearance_;

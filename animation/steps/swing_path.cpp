@@ -5,7 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "animation/preparation/foot_cycle_fit.h"
+#include "animation/library/foot_cycle.h"
+#include "base/ease.h"
 
 namespace amble {
 namespace {
@@ -31,11 +32,6 @@ constexpr double kCleared = 0.006;
 constexpr std::array<double, 4> kDelays = {0.0, 0.1, 0.2, 0.3};
 constexpr std::array<double, 4> kRamps = {0.6, 0.5, 0.4, 0.3};
 constexpr double kLiftCost = 20.0;  // of height, against accelerations; by trial
-
-double smoothstep(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 // Minimum jerk from 0 to 1.
 double ramp(double t) {

@@ -10,7 +10,7 @@
 #include "animation/body/foot_shape.h"
 #include "animation/ground/ground.h"
 #include "animation/library/walk_cycle.h"
-#include "animation/synthesis/animation_buffer.h"
+#include "animation/steps/foot_state.h"
 
 namespace amble {
 

@@ -9,32 +9,11 @@
 #include <array>
 
 #include "animation/body/foot_shape.h"
-#include "animation/preparation/foot_cycle_fit.h"
+#include "animation/steps/foot_target.h"
 #include "animation/synthesis/gait_blend.h"
 #include "animation/synthesis/sub_controller.h"
 
 namespace amble {
-
-/// Where a foot is to be: the ankle, the foot's rotation and how far the toes bend up.
-struct FootTarget {
-  Eigen::Vector3d ankle;    ///< [m, World]
-  Eigen::Quaterniond q_WF;  ///< foot joint in World
-  double toe_bend = 0.0;    ///< [rad, >= 0]
-};
-
-/// Where the foot is to be in a frame. Behind the walker, where the leg from `hip` [World] would be
-/// longer than `longest` [m], the heel rises farther than captured, as it does when people take
-/// longer steps.
-/// @param heel_share  of the rise that there is for a heel beyond the captured one [0, 1]
-FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
-                      const Eigen::Vector3d& hip, double longest, double heel_share = 1.0);
-
-/// The lift of a swing (GaitParameters::lift), from the prints, rolls and shape that a state of it
-/// has [m].
-double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape);
-/// SwingShape::lift that makes the swing's lift what is asked [m]; what is added to clear things
-/// stays beside it.
-double liftFactor(double lift, FootState state, const FootCycle& cycle, const FootShape& shape);
 
 class FootController : public SubController {
  public:

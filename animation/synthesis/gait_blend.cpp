@@ -4,7 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "animation/preparation/foot_cycle_fit.h"
+#include "animation/library/foot_cycle.h"
+#include "base/ease.h"
 
 namespace amble {
 namespace {
@@ -66,8 +67,6 @@ Eigen::MatrixXd warped(Eigen::MatrixXd coefficients, double warp) {
 }
 
 // Rates change quickly where a curve begins: shares without a kink do not show as a jerk of the
-// head.
-double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
 
 FootCycle scaledFoot(FootCycle foot, double scale) {
   foot.slip *= scale;

@@ -35,6 +35,7 @@ class GaitBlend {
   double footForward() const { return foot_forward_; }  ///< [m]
   double toeOut() const { return toe_out_; }            ///< of the left foot, left positive [rad]
   const FootCycle& foot(Side side) const { return feet_[side]; }
+  const std::array<FootCycle, 2>& feet() const { return feet_; }  ///< by Side
 
   /// Channels of WalkCycle::series at a phase [cycles], blended for a turn rate [rad/s] and warped
   /// to a step length [m]. Amplitudes are proportional to step length, that of the root's height to

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "animation/clips/carry_over.h"
+#include "animation/body/reference_pose.h"
 #include "animation/steps/footsteps.h"
 #include "animation/steps/speed_profile.h"
 #include "animation/steps/step_placer.h"
@@ -13,6 +13,7 @@
 #include "animation/synthesis/gait_blend.h"
 #include "animation/synthesis/movement_controller.h"
 #include "animation/synthesis/walk_controller.h"
+#include "base/ease.h"
 #include "base/rotation.h"
 
 namespace amble {
@@ -40,16 +41,6 @@ constexpr double kStandingShare = 0.85;
 constexpr double kTurnPair = 45.0 * kDegree;  // [rad]
 constexpr double kTurnStepTime = 0.45;  // [s], for a captured subject; grows with the root of scale
 constexpr double kTurnSway = 0.02;      // of the root towards the standing foot [m]
-
-double smoothstep(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
-// Minimum jerk from 0 to 1.
-double minimumJerk(double t) { return t * t * t * (10.0 + t * (-15.0 + 6.0 * t)); }
-
-Side other(Side side) { return side == kLeft ? kRight : kLeft; }
 
 void checkSettings(const CharacterSettings& s) {
   if (!(s.speed >= 0.3 && s.speed <= 2.0)) throw std::invalid_argument("speed: 0.3 to 2.0 m/s");
@@ -129,7 +120,7 @@ struct WalkSynthesizer::Impl {
     steps.scale = scale;
     steps.leg_length = roles.legLength(skeleton, kLeft);
     steps.captured_lift = captured_lift;
-    placer = std::make_unique<StepPlacer>(the_ground, shapes, blend, steps);
+    placer = std::make_unique<StepPlacer>(the_ground, shapes, blend.law(), blend.feet(), steps);
   }
 
   // How much lower the root must walk at each step length for the legs to reach: long steps lower

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "environments/collision/parity.h"
+#include "environments/scene/parity.h"
 
 namespace amble {
 namespace {
@@ -150,7 +150,7 @@ void markSurface(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<ui
 
 // Voxels in a row without a surface between them are on one side of it: one test for all.
 void fillSolid(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<uint8_t>& occupied) {
-  const SolidTest solid(obstacle.solid);
+  const Parity solid(obstacle.solid);
   if (solid.empty()) return;
   const VoxelRange range(grid, solid.bounds());
   for (int k = range.low.z(); k <= range.high.z(); ++k) {

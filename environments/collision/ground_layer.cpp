@@ -79,7 +79,7 @@ GroundLayer::GroundLayer(std::vector<Obstacle> surfaces) : surfaces_(withoutSoli
       normals_.push_back((b - a).cross(c - a).normalized());
       objects_.push_back(surface.object);
     }
-    SolidTest solid(surface.solid);
+    Parity solid(surface.solid);
     if (!solid.empty()) solids_.push_back({surface.object, std::move(solid)});
   }
   grid_ = TriangleGrid(std::move(triangles));

@@ -13,7 +13,7 @@
 
 #include "environments/body/capsule.h"
 #include "environments/collision/obstacle_set.h"
-#include "environments/collision/parity.h"
+#include "environments/scene/parity.h"
 #include "environments/scene/triangle_grid.h"
 
 namespace amble {
@@ -42,7 +42,7 @@ class GroundLayer {
   };
   struct Solid {
     int object;
-    SolidTest test;
+    Parity test;
   };
   struct Entry {
     int cell;

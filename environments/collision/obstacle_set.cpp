@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "environments/collision/parity.h"
+#include "environments/scene/parity.h"
 
 namespace amble {
 namespace {
@@ -87,7 +87,7 @@ struct ObstacleSet::Impl {
     Eigen::AlignedBox3d bounds;  // World
     Geometries geometries;
     fcl::Transform3d X;
-    SolidTest solid;
+    Parity solid;
 
     // For a capsule that touches no surface: it is inside as a whole or not at all.
     bool contains(const Capsule& capsule) const { return solid.inside(capsule.from); }
@@ -116,7 +116,7 @@ struct ObstacleSet::Impl {
   }
 
   static Piece emptyPiece(const Obstacle& obstacle) {
-    return {obstacle.object, {}, {}, fcl::Transform3d::Identity(), SolidTest(obstacle.solid)};
+    return {obstacle.object, {}, {}, fcl::Transform3d::Identity(), Parity(obstacle.solid)};
   }
 
   bool touches(const Piece& piece, Scratch& scratch) const {

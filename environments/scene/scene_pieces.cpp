@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "environments/collision/parity.h"
+#include "environments/scene/parity.h"
 
 namespace amble {
 namespace {
@@ -31,7 +31,7 @@ bool isHollow(size_t i, const std::vector<MeshComponent>& parts,
       around.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
   }
   if (around.triangles.empty()) return false;
-  const SolidTest solid(around);
+  const Parity solid(around);
   return std::all_of(parts[i].mesh.vertices.begin(), parts[i].mesh.vertices.end(),
                      [&](const Eigen::Vector3d& v) { return solid.inside(v); });
 }

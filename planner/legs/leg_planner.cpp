@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "planner/ompl/ompl_border.h"
+#include "planner/refine_walk.h"
 #include "planner/roadmap/nearest_roadmap.h"
 #include "planner/roadmap/visibility_roadmap.h"
 #include "planner/steering/cylinder_steering.h"

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "planner/plan_walk.h"
+#include "planner/plan_request.h"
 #include "planner/steering/walk_steering.h"
 
 namespace amble {

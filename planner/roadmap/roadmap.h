@@ -8,14 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "planner/plan_request.h"
 #include "planner/steering/steering.h"
 
 namespace amble {
-
-/// Guards and connectors are the visibility PRM's; terminals are ends of a query that can only be
-/// left or only be entered (a free heading, or a stance that walks); samples are the nodes of other
-/// roadmaps.
-enum class NodeKind { kGuard, kConnector, kTerminal, kSample };
 
 struct RoadmapNode {
   Waypoint at;

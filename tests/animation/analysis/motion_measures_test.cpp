@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "animation/body/pelvis.h"
 #include "base/rotation.h"
 #include "tests/animation/puppet.h"
 #include "tests/animation/random_clip.h"

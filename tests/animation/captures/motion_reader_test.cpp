@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "animation/analysis/motion_measures.h"
+#include "animation/body/pelvis.h"
 #include "animation/captures/bvh.h"
 #include "base/error.h"
 #include "base/rotation.h"

@@ -4,6 +4,7 @@
 
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/foot_shape.h"
+#include "animation/body/pelvis.h"
 #include "animation/clips/level_capture.h"
 #include "base/rotation.h"
 #include "tests/animation/captures.h"

@@ -21,8 +21,6 @@ FootPlacement placement() {
   return p;
 }
 
-Side other(Side side) { return side == kLeft ? kRight : kLeft; }
-
 /// A straight walk of `steps` steps along +x, each one step long; half of one next to a standing
 /// end.
 struct Walk {

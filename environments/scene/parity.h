@@ -14,10 +14,10 @@
 
 namespace amble {
 
-class SolidTest {
+class Parity {
  public:
-  SolidTest() = default;
-  explicit SolidTest(const TriangleMesh& mesh);
+  Parity() = default;
+  explicit Parity(const TriangleMesh& mesh);
 
   /// Whether the mesh has a closed component.
   bool empty() const { return corners_.empty(); }

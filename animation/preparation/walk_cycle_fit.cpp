@@ -1,4 +1,4 @@
-#include "animation/library/walk_cycle.h"
+#include "animation/preparation/walk_cycle_fit.h"
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "animation/library/walk_cycle.h"
+#include "animation/preparation/walk_cycle_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include "animation/clips/floor_fit.h"
 #include "animation/clips/mirror_clip.h"
 #include "animation/library/motion_library.h"
+#include "animation/library/walk_cycle.h"
 #include "base/error.h"
 #include "base/rotation.h"
 #include "tests/animation/captures.h"

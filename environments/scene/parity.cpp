@@ -1,4 +1,4 @@
-#include "environments/collision/parity.h"
+#include "environments/scene/parity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ bool isAbove(const std::array<Eigen::Vector3d, 3>& t, const Eigen::Vector3d& p) 
 
 }  // namespace
 
-SolidTest::SolidTest(const TriangleMesh& mesh) {
+Parity::Parity(const TriangleMesh& mesh) {
   Eigen::AlignedBox2d extent;
   for (const MeshComponent& piece : splitComponents(mesh)) {
     if (!piece.closed) continue;
@@ -73,12 +73,12 @@ SolidTest::SolidTest(const TriangleMesh& mesh) {
   eachCell([&](int cell, int t) { items_[next[cell]++] = t; });
 }
 
-Eigen::Vector2i SolidTest::cellOf(double u, double v) const {
+Eigen::Vector2i Parity::cellOf(double u, double v) const {
   return {std::clamp(static_cast<int>((u - min_.x()) / cell_.x()), 0, count_.x() - 1),
           std::clamp(static_cast<int>((v - min_.y()) / cell_.y()), 0, count_.y() - 1)};
 }
 
-bool SolidTest::inside(const Eigen::Vector3d& p) const {
+bool Parity::inside(const Eigen::Vector3d& p) const {
   if (empty() || !bounds_.contains(p)) return false;
   const Eigen::Vector3d q = sheared(p);
   const Eigen::Vector2i cell = cellOf(q.x(), q.y());

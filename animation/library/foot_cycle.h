@@ -1,0 +1,44 @@
+/// How the feet of a captured walk go from print to print and roll: the part of a walk cycle that
+/// says where soles are.
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace amble {
+
+/// How one foot goes from a footprint to the next, and rolls. tau runs over the swing, 0 at
+/// lift-off and 1 at strike.
+///
+/// The polynomials are kept times tau^2 (1 - tau)^2, so that a swing begins and ends at rest on its
+/// footprints: captured feet slide, ours do not.
+struct FootCycle {
+  double strike = 0.0;    ///< captured phase at which the heel lands [cycles]
+  double lift_off = 0.0;  ///< captured phase at which the toe leaves [cycles]
+  /// How far the captured sole moves on from its footprint between strike and lift-off, as it rolls
+  /// and slides [m].
+  double slip = 0.0;
+  /// Progress from print to print beyond 3 tau^2 - 2 tau^3 [1]; height over the line between them
+  /// [m]; straying to the left of that line [m]; roll and yaw of the sole against the heading that
+  /// turns from print to print [rad]. Coefficients of tau^0, tau^1, ...
+  std::array<double, 4> progress = {}, height = {}, sideways = {}, roll = {}, yaw = {};
+  /// Pitch of the sole, toes down positive [rad], over one cycle of the foot: kStanceSamples from
+  /// strike to lift-off, then kSwingSamples from lift-off to the next strike, where it begins anew.
+  /// 0 while the foot is flat.
+  std::vector<double> pitch;
+
+  static constexpr int kStanceSamples = 24;
+  static constexpr int kSwingSamples = 16;
+};
+
+/// Mean of the feet of several cycles; phases by the shorter way around the cycle. @pre one or more
+FootCycle meanFoot(const std::vector<FootCycle>& feet);
+
+/// The polynomials and the pitch of a foot.
+double swingPolynomial(const std::array<double, 4>& coefficients, double tau);
+double swingProgress(const FootCycle& foot, double tau);
+/// Pitch at x: 0 to 1 is the stance from strike to lift-off, 1 to 2 the swing [rad]. Smooth, with
+/// period 2.
+double footPitch(const FootCycle& foot, double x);
+
+}  // namespace amble

@@ -1,0 +1,122 @@
+#include "animation/steps/foot_target.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "animation/steps/swing_path.h"
+#include "base/ease.h"
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+constexpr double kExtraRise =
+    35.0 * kDegree;  // of a heel, by trial: more, and the walker goes on tiptoe [rad]
+constexpr double kBehind =
+    0.12;  // a ball of the foot so far behind the hip lets its heel rise freely [m]
+constexpr double kSoftReach =
+    0.006;  // over which the heel begins to rise before the leg is at its longest [m]
+
+double rolled(double pitch, double strike_roll, double lift_roll) {
+  return pitch * (pitch < 0.0 ? strike_roll : lift_roll);
+}
+
+// A sole before it is a target: its frame over the ground and how it is rolled.
+struct SolePose {
+  Eigen::Vector3d position;
+  Eigen::Quaterniond q_WS;
+  double pitch, roll;
+};
+
+SolePose swingingSole(const FootState& state, const FootCycle& cycle) {
+  const SwingShape& shape = state.swing;
+  const double tau = state.at - 1.0, ease = smoothstep(tau);
+  const double share = state.lift_roll + ease * (state.strike_roll - state.lift_roll);
+  const Eigen::Vector3d line = state.to.position - state.from.position;
+  Eigen::Vector3d sole = state.from.position + swingAlong(shape, cycle, tau) * line;
+  sole.z() += swingHeight(shape, cycle, tau);
+  const double span = line.head<2>().norm();
+  if (span > 1e-9) {
+    const double sideways = swingPolynomial(cycle.sideways, tau) / span;
+    sole += sideways * Eigen::Vector3d(-line.y(), line.x(), 0.0);
+  }
+  const double heading = state.from.heading +
+                         ease * wrapAngle(state.to.heading - state.from.heading) +
+                         swingPolynomial(cycle.yaw, tau);
+  const Eigen::Vector3d normal = state.from.normal + ease * (state.to.normal - state.from.normal);
+  return {sole, soleFrame(heading, normal), rolled(footPitch(cycle, state.at), share, share),
+          swingPolynomial(cycle.roll, tau)};
+}
+
+SolePose solePose(const FootState& state, const FootCycle& cycle) {
+  if (!state.planted()) return swingingSole(state, cycle);
+  return {state.from.position, soleFrame(state.from.heading, state.from.normal),
+          rolled(footPitch(cycle, state.at), state.strike_roll, state.lift_roll), 0.0};
+}
+
+FootTarget targetOf(const FootShape& shape, const SolePose& sole) {
+  FootTarget target;
+  target.ankle = sole.position + sole.q_WS * rolledAnkle(shape, sole.pitch);
+  target.q_WF =
+      sole.q_WS * Eigen::Quaterniond(Eigen::AngleAxisd(sole.pitch, Eigen::Vector3d::UnitY())) *
+      Eigen::Quaterniond(Eigen::AngleAxisd(sole.roll, Eigen::Vector3d::UnitX())) * shape.q_SF;
+  target.toe_bend = std::max(sole.pitch, 0.0);  // toes stay level while the heel is up
+  return target;
+}
+
+}  // namespace
+
+FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
+                      const Eigen::Vector3d& hip, double longest, double heel_share) {
+  SolePose sole = solePose(state, cycle);
+  FootTarget target = targetOf(shape, sole);
+  const double distance = (target.ankle - hip).norm();
+  const double over = (distance - longest) / kSoftReach;
+  if (over < -6.0) return target;
+  Eigen::Vector3d ahead = sole.q_WS * Eigen::Vector3d::UnitX();
+  ahead.z() = 0.0;
+  const Eigen::Vector3d ball = sole.position + shape.ball_x * ahead;
+  const double behind = (hip - ball).dot(ahead);
+  const double freedom = smoothstep(std::clamp(behind / kBehind, 0.0, 1.0));
+  // A smooth minimum of what it is and what it may be.
+  const double wanted = distance - kSoftReach * std::log1p(std::exp(over));
+  double low = sole.pitch, high = sole.pitch + heel_share * kExtraRise * freedom;
+  for (int i = 0; i < 30; ++i) {
+    sole.pitch = 0.5 * (low + high);
+    ((targetOf(shape, sole).ankle - hip).norm() > wanted ? low : high) = sole.pitch;
+  }
+  return targetOf(shape, sole);
+}
+
+double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape) {
+  constexpr int kPoints = 100;
+  const auto endsOf = [&](const FootState& s) {
+    const FootTarget target = targetOf(shape, solePose(s, cycle));
+    return soleEnds(shape, target.ankle, target.q_WF);
+  };
+  const auto flat = [&](const FootPlace& place) {
+    FootState stood;
+    stood.from = stood.to = place;
+    stood.at = 0.5;
+    stood.strike_roll = stood.lift_roll = 0.0;
+    return endsOf(stood);
+  };
+  const SoleEnds from = flat(state.from), to = flat(state.to);
+  double highest = 0.0;
+  for (int i = 1; i < kPoints; ++i) {
+    state.at = 1.0 + static_cast<double>(i) / kPoints;
+    highest = std::max(highest, heightOver(from, to, endsOf(state)));
+  }
+  return highest;
+}
+
+double liftFactor(double lift, FootState state, const FootCycle& cycle, const FootShape& shape) {
+  double low = 0.0, high = 20.0;
+  for (int i = 0; i < 30; ++i) {
+    state.swing.lift = 0.5 * (low + high);
+    (swingLift(state, cycle, shape) < lift ? low : high) = state.swing.lift;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace amble

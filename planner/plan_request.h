@@ -1,0 +1,102 @@
+/// What planWalk is asked and what it answers.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "animation/synthesis/walk_synthesizer.h"
+#include "environments/collision/collision_world.h"
+#include "environments/ground/scene_ground.h"
+#include "planner/search_limits.h"
+
+namespace amble {
+
+/// Where a walk starts, ends or passes.
+struct PlanEnd {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< on the ground [m, World]
+  std::optional<double> heading;                       ///< any where there is none [rad]
+  bool standing = true;                                ///< else walking, at the plan's speed
+};
+
+struct RefineSettings {
+  bool walk_on = true;  ///< false: pass 1 only
+  int tries = 50;       ///< a round of pass 3 [>= 0]; by trial
+};
+
+struct PlanRequest {
+  const WalkSynthesizer* synthesizer = nullptr;  ///< these three are needed and outlive the call
+  const CollisionWorld* world = nullptr;
+  const SceneGround* ground = nullptr;
+  Eigen::AlignedBox2d bounds;  ///< where to look; widened to hold start, goal and via [m]
+  PlanEnd start, goal;
+  std::vector<Eigen::Vector3d> via;    ///< passed in order, by any heading [m, World]
+  std::string planner = "visibility";  ///< of listPlanners()
+  SearchLimits limits;                 ///< seed, max_failures, threads, deadline, stop, progress
+  RefineSettings refine;
+};
+
+enum class PlanStatus { kSolved, kNoWalk, kStartBlocked, kGoalBlocked };
+
+/// What is exported, as it was checked.
+struct Walk {
+  RootPath path;  ///< of all edges; turns on the spot have no length
+  AnimationBuffer buffer;
+  std::vector<Stance> stances;  ///< nodes of the walk, start and goal included
+};
+
+/// What most often stood in the way.
+struct Obstruction {
+  std::string rule;     ///< "contact", "turn_rate", ...
+  std::string part;     ///< of the body; empty where no contact refused
+  std::string object;   ///< of the scene, by name; empty where no contact refused
+  double gap = 0.0;     ///< least distance that was proved there [m]
+  long long count = 0;  ///< how often
+};
+
+/// Guards and connectors are the visibility PRM's; terminals are ends of a query that can only be
+/// left or only be entered (a free heading, or a stance that walks); samples are the nodes of other
+/// roadmaps.
+enum class NodeKind { kGuard, kConnector, kTerminal, kSample };
+
+/// The roadmap as it was when the search ended.
+struct RoadmapPicture {
+  struct Node {
+    Stance stance;
+    NodeKind kind = NodeKind::kSample;
+  };
+  struct Edge {
+    int from = -1;
+    int to = -1;
+  };
+  std::vector<Node> nodes;
+  std::vector<Edge> edges;  ///< directed
+};
+
+struct PlanTimes {
+  double roadmap = 0.0;  ///< growing it, or a tree [s]
+  double search = 0.0;   ///< the shortest walk on it, as edges
+  double refine = 0.0;   ///< refinement, animation and the last check
+};
+
+struct PlanOutcome {
+  PlanStatus status = PlanStatus::kNoWalk;
+  Walk walk;  ///< where solved
+  std::optional<Obstruction>
+      why;  ///< where not; none where nothing was ever refused (it was stopped)
+  RoadmapPicture roadmap;
+  int guards = 0;
+  int connectors = 0;
+  int edges = 0;
+  long long samples = 0;
+  double coverage = 0.0;  ///< estimated share of the free space that guards cover [0 to 1]
+  std::map<std::string, long long> refusals;  ///< by rule
+  long long poses_checked = 0;                ///< frames handed to the collision check
+  bool time_limit_hit = false;                ///< the deadline ended the search or the refinement
+  bool stopped = false;                       ///< it was told to stop
+  PlanTimes times;
+};
+
+}  // namespace amble
