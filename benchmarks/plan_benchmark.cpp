@@ -8,6 +8,7 @@
 #include "scenarios/check_scenarios.h"
 #include "scenarios/problem.h"
 #include "scenarios/run_scenario.h"
+#include "test_paths.h"
 
 namespace {
 

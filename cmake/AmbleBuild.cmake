@@ -95,8 +95,7 @@ function(amble_tests folder)
   set(target amble_${folder}_tests)
   add_executable(${target} ${sources})
   amble_flags(${target})
-  target_compile_definitions(${target} PRIVATE AMBLE_SHARED="${AMBLE_SHARED}"
-                                               AMBLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_include_directories(${target} PRIVATE "${PROJECT_BINARY_DIR}/generated")
   target_link_libraries(${target} PRIVATE amble_${folder} GTest::gtest_main ${arg_PRIVATE})
   amble_pch(tests ${target} <gtest/gtest.h> ${amble_std_headers})
   gtest_discover_tests(${target} TEST_PREFIX "${folder}." DISCOVERY_MODE PRE_TEST

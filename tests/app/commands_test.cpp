@@ -5,6 +5,7 @@
 #include <regex>
 #include <sstream>
 
+#include "test_paths.h"
 #include "tests/app/program.h"
 
 namespace amble {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "test_paths.h"
 
 namespace amble {
 namespace {

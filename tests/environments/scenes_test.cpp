@@ -6,6 +6,7 @@
 #include <map>
 
 #include "environments/scene/scene.h"
+#include "test_paths.h"
 
 namespace amble {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/rotation.h"
+#include "test_paths.h"
 #include "tests/animation/captures.h"
 
 namespace amble {

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "animation/captures/bvh.h"
+#include "test_paths.h"
 #include "tests/environments/test_walker.h"
 
 namespace amble {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "test_paths.h"
 #include "tests/environments/test_files.h"
 #include "tests/environments/test_scenes.h"
 

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "test_paths.h"
+
 namespace amble {
 namespace {
 

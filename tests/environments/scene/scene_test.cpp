@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/rotation.h"
+#include "test_paths.h"
 #include "tests/environments/test_files.h"
 
 namespace amble {
