@@ -1,6 +1,7 @@
 #include "base/guarded_run.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <fstream>
+#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -18,6 +20,11 @@ namespace {
 // A copy that waits for good, for a lock that nobody holds there, is ended after so much more than
 // its time [s].
 constexpr int kPatience = 10;
+
+constexpr int kAsked = 100;  // between two questions whether to stop [ms]
+
+// Exit status of a copy that has no memory left; none that a work could give.
+constexpr int kExitMemory = 3;
 
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool kSanitized = true;
@@ -55,20 +62,34 @@ bool writeAll(int to, std::string_view bytes) {
   return true;
 }
 
-std::string readAll(int from) {
-  std::string bytes;
+/// What comes until the other end is closed; false where the work was stopped before.
+bool readAll(int from, const std::function<bool()>& stopped, std::string& bytes) {
   std::array<char, 1 << 16> piece;
   for (;;) {
+    pollfd waiting{from, POLLIN, 0};
+    const int ready = poll(&waiting, 1, stopped ? kAsked : -1);
+    if (stopped && stopped()) return false;
+    if (ready <= 0) continue;
     const ssize_t got = read(from, piece.data(), piece.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return bytes;
+    if (got <= 0) return true;
     bytes.append(piece.data(), static_cast<size_t>(got));
   }
 }
 
+GuardEnd endOf(int status) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return GuardEnd::kDone;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kExitMemory) return GuardEnd::kMemory;
+  if (!WIFSIGNALED(status)) return GuardEnd::kBroken;
+  const int sign = WTERMSIG(status);
+  if (sign == SIGINT || sign == SIGTERM) return GuardEnd::kStopped;
+  return sign == SIGXCPU || sign == SIGALRM ? GuardEnd::kTime : GuardEnd::kBroken;
+}
+
 [[noreturn]] void runCopy(const std::function<std::string()>& work, const GuardLimits& limits,
                           int to) {
-  for (const int sign : {SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGALRM, SIGPIPE}) {
+  for (const int sign :
+       {SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGALRM, SIGPIPE, SIGXCPU}) {
     std::signal(sign, SIG_DFL);
   }
   const int nowhere = open("/dev/null", O_RDWR);
@@ -79,6 +100,7 @@ std::string readAll(int from) {
     bound(RLIMIT_AS, space + limits.memory);
   }
   alarm(static_cast<unsigned>(kPatience * limits.cpu_time));
+  std::set_new_handler([] { _exit(kExitMemory); });
   try {
     _exit(writeAll(to, work()) ? 0 : 1);
   } catch (...) {
@@ -88,8 +110,7 @@ std::string readAll(int from) {
 
 }  // namespace
 
-std::optional<std::string> runGuarded(const std::function<std::string()>& work,
-                                      const GuardLimits& limits) {
+GuardedAnswer runGuarded(const std::function<std::string()>& work, const GuardLimits& limits) {
   std::array<int, 2> pipe_ends;
   if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) {
     throw std::system_error(errno, std::generic_category(), "pipe");
@@ -105,13 +126,32 @@ std::optional<std::string> runGuarded(const std::function<std::string()>& work,
     close(pipe_ends[0]);
     throw std::system_error(problem, std::generic_category(), "fork");
   }
-  std::string bytes = readAll(pipe_ends[0]);
+  GuardedAnswer answer;
+  const bool whole = readAll(pipe_ends[0], limits.stopped, answer.bytes);
   close(pipe_ends[0]);
+  if (!whole) kill(copy, SIGKILL);
   int status = 0;
   while (waitpid(copy, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return {};
-  return bytes;
+  answer.end = whole ? endOf(status) : GuardEnd::kStopped;
+  if (!answer.done()) answer.bytes.clear();
+  return answer;
+}
+
+std::string GuardedAnswer::why(const GuardLimits& limits) const {
+  switch (end) {
+    case GuardEnd::kDone:
+      return "";
+    case GuardEnd::kMemory:
+      return "it fills more than " + std::to_string(limits.memory >> 20) + " MB of memory";
+    case GuardEnd::kTime:
+      return "it takes more than " + std::to_string(limits.cpu_time) + " s";
+    case GuardEnd::kStopped:
+      return "it was stopped";
+    case GuardEnd::kBroken:
+      break;
+  }
+  return "it breaks its reader, as nesting without end does";
 }
 
 }  // namespace amble

@@ -7,21 +7,32 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 
 namespace amble {
 
 struct GuardLimits {
-  size_t memory = size_t{2} << 30;  ///< beyond what the process has already [bytes]
-  int cpu_time = 60;                ///< [s]
+  size_t memory = size_t{768} << 20;   ///< beyond what the process has already [bytes]
+  int cpu_time = 60;                   ///< [s, > 0]
+  std::function<bool()> stopped = {};  ///< asked ten times a second; true ends the work
 };
 
-/// Calls `work` in a copy of this process and returns what it returned; nothing where it threw,
-/// crashed or went beyond a limit. The copy shares no memory, writes nothing to the terminal and
-/// ends without destructors. Costs a millisecond and the copying of the result. Under a sanitizer
-/// memory is not bounded.
-std::optional<std::string> runGuarded(const std::function<std::string()>& work,
-                                      const GuardLimits& limits = {});
+/// How guarded work ended.
+enum class GuardEnd { kDone, kMemory, kTime, kStopped, kBroken };
+
+struct GuardedAnswer {
+  GuardEnd end = GuardEnd::kBroken;
+  std::string bytes;  ///< what the work returned; empty unless done
+
+  bool done() const { return end == GuardEnd::kDone; }
+  /// For messages, why there is no result: "it fills more than 768 MB of memory".
+  std::string why(const GuardLimits& limits) const;
+};
+
+/// Calls `work` in a copy of this process and returns what it returned, or which limit it went
+/// beyond; kBroken where it threw or crashed. The copy shares no memory, writes nothing to the
+/// terminal and ends without destructors. Costs a millisecond and the copying of the result. Under
+/// a sanitizer memory is not bounded.
+GuardedAnswer runGuarded(const std::function<std::string()>& work, const GuardLimits& limits = {});
 
 }  // namespace amble

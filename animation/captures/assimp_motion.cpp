@@ -305,7 +305,8 @@ ImportedNodes unpacked(const std::string& bytes) {
 template <typename Import>
 ImportedNodes importGuarded(const std::string& name, const AssimpMotionOptions& options,
                             Import import) {
-  const std::optional<std::string> answer = runGuarded([&] {
+  const GuardLimits limits;
+  const auto work = [&]() -> std::string {
     Assimp::Importer importer;
     try {
       return packed(nodesOfScene(import(importer), name, options));
@@ -317,12 +318,10 @@ ImportedNodes importGuarded(const std::string& name, const AssimpMotionOptions& 
       refusal.expected = error.expected();
       return packed(refusal);
     }
-  });
-  if (!answer) {
-    throw InputError(name, 0, "cannot be read: it nests without end, or fills memory or time",
-                     kExpected);
-  }
-  ImportedNodes imported = unpacked(*answer);
+  };
+  const GuardedAnswer answer = runGuarded(work, limits);
+  if (!answer.done()) throw InputError(name, 0, "cannot be read: " + answer.why(limits), kExpected);
+  ImportedNodes imported = unpacked(answer.bytes);
   if (imported.refused) {
     throw InputError(name, imported.line, imported.problem, imported.expected);
   }

@@ -4,18 +4,27 @@
 
 #include <csignal>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace amble {
 namespace {
 
+std::string forever() {
+  const volatile bool on = true;
+  while (on) std::this_thread::yield();
+  return "";
+}
+
 TEST(GuardedRun, WorkThatEndsBadlyHasNoResult) {
-  EXPECT_FALSE(runGuarded([]() -> std::string { throw std::runtime_error("no"); }));
-  EXPECT_FALSE(runGuarded([]() -> std::string { std::abort(); }));
-  EXPECT_FALSE(runGuarded([]() -> std::string {
-    std::raise(SIGSEGV);
-    return "";
-  }));
+  const auto end = [](const std::function<std::string()>& work) { return runGuarded(work).end; };
+  EXPECT_EQ(end([]() -> std::string { throw std::runtime_error("no"); }), GuardEnd::kBroken);
+  EXPECT_EQ(end([]() -> std::string { std::abort(); }), GuardEnd::kBroken);
+  EXPECT_EQ(end([]() -> std::string {
+              std::raise(SIGSEGV);
+              return "";
+            }),
+            GuardEnd::kBroken);
 }
 
 TEST(GuardedRun, MemoryIsBounded) {
@@ -30,27 +39,47 @@ TEST(GuardedRun, MemoryIsBounded) {
       return {much.back()};
     };
   };
-  EXPECT_FALSE(runGuarded(fill(size_t{256} << 20), limits));
-  EXPECT_EQ(runGuarded(fill(size_t{1} << 20), limits), "x");
+  const GuardedAnswer much = runGuarded(fill(size_t{256} << 20), limits);
+  EXPECT_EQ(much.end, GuardEnd::kMemory);
+  EXPECT_EQ(much.why(limits), "it fills more than 64 MB of memory");
+  EXPECT_EQ(runGuarded(fill(size_t{1} << 20), limits).bytes, "x");
+}
+
+TEST(GuardedRun, MemoryThatTheWorkItselfWouldForgiveIsBoundedToo) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "a sanitizer's memory has no bound";
+#endif
+  GuardLimits limits;
+  limits.memory = size_t{64} << 20;
+  const auto forgiving = []() -> std::string {
+    try {
+      return {std::vector<char>(size_t{256} << 20, 'x').back()};
+    } catch (const std::bad_alloc&) {
+      return "forgiven";
+    }
+  };
+  EXPECT_EQ(runGuarded(forgiving, limits).end, GuardEnd::kMemory);
 }
 
 TEST(GuardedRun, TimeIsBounded) {
   GuardLimits limits;
   limits.cpu_time = 1;
-  EXPECT_FALSE(runGuarded(
-      []() -> std::string {
-        const volatile bool forever = true;
-        while (forever) {
-        }
-        return "";
-      },
-      limits));
+  const GuardedAnswer answer = runGuarded(forever, limits);
+  EXPECT_EQ(answer.end, GuardEnd::kTime);
+  EXPECT_EQ(answer.why(limits), "it takes more than 1 s");
+}
+
+TEST(GuardedRun, WorkEndsWhenItsCallerWantsNoMore) {
+  int asked = 0;
+  GuardLimits limits;
+  limits.stopped = [&asked] { return ++asked == 3; };
+  EXPECT_EQ(runGuarded(forever, limits).end, GuardEnd::kStopped);
 }
 
 TEST(GuardedRun, TheResultComesBackWhateverItsLength) {
   for (const size_t length : {size_t{0}, size_t{1}, size_t{1} << 16, size_t{10} << 20}) {
     const std::string bytes(length, '\0');
-    EXPECT_EQ(runGuarded([&] { return bytes; }), bytes);
+    EXPECT_EQ(runGuarded([&] { return bytes; }).bytes, bytes);
   }
 }
 
