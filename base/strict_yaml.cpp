@@ -5,13 +5,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <deque>
-#include <fstream>
-#include <iostream>
 #include <sstream>
 #include <unordered_map>
 
@@ -95,17 +91,6 @@ size_t editDistance(std::string_view a, std::string_view b) {
     }
   }
   return d[a.size()][b.size()];
-}
-
-std::string readWhole(std::istream& in, const std::string& name) {
-  std::string text;
-  char block[1 << 16];
-  while (in.read(block, sizeof block) || in.gcount() > 0) {
-    text.append(block, static_cast<size_t>(in.gcount()));
-    if (text.size() > kMaxYamlBytes) throw InputError(name, 0, "is too large", "at most 64 MiB");
-  }
-  if (in.bad()) throw InputError(name, 0, "cannot be read");
-  return text;
 }
 
 }  // namespace
@@ -219,6 +204,9 @@ struct YamlNode::Builder : YAML::EventHandler {
     map.has_key = true;
   }
   Data& add(Kind kind, const YAML::Mark& mark) {
+    if (document->nodes.size() >= kMaxYamlValues) {
+      refuse(mark, "too many values", "at most " + std::to_string(kMaxYamlValues));
+    }
     Data& node = document->nodes.emplace_back();
     node.kind = kind;
     node.line = mark.line + 1;
@@ -398,7 +386,6 @@ int YamlNode::indexIn(const std::vector<std::string>& names) const {
 }
 
 YamlNode parseYaml(const std::string& text, const std::string& name) {
-  if (text.size() > kMaxYamlBytes) throw InputError(name, 0, "is too large", "at most 64 MiB");
   YamlNode::Builder builder(name);
   std::istringstream in(text);
   try {
@@ -419,19 +406,8 @@ YamlNode parseYaml(const std::string& text, const std::string& name) {
   return YamlNode(std::shared_ptr<const YamlNode::Data>(builder.document, root));
 }
 
-YamlNode readYaml(const std::filesystem::path& file) {
-  if (file == "-") return parseYaml(readWhole(std::cin, "-"), "-");
-  const std::string name = file.string();
-  std::error_code unknown;
-  if (std::filesystem::is_directory(file, unknown)) {
-    throw InputError(name, 0, "is a folder", "a YAML file");
-  }
-  std::ifstream in(file, std::ios::binary);
-  if (!in) {
-    throw InputError(name, 0, std::string("cannot be opened: ") + std::strerror(errno),
-                     "a YAML file");
-  }
-  return parseYaml(readWhole(in, name), name);
+YamlNode readYaml(const std::filesystem::path& file, const FileKind& kind) {
+  return parseYaml(readWholeFile(file, kind), file.string());
 }
 
 std::string nearestWord(std::string_view word, const std::vector<std::string>& candidates) {

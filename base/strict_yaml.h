@@ -1,9 +1,10 @@
 /// YAML that is what it says: nothing unknown, nothing twice, no number that only looks like one.
 ///
 /// yaml-cpp takes a doubled key silently (the first counts), reads `010` as 8 and `yes` as true.
-/// Here a doubled key, an alias, a tag, a nesting deeper than kMaxYamlDepth and a second document
-/// are refused when the text is read, and scalars are read by the accessors below, which say what
-/// they expected. Every error is an InputError with file and line.
+/// Here a doubled key, an alias, a tag, a nesting deeper than kMaxYamlDepth, more values than
+/// kMaxYamlValues and a second document are refused when the text is read, and scalars are read by
+/// the accessors below, which say what they expected. Every error is an InputError with file and
+/// line.
 ///
 ///     const YamlNode root = readYaml(file);
 ///     root.requireKeys({"scene", "character", "start", "goal"});
@@ -23,11 +24,15 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/files.h"
 
 namespace amble {
 
-inline constexpr int kMaxYamlDepth = 100;                     ///< deeper is hostile, not data
-inline constexpr size_t kMaxYamlBytes = 64u * 1024u * 1024u;  ///< larger is refused unread
+inline constexpr int kMaxYamlDepth = 100;  ///< deeper is hostile, not data
+/// Maps, lists and scalars of a document: each costs about 200 bytes and a microsecond. A scene of
+/// a hundred thousand objects has 1.2 million.
+inline constexpr size_t kMaxYamlValues = 2'000'000;
+inline constexpr FileKind kAnyYaml = {"a YAML file", size_t{64} << 20};
 
 /// A node of a document that is kept alive by its nodes. A value: copies share the document, which
 /// never changes.
@@ -117,7 +122,7 @@ class YamlNode {
 
 /// @param file  `-` is standard input. @throws InputError if it is missing, unreadable, too large
 /// or not such YAML.
-YamlNode readYaml(const std::filesystem::path& file);
+YamlNode readYaml(const std::filesystem::path& file, const FileKind& kind = kAnyYaml);
 /// @param name  stands for the file in messages, and paths are relative to its folder.
 YamlNode parseYaml(const std::string& text, const std::string& name);
 

@@ -59,8 +59,16 @@ TEST(StrictYaml, RefusesHostileNesting) {
   EXPECT_NE(errorOf(std::string(1000000, '[')), "");
 }
 
+TEST(StrictYaml, RefusesMoreValuesThanAnyFileOfOursHas) {
+  std::string list = "a:\n- [";
+  for (size_t i = 0; i < kMaxYamlValues; ++i) list += i % 100 == 99 ? "1,\n  " : "1,";
+  const std::string error = errorOf(list + "]\n");
+  EXPECT_NE(error.find(": too many values; expected at most 2000000"), std::string::npos) << error;
+}
+
 TEST(StrictYaml, RefusesMissingFilesAndFolders) {
   EXPECT_THROW(readYaml("no/such/file.yaml"), InputError);
+  EXPECT_THROW(readYaml("/dev/zero", {"a small file", 1000}), InputError);
   EXPECT_THROW(readYaml(std::filesystem::temp_directory_path()), InputError);
 }
 
