@@ -1,4 +1,8 @@
 /// Files that are there whole or not at all: written beside, then renamed.
+///
+/// What lay there before keeps its place and its rights: a link goes on to lead to the file that it
+/// led to, and that file keeps its mode. What a killed program left half-written beside a file
+/// (`NAME.part-PID-N`) is cleared when that file is next written.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +13,14 @@
 namespace amble {
 
 /// Calls `write` with a stream to a file beside `file`, flushes it, checks it and renames it. `-`
-/// is standard output.
-/// @throws InputError if the folder is missing or not writable, or the disk is full; nothing is
-/// left behind then.
+/// is standard output. A pipe is written to if somebody reads from it, or does so within
+/// kReaderPatience.
+/// @throws InputError if the folder is missing or not writable, the file may not be written, the
+/// disk is full or nobody reads from the pipe; nothing is left behind then.
 void writeFile(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
+
+/// Programs that a shell starts together come up within that [s].
+inline constexpr int kReaderPatience = 3;
 
 struct ResultFile {
   std::filesystem::path file;
@@ -21,7 +29,9 @@ struct ResultFile {
 
 /// Files that belong together: each is written beside its place, in this order, and none gets its
 /// name before all are written, so that a disk that fills up half way leaves none of them, and what
-/// lay there before.
-void writeFiles(const std::vector<ResultFile>& files);
+/// lay there before. `obsolete` are files of an earlier set: they go when the new one is all
+/// written, and those that are not there do not matter.
+void writeFiles(const std::vector<ResultFile>& files,
+                const std::vector<std::filesystem::path>& obsolete = {});
 
 }  // namespace amble
