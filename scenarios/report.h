@@ -60,8 +60,9 @@ struct Report {
   std::string scenario;
   std::uint64_t seed = 1;
   std::string planner;
-  std::string
-      stopped_by;  ///< what ended the search: "solved", "failures", "time_limit", "interrupt", ...
+  /// "time_limit" or "interrupt" where that ended the search or the refinement; else empty, and
+  /// the result is the counted one.
+  std::string stopped_by;
   double length = 0.0;    ///< of the root path [m]
   double duration = 0.0;  ///< [s]
   int frames = 0;
