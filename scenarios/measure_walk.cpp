@@ -50,7 +50,7 @@ void reportFeet(const Problem& problem, const AnimationBuffer& walk, const PoseA
   const SoleTracks soles(problem.synthesizer.skeleton(), problem.body, poses, problem.ground);
   report.steps = measureSteps(walk, soles);
   double sum = 0.0;
-  for (const StepReport& step : report.steps) {
+  for (const StepMeasure& step : report.steps) {
     sum += step.slide;
     report.foot_skate_max = std::max(report.foot_skate_max, step.slide);
   }
