@@ -2,46 +2,32 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <string_view>
+
+#include "base/text.h"
 
 namespace amble {
 namespace {
 
-template <typename T>
-bool parseAll(std::string_view text, T& value) {
-  const char* begin = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(begin, end, value);
-  return parsed.ec == std::errc() && parsed.ptr == end;
-}
-
 // Both sides of a separator; the whole twice where there is none.
-std::pair<std::string_view, std::string_view> split(std::string_view text,
+std::pair<std::string_view, std::string_view> sides(std::string_view text,
                                                     std::string_view separator) {
-  const size_t at = text.find(separator);
-  if (at == std::string_view::npos) return {text, text};
-  return {text.substr(0, at), text.substr(at + separator.size())};
+  return splitAt(text, separator).value_or(std::pair{text, text});
 }
 
 bool within(std::string_view text, double min, double max) {
-  double value = 0.0;
-  return parseAll(text, value) && std::isfinite(value) && value >= min && value <= max;
+  const std::optional<double> value = numberOf(text);
+  return value && *value >= min && *value <= max;
 }
 
-double numberIn(std::string_view text) {
-  double value = 0.0;
-  parseAll(text, value);
-  return value;
-}
+double numberIn(std::string_view text) { return numberOf(text).value_or(0.0); }
 
 }  // namespace
 
 CLI::Validator ramp(double min, double max, const std::string& unit) {
   const std::string wanted = fmt::format("{0} to {1} {2}, or FROM..TO", min, max, unit);
   const auto check = [=](const std::string& text) -> std::string {
-    const auto [from, to] = split(text, "..");
+    const auto [from, to] = sides(text, "..");
     if (within(from, min, max) && within(to, min, max)) return "";
     return fmt::format("is '{}'; expected {}", text, wanted);
   };
@@ -49,7 +35,7 @@ CLI::Validator ramp(double min, double max, const std::string& unit) {
 }
 
 Ramp readRamp(const std::string& text) {
-  const auto [from, to] = split(text, "..");
+  const auto [from, to] = sides(text, "..");
   return {numberIn(from), numberIn(to)};
 }
 
@@ -57,7 +43,7 @@ CLI::Validator twoNumbers(const Ramp& first, const Ramp& second, const std::stri
   const std::string wanted = fmt::format("{} to {}, comma, {} to {} {}", first.from, first.to,
                                          second.from, second.to, unit);
   const auto check = [=](const std::string& text) -> std::string {
-    const auto [a, b] = split(text, ",");
+    const auto [a, b] = sides(text, ",");
     const bool two = text.find(',') != std::string::npos;
     if (two && within(a, first.from, first.to) && within(b, second.from, second.to)) return "";
     return fmt::format("is '{}'; expected {}", text, wanted);
@@ -66,16 +52,14 @@ CLI::Validator twoNumbers(const Ramp& first, const Ramp& second, const std::stri
 }
 
 std::pair<double, double> readTwoNumbers(const std::string& text) {
-  const auto [a, b] = split(text, ",");
+  const auto [a, b] = sides(text, ",");
   return {numberIn(a), numberIn(b)};
 }
 
 CLI::Validator number(double min, double max, const std::string& unit) {
   const std::string wanted = fmt::format("{} to {}{}{}", min, max, unit.empty() ? "" : " ", unit);
   const auto check = [=](const std::string& text) -> std::string {
-    double value = 0.0;
-    const bool good = parseAll(text, value) && std::isfinite(value) && value >= min && value <= max;
-    return good ? "" : fmt::format("is '{}'; expected {}", text, wanted);
+    return within(text, min, max) ? "" : fmt::format("is '{}'; expected {}", text, wanted);
   };
   return CLI::Validator(check, fmt::format("[{}]", wanted));
 }
@@ -83,8 +67,8 @@ CLI::Validator number(double min, double max, const std::string& unit) {
 CLI::Validator wholeNumber(long min, long max) {
   const std::string wanted = fmt::format("{} to {}", min, max);
   const auto check = [=](const std::string& text) -> std::string {
-    long value = 0;
-    const bool good = parseAll(text, value) && value >= min && value <= max;
+    const std::optional<long long> value = wholeNumberOf(text);
+    const bool good = value && *value >= min && *value <= max;
     return good ? "" : fmt::format("is '{}'; expected a whole number from {}", text, wanted);
   };
   return CLI::Validator(check, fmt::format("[{}]", wanted));

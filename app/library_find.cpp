@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "animation/library/motion_library.h"
 #include "app/analysed_clip.h"
@@ -15,6 +13,8 @@
 #include "app/progress.h"
 #include "app/read_options.h"
 #include "app/stop.h"
+#include "base/parallel.h"
+#include "base/text.h"
 
 namespace amble {
 namespace {
@@ -40,13 +40,11 @@ struct Found {
 /// "75%" or "0.75"; nothing where it is neither.
 std::optional<double> shareOf(const std::string& text) {
   const bool percent = text.ends_with('%');
-  double value = 0.0;
-  const char* const end = text.data() + text.size() - (percent ? 1 : 0);
-  const auto parsed = std::from_chars(text.data(), end, value);
-  if (parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
-  if (percent) value /= 100.0;
-  if (!(value >= 0.0 && value <= 1.0)) return std::nullopt;
-  return value;
+  const std::optional<double> number =
+      numberOf(std::string_view(text).substr(0, text.size() - (percent ? 1 : 0)));
+  if (!number) return std::nullopt;
+  const double share = percent ? *number / 100.0 : *number;
+  return share >= 0.0 && share <= 1.0 ? std::optional(share) : std::nullopt;
 }
 
 MotionType typeNamed(const std::string& name) {
@@ -167,7 +165,7 @@ int run(const Options& options) {
 void addLibraryFind(CLI::App& library, Command& chosen) {
   const auto options = std::make_shared<Options>();
   options->paths = {"default"};
-  options->threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+  options->threads = usualThreads();
   CLI::App* command = library.add_subcommand(
       "find", "Find clips and motions that are mostly standing, walking, running or jumping");
   command->add_option("PATH", options->paths,

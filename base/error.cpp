@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/text.h"
+
 namespace amble {
 namespace {
 
@@ -11,11 +13,7 @@ std::string oneLine(const std::string& file, int line, const std::string& proble
   if (line > 0) text += ":" + std::to_string(line);
   text += ": " + problem;
   if (!expected.empty()) text += "; expected " + expected;
-  // A message quotes what a file holds, and that may hold anything.
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
-  return text;
+  return withoutControls(std::move(text));  // which a file that is quoted may hold
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "base/text.h"
+
 namespace amble {
 
 Color mix(const Color& a, const Color& b, float share) { return a + share * (b - a); }
@@ -72,12 +74,6 @@ const std::vector<Material>& materials() {
       {"column", rgb(206, 202, 194)},
   };
   return all;
-}
-
-std::string lowerCase(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
 }
 
 }  // namespace

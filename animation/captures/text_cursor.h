@@ -7,12 +7,9 @@
 #include <string>
 #include <string_view>
 
-namespace amble {
+#include "base/text.h"
 
-/// Without the blanks at both ends.
-std::string_view trimmed(std::string_view text);
-/// Whether two words are the same but for the case of ASCII letters.
-bool sameWord(std::string_view a, std::string_view b);
+namespace amble {
 
 class TextCursor {
  public:
