@@ -4,7 +4,6 @@
 
 #include <iostream>
 #include <memory>
-#include <thread>
 
 #include "app/analysis_report.h"
 #include "app/clip_sources.h"
@@ -13,6 +12,7 @@
 #include "app/read_options.h"
 #include "app/stop.h"
 #include "base/output_file.h"
+#include "base/parallel.h"
 #include "viz/gait_plot.h"
 
 namespace amble {
@@ -89,7 +89,7 @@ int run(const Options& options) {
 
 void addAnalyse(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<Options>();
-  options->threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+  options->threads = usualThreads();
   CLI::App* command = app.add_subcommand(
       "analyse", "Measure clips: foot plants, gait events, type, speed, stride, lift, quality");
   command->add_option("CLIP", options->paths, "Captures, and folders of them; - is standard input")

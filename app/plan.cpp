@@ -8,13 +8,13 @@
 #include <cstring>
 #include <iostream>
 #include <memory>
-#include <thread>
 
 #include "app/command.h"
 #include "app/progress.h"
 #include "app/stop.h"
 #include "app/view_of.h"
 #include "base/error.h"
+#include "base/parallel.h"
 #include "scenarios/run_scenario.h"
 #include "scenarios/write_results.h"
 #include "viz/plan_view.h"
@@ -77,7 +77,9 @@ void writeAll(const Options& options, RunResult& result, const std::filesystem::
     write.more.push_back({"top.svg", [&](std::ostream& out) { writePlanView(out, view); }});
   }
   if (wants(options, "png") && view.hasBody()) {
-    write.more.push_back({"walk.png", [&](std::ostream& out) { writePng(out, renderWalk(view)); }});
+    write.more.push_back({"walk.png", [&](std::ostream& out) {
+                            writePng(out, renderWalk(view, {.threads = options.threads}));
+                          }});
   }
   writeResults(result, folder, write);
 }
@@ -153,7 +155,7 @@ int run(const Options& options) {
 
 void addPlan(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<Options>();
-  options->threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+  options->threads = usualThreads();
   CLI::App* command = app.add_subcommand("plan", "Plan one walk and write it with its report");
   CLI::Option* scenario = command->add_option("SCENARIO", options->scenario,
                                               "Scenario file (YAML); - is standard input");

@@ -1,5 +1,7 @@
 #include "base/parallel.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -8,28 +10,37 @@
 
 namespace amble {
 
+int usualThreads() {
+  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostThreads);
+}
+
 void parallelFor(int count, int threads, const std::function<void(int i, int thread)>& task) {
   threads = std::min(threads, count);
   if (threads <= 1) {
     for (int i = 0; i < count; ++i) task(i, 0);
     return;
   }
+  // What fails first in order is always begun, since all before it are.
+  struct Failure {
+    int i;
+    std::exception_ptr error;
+  };
+  std::vector<Failure> failures(static_cast<size_t>(threads), Failure{count, nullptr});
   std::atomic<int> next{0};
-  std::vector<std::exception_ptr> errors(threads);
   const auto work = [&](int thread) {
+    int i = next++;
     try {
-      for (int i = next++; i < count; i = next++) task(i, thread);
+      for (; i < count; i = next++) task(i, thread);
     } catch (...) {
-      errors[thread] = std::current_exception();
+      failures[static_cast<size_t>(thread)] = {i, std::current_exception()};
+      next = count;
     }
   };
-  std::vector<std::thread> pool;
-  for (int thread = 1; thread < threads; ++thread) pool.emplace_back(work, thread);
-  work(0);
-  for (std::thread& thread : pool) thread.join();
-  for (const std::exception_ptr& error : errors) {
-    if (error) std::rethrow_exception(error);
-  }
+  tbb::parallel_for(0, threads, work, tbb::simple_partitioner());
+  const Failure& first =
+      *std::min_element(failures.begin(), failures.end(),
+                        [](const Failure& a, const Failure& b) { return a.i < b.i; });
+  if (first.error) std::rethrow_exception(first.error);
 }
 
 }  // namespace amble

@@ -1,13 +1,22 @@
-/// A loop on a few threads.
+/// A loop on a few threads, which oneTBB keeps.
 #pragma once
 
 #include <functional>
 
 namespace amble {
 
-/// Calls task(i, thread) for i in 0 .. count - 1, thread in 0 .. threads - 1, each i once. An
-/// exception of a task is thrown again when all have ended. With one thread (or one i) no thread is
-/// started.
+/// More threads than this help nobody.
+inline constexpr int kMostThreads = 64;
+
+/// As many as the machine runs at a time [1 to kMostThreads].
+int usualThreads();
+
+/// Calls task(i, thread) for i in 0 .. count - 1, each once, begun in this order, and
+/// thread in 0 .. threads - 1, never two at a time of one thread. No more of them run at a time
+/// than the machine has. Where tasks throw no further ones are begun, and the exception of the
+/// smallest i is thrown again when all have ended: it does not depend on the threads either.
+/// With one thread (or one i) the caller does it all.
+/// @param threads  [>= 1]
 void parallelFor(int count, int threads, const std::function<void(int i, int thread)>& task);
 
 }  // namespace amble

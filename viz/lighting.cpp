@@ -10,8 +10,8 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-constexpr float kShadowBias =
-    0.012f;  // nearer than this to the sun than the surface is still the surface [m]
+// What is nearer to the sun than a surface by less than this is still the surface [m].
+constexpr float kShadowBias = 0.012f;
 constexpr int kShadowBlur = 2;   // half width of the filter [shadow samples]
 constexpr int kCornerTaps = 14;  // of the ambient occlusion, a pixel
 constexpr float kPi = 3.14159265f;
@@ -47,7 +47,7 @@ class Shadows {
     camera_.eye = centre + settings.to_sun.normalized() * (radius + 1);
     camera_.centre = Vector2f::Constant(static_cast<float>(size_) / 2);
     camera_.scale = static_cast<float>(size_) / (2 * radius);
-    map_ = rasterizeDepth(triangles, camera_, size_, size_, kNoShadow | kDecal);
+    map_ = rasterizeDepth(triangles, camera_, size_, size_, kNoShadow | kDecal, settings.threads);
   }
 
   // Share of the sun that reaches a point with this normal [0, 1].
@@ -83,16 +83,16 @@ class Shadows {
 // How open the surroundings of each pixel are [0, 1]; one value a pixel of the picture.
 class Corners {
  public:
-  Corners(const SampleBuffer& samples, const Camera& camera, float reach)
+  Corners(const SampleBuffer& samples, const Camera& camera, float reach, int threads)
       : width_(samples.width / kSupersampling),
         height_(samples.height / kSupersampling),
         open_(static_cast<size_t>(width_) * height_, 1.0f) {
     std::vector<float> raw(open_.size(), 1.0f);
-    forBands(height_, [&](int first, int last) {
+    forBands(height_, threads, [&](int first, int last) {
       for (int y = first; y < last; ++y)
         for (int x = 0; x < width_; ++x) raw[index(x, y)] = openness(samples, camera, reach, x, y);
     });
-    forBands(height_, [&](int first, int last) {
+    forBands(height_, threads, [&](int first, int last) {
       for (int y = first; y < last; ++y)
         for (int x = 0; x < width_; ++x) open_[index(x, y)] = smoothed(samples, raw, x, y);
     });
@@ -211,9 +211,9 @@ Vector3f lightPixel(const SampleBuffer& samples, const Camera& camera, int x, in
 Image lightSamples(const SampleBuffer& samples, const Camera& camera,
                    std::span<const DrawTriangle> triangles, const LightSettings& settings) {
   const Shadows shadows(triangles, settings);
-  const Corners corners(samples, camera, settings.corner_reach);
+  const Corners corners(samples, camera, settings.corner_reach, settings.threads);
   Image image(samples.width / kSupersampling, samples.height / kSupersampling);
-  forBands(image.height, [&](int first, int last) {
+  forBands(image.height, settings.threads, [&](int first, int last) {
     for (int y = first; y < last; ++y) {
       for (int x = 0; x < image.width; ++x) {
         const Vector3f light =

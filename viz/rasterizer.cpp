@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
+
+#include "base/parallel.h"
 
 namespace amble {
 namespace {
@@ -10,6 +11,7 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
+constexpr int kBands = 32;           // of a picture: enough for every thread to be busy to the end
 constexpr float kDecalLift = 0.02f;  // a decal wins against what is no more than this before it [m]
 
 struct Corner {
@@ -118,22 +120,15 @@ void drawBand(const DrawTriangle& triangle, const Camera& camera, int first, int
 
 }  // namespace
 
-void forBands(int rows, const std::function<void(int, int)>& work) {
-  const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
-  const int bands = threads * 4;
-  std::vector<std::thread> pool;
-  for (int t = 0; t < threads; ++t) {
-    pool.emplace_back([&, t] {
-      for (int b = t; b < bands; b += threads) work(rows * b / bands, rows * (b + 1) / bands);
-    });
-  }
-  for (std::thread& thread : pool) thread.join();
+void forBands(int rows, int threads, const std::function<void(int, int)>& work) {
+  const int bands = std::min(rows, kBands);
+  parallelFor(bands, threads, [&](int b, int) { work(rows * b / bands, rows * (b + 1) / bands); });
 }
 
 SampleBuffer rasterize(std::span<const DrawTriangle> triangles, const Camera& camera, int width,
-                       int height) {
+                       int height, int threads) {
   SampleBuffer buffer{width, height, std::vector<Sample>(static_cast<size_t>(width) * height)};
-  forBands(height, [&](int first, int last) {
+  forBands(height, threads, [&](int first, int last) {
     for (const DrawTriangle& triangle : triangles)
       if (!(triangle.flags & kDecal)) drawBand(triangle, camera, first, last, buffer);
     for (const DrawTriangle& triangle : triangles)
@@ -143,9 +138,9 @@ SampleBuffer rasterize(std::span<const DrawTriangle> triangles, const Camera& ca
 }
 
 DepthMap rasterizeDepth(std::span<const DrawTriangle> triangles, const Camera& camera, int width,
-                        int height, uint8_t skip_flags) {
+                        int height, uint8_t skip_flags, int threads) {
   DepthMap map{width, height, std::vector<float>(static_cast<size_t>(width) * height)};
-  forBands(height, [&](int first, int last) {
+  forBands(height, threads, [&](int first, int last) {
     for (const DrawTriangle& triangle : triangles) {
       if (triangle.flags & skip_flags) continue;
       project(triangle, camera, [&](const ScreenTriangle& t) {

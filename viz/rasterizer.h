@@ -48,8 +48,10 @@ struct SampleBuffer {
 /// Nothing nearer than this is drawn [m].
 inline constexpr float kNearest = 0.05f;
 
+/// Of triangles at the same depth the first is seen, decals before others.
+/// @param width, height  [samples, >= 1]  @param threads  change no result [>= 1]
 SampleBuffer rasterize(std::span<const DrawTriangle> triangles, const Camera& camera, int width,
-                       int height);
+                       int height, int threads = 1);
 
 /// Depths only [m]; 0 where there is nothing. Triangles with `skip_flags` are left out.
 struct DepthMap {
@@ -59,10 +61,10 @@ struct DepthMap {
   float at(int x, int y) const { return depth[static_cast<size_t>(y) * width + x]; }
 };
 DepthMap rasterizeDepth(std::span<const DrawTriangle> triangles, const Camera& camera, int width,
-                        int height, uint8_t skip_flags);
+                        int height, uint8_t skip_flags, int threads = 1);
 
-/// Calls work(first, last) for bands of [0, rows) on a few threads. Every row is worked once, so
-/// the result does not depend on the number of threads where rows do not depend on one another.
-void forBands(int rows, const std::function<void(int first, int last)>& work);
+/// Calls work(first, last) for bands of [0, rows). Every row is worked once, so the result does not
+/// depend on the number of threads where rows do not depend on one another.
+void forBands(int rows, int threads, const std::function<void(int first, int last)>& work);
 
 }  // namespace amble

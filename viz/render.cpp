@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "base/rotation.h"
+#include "base/text.h"
 #include "viz/draw_mesh.h"
 #include "viz/lighting.h"
 #include "viz/room.h"
@@ -18,11 +19,10 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kWholeRoom = 14.0;  // a scene no longer than this is shown whole [m]
 constexpr double kAround = 2.0;      // of a larger one so much is shown around the walk [m]
-constexpr double kHeadroom =
-    2.5;  // what must fit into the picture above the floor, where it is there [m]
+// What must fit into the picture above the floor, where it is there [m].
+constexpr double kHeadroom = 2.5;
 constexpr double kPlaceLift = 0.003;  // of the marks of start and goal above the floor [m]
 constexpr double kPathLift = 0.006;   // of the path's ribbon above the floor [m]
 constexpr double kPrintLift = 0.009;  // of footprints: over the path [m]
@@ -91,9 +91,9 @@ std::vector<Vector3f> corners(const AlignedBox3d& box) {
 
 // How many watched points nothing hides, in a small picture.
 int visibleCount(const std::vector<DrawTriangle>& triangles, const Camera& camera, int width,
-                 int height, const std::vector<Vector3d>& watched) {
+                 int height, const std::vector<Vector3d>& watched, int threads) {
   constexpr float kSlack = 0.25f;  // half a body's thickness [m]
-  const DepthMap map = rasterizeDepth(triangles, camera, width, height, kSeeThrough);
+  const DepthMap map = rasterizeDepth(triangles, camera, width, height, kSeeThrough, threads);
   int count = 0;
   for (const Vector3d& p : watched) {
     const Vector3f view = camera.toView(p.cast<float>());
@@ -126,8 +126,9 @@ Shot chooseShot(const WalkView& view, const AlignedBox3d& focus,
     shot.camera =
         frameView(points, {azimuth, kElevation}, settings.width, settings.height, kMargin);
     addRoom(room, {shot.camera.eye.cast<double>(), watched, view.floor}, shot.triangles);
-    const int count = visibleCount(shot.triangles, shot.camera.enlarged(1.0f / kSmall),
-                                   settings.width / kSmall, settings.height / kSmall, watched);
+    const int count =
+        visibleCount(shot.triangles, shot.camera.enlarged(1.0f / kSmall), settings.width / kSmall,
+                     settings.height / kSmall, watched, settings.threads);
     if (count <= most) continue;
     most = count;
     best = std::move(shot);
@@ -204,9 +205,7 @@ void drawTimeBar(Image& image, double duration) {
   drawText(image, kIndent, y, "0 s", kDot, ink);
   const int x = kIndent + textWidth("0 s ", kDot);
   for (int i = 0; i < kBar; ++i) fillRect(image, x + i, y, 1, kThick, timeColor((i + 0.5) / kBar));
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f s", duration);
-  drawText(image, x + kBar + 4 * kDot, y, text, kDot, ink);
+  drawText(image, x + kBar + 4 * kDot, y, fixedNumber(duration, 1) + " s", kDot, ink);
 }
 
 }  // namespace
@@ -224,8 +223,9 @@ Image renderWalk(const WalkView& view, const RenderSettings& settings) {
   addFloorMarks(view, shot.triangles);
   const Camera large = shot.camera.enlarged(kSupersampling);
   const SampleBuffer samples = rasterize(shot.triangles, large, settings.width * kSupersampling,
-                                         settings.height * kSupersampling);
+                                         settings.height * kSupersampling, settings.threads);
   LightSettings light;
+  light.threads = settings.threads;
   light.to_sun = sunDirection(shot.camera);
   light.shadowed = Eigen::AlignedBox3f(focus.min().cast<float>(), focus.max().cast<float>());
   Image image = lightSamples(samples, large, shot.triangles, light);

@@ -14,6 +14,7 @@ struct RenderSettings {
   int width = 1600;    ///< [pixels, 16 to 8192]
   int height = 1000;   ///< [pixels, 16 to 8192]
   double every = 0.5;  ///< a body each so many seconds of the walk [s, > 0]
+  int threads = 1;     ///< change no byte of the picture [>= 1]
 };
 
 /// walk.png: the walk in its room, seen from a raised corner; the body at every half second,
@@ -34,6 +35,7 @@ struct StripSettings {
   /// front [rad].
   double side = -1.5707963267948966;
   double lift = 0.0;  ///< how high the eye is above the horizon [rad, -0.2 to 1.5]
+  int threads = 1;    ///< change no byte of the picture [>= 1]
 };
 
 /// A film strip to look at feet with: frames one after another, seen in parallel from the walker's

@@ -1,8 +1,8 @@
 // The film strip: renderStrip of viz/render.h.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/text.h"
 #include "viz/draw_mesh.h"
 #include "viz/lighting.h"
 #include "viz/render.h"
@@ -129,8 +129,9 @@ Image renderTile(const WalkView& view, int frame, const StripSettings& settings)
   if (!level) addFloorAround(view, frame, triangles);
   const Camera camera = tileCamera(view, frame, settings, kSupersampling);
   const SampleBuffer samples = rasterize(triangles, camera, settings.tile_width * kSupersampling,
-                                         settings.tile_height * kSupersampling);
+                                         settings.tile_height * kSupersampling, settings.threads);
   LightSettings light;
+  light.threads = settings.threads;
   light.background = rgb(250, 250, 251);
   const Vector3f back = -camera.axes.row(2).transpose();
   light.to_sun = Vector3f(back.x(), back.y(), 0) * 0.8f + Vector3f(0.1f, 0.2f, 1.0f);
@@ -144,9 +145,8 @@ Image renderTile(const WalkView& view, int frame, const StripSettings& settings)
     drawFloorLine(view, small, samples, tile);
     drawPlants(view, frame, small, tile);
   }
-  char text[48];
-  std::snprintf(text, sizeof text, "%d  %.3f s", frame, frame * view.animation->frame_time);
-  drawText(tile, 6, 6, text, 2, kInk);
+  const double time = frame * view.animation->frame_time;
+  drawText(tile, 6, 6, std::to_string(frame) + "  " + fixedNumber(time, 3) + " s", 2, kInk);
   fillRect(tile, 0, 0, 1, tile.height, mix(kInk, light.background, 0.7f));
   return tile;
 }

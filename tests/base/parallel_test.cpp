@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace amble {
@@ -20,12 +21,39 @@ TEST(ParallelFor, EveryIndexIsDoneOnce) {
   }
 }
 
-TEST(ParallelFor, ExceptionReachesTheCaller) {
-  const auto task = [](int i, int) {
-    if (i == 3) throw std::runtime_error("three");
-  };
-  EXPECT_THROW(parallelFor(10, 2, task), std::runtime_error);
-  EXPECT_THROW(parallelFor(10, 1, task), std::runtime_error);
+TEST(ParallelFor, NoThreadDoesTwoThingsAtATime) {
+  std::vector<std::atomic<bool>> busy(4);
+  parallelFor(400, 4, [&](int, int thread) {
+    EXPECT_FALSE(busy[static_cast<size_t>(thread)].exchange(true));
+    busy[static_cast<size_t>(thread)] = false;
+  });
+}
+
+TEST(ParallelFor, LoopsWithinLoopsEnd) {
+  std::atomic<int> done{0};
+  parallelFor(8, 4, [&](int, int) { parallelFor(8, 4, [&](int, int) { ++done; }); });
+  EXPECT_EQ(done, 64);
+}
+
+TEST(ParallelFor, TheFirstFailureInOrderReachesTheCallerAtAnyNumberOfThreads) {
+  for (const int threads : {1, 2, 3, 8}) {
+    for (int round = 0; round < 20; ++round) {
+      std::string said;
+      try {
+        parallelFor(40, threads, [](int i, int) {
+          if (i % 5 == 3) throw std::runtime_error(std::to_string(i));
+        });
+      } catch (const std::runtime_error& error) {
+        said = error.what();
+      }
+      EXPECT_EQ(said, "3") << threads;
+    }
+  }
+}
+
+TEST(ParallelFor, UsualThreadsAreSomeButNotTooMany) {
+  EXPECT_GE(usualThreads(), 1);
+  EXPECT_LE(usualThreads(), kMostThreads);
 }
 
 TEST(ParallelFor, NothingToDoIsNothingDone) {

@@ -110,7 +110,7 @@ TEST(Rasterizer, AgreesWithItsDepthMap) {
 TEST(Rasterizer, BandsCoverEveryRowOnce) {
   for (const int rows : {1, 7, 100}) {
     std::vector<std::atomic<int>> seen(rows);
-    forBands(rows, [&](int first, int last) {
+    forBands(rows, 3, [&](int first, int last) {
       for (int y = first; y < last; ++y) ++seen[y];
     });
     for (const auto& count : seen) EXPECT_EQ(count, 1);
