@@ -15,10 +15,9 @@ namespace amble {
 namespace {
 
 Findings inspectYaml(const std::filesystem::path& file) {
-  const std::string text = readWholeFile(file, kAnyYaml);
-  const YamlNode root = parseYaml(text, file.string());
+  const YamlNode root = readYaml(file);
   if (root.isMap()) {
-    if (root.has("scene") || root.has("start")) return inspectScenario({file, text});
+    if (root.has("scene") || root.has("start")) return inspectScenario(file);
     if (root.has("motions")) return inspectLibrary(file);
     if (root.has("objects")) return inspectScene(file);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/output_file.h"
+#include "base/text.h"
 #include "viz/color.h"
 #include "viz/svg.h"
 
@@ -21,6 +22,10 @@ constexpr int kMostPoints = 6000;  // of a curve: more cannot be seen
 constexpr double kLeastHeight = 0.05, kLeastSpeed = 0.5;  // top of an axis at least [m, m/s]
 
 const Color kInk = rgb(40, 40, 44), kFaint = rgb(214, 214, 218), kPaper = rgb(250, 250, 250);
+
+const XmlAttributes kThin = {{"stroke-width", 0.7}};
+const XmlAttributes kHeelStroke = {{"stroke-width", 1.6}};
+const XmlAttributes kToeStroke = {{"stroke-width", 1.3}, {"stroke-dasharray", "5 3"}};
 
 Color typeColor(MotionType type) {
   switch (type) {
@@ -40,8 +45,8 @@ Color typeColor(MotionType type) {
 /// Writes elements; knows where time is.
 class Plot {
  public:
-  Plot(std::ostream& out, const ClipAnalysis& analysis, int first_frame)
-      : out_(out), analysis_(analysis), first_(first_frame) {
+  Plot(XmlWriter& xml, const ClipAnalysis& analysis, int first_frame)
+      : xml_(xml), analysis_(analysis), first_(first_frame) {
     const double seconds = std::max(0.1, analysis.frames() * analysis.frame_time);
     width_ = std::clamp(seconds * kSecond, kNarrow, kWide);
     unit_ = width_ / std::max(1, analysis.frames());
@@ -51,39 +56,49 @@ class Plot {
   /// Middle of a frame.
   double x(double frame) const { return kLeft0 + (frame + 0.5) * unit_; }
 
-  void line(double x1, double y1, double x2, double y2, const Color& color, const char* more = "") {
-    out_ << "<line x1=\"" << svgNumber(x1) << "\" y1=\"" << svgNumber(y1) << "\" x2=\""
-         << svgNumber(x2) << "\" y2=\"" << svgNumber(y2) << "\" stroke=\"" << hexColor(color)
-         << "\" " << more << "/>\n";
+  void line(double x1, double y1, double x2, double y2, const Color& color,
+            const XmlAttributes& style) {
+    xml_.empty(
+        "line",
+        XmlAttributes{{"x1", x1}, {"y1", y1}, {"x2", x2}, {"y2", y2}, {"stroke", hexColor(color)}} +
+            style);
   }
   void box(double x1, double y1, double w, double h, const Color& color) {
-    out_ << "<rect x=\"" << svgNumber(x1) << "\" y=\"" << svgNumber(y1) << "\" width=\""
-         << svgNumber(w) << "\" height=\"" << svgNumber(h) << "\" fill=\"" << hexColor(color)
-         << "\"/>\n";
+    xml_.empty("rect",
+               {{"x", x1}, {"y", y1}, {"width", w}, {"height", h}, {"fill", hexColor(color)}});
   }
   void text(double x, double y, const std::string& what, const char* anchor = "start",
             double size = 11, const Color& color = kInk) {
-    out_ << "<text x=\"" << svgNumber(x) << "\" y=\"" << svgNumber(y) << "\" font-size=\""
-         << svgNumber(size) << "\" text-anchor=\"" << anchor << "\" fill=\"" << hexColor(color)
-         << "\">" << svgEscape(what) << "</text>\n";
+    xml_.text("text",
+              {{"x", x},
+               {"y", y},
+               {"font-size", size},
+               {"text-anchor", anchor},
+               {"fill", hexColor(color)}},
+              what);
   }
   /// Pointing up or down, filled or not.
   void mark(double x, double y, bool up, bool filled, const Color& color) {
     const double tip = up ? y - kMark : y + kMark, base = up ? y + kMark : y - kMark;
-    out_ << "<path d=\"M" << svgNumber(x) << ' ' << svgNumber(tip) << " L" << svgNumber(x - kMark)
-         << ' ' << svgNumber(base) << " L" << svgNumber(x + kMark) << ' ' << svgNumber(base)
-         << " Z\" fill=\"" << (filled ? hexColor(color) : hexColor(kPaper)) << "\" stroke=\""
-         << hexColor(color) << "\"/>\n";
+    const std::array<Eigen::Vector2d, 3> corners = {Eigen::Vector2d(x, tip),
+                                                    Eigen::Vector2d(x - kMark, base),
+                                                    Eigen::Vector2d(x + kMark, base)};
+    xml_.empty("path", {{"class", "mark"},
+                        {"d", svgPath(corners, true)},
+                        {"fill", hexColor(filled ? color : kPaper)},
+                        {"stroke", hexColor(color)}});
   }
   void curve(const Eigen::VectorXd& values, double bottom, double per_unit, const Color& color,
-             const char* more) {
+             const XmlAttributes& style) {
     const int step = std::max(1, static_cast<int>(values.size()) / kMostPoints);
-    out_ << "<path d=\"";
+    std::vector<Eigen::Vector2d> points;
     for (int i = 0; i < values.size(); i += step) {
-      out_ << (i == 0 ? 'M' : 'L') << svgNumber(x(i)) << ' '
-           << svgNumber(bottom - per_unit * values[i]);
+      points.emplace_back(x(i), bottom - per_unit * values[i]);
     }
-    out_ << "\" fill=\"none\" stroke=\"" << hexColor(color) << "\" " << more << "/>\n";
+    xml_.empty("path",
+               XmlAttributes{
+                   {"d", svgPath(points, false)}, {"fill", "none"}, {"stroke", hexColor(color)}} +
+                   style);
   }
   /// Of frames [from, to], both between frames.
   void bar(double from, double to, double y, const Color& color) {
@@ -111,9 +126,9 @@ class Plot {
     for (double t = 0.0; t <= seconds + first_ * analysis_.frame_time; t += step) {
       const double frame = t / analysis_.frame_time - first_;
       if (frame < -0.5 || frame > analysis_.frames() - 0.5) continue;
-      line(x(frame), top, x(frame), bottom, kFaint, "stroke-width=\"0.7\"");
-      text(x(frame), bottom + 13, svgNumber(t) + " s", "middle");
-      text(x(frame), bottom + 26, svgNumber(std::round(t / analysis_.frame_time)), "middle", 9);
+      line(x(frame), top, x(frame), bottom, kFaint, kThin);
+      text(x(frame), bottom + 13, xmlNumber(t) + " s", "middle");
+      text(x(frame), bottom + 26, xmlNumber(std::round(t / analysis_.frame_time)), "middle", 9);
     }
     text(kLeft0 - 30, bottom + 13, "time", "end");
     text(kLeft0 - 30, bottom + 26, "frame", "end", 9);
@@ -123,12 +138,12 @@ class Plot {
   double panel(double top, double height, double most, const std::string& label,
                const std::array<const Eigen::VectorXd*, 2>& heel_toe, const Color& color) {
     const double bottom = top + height, per_unit = height / most;
-    line(kLeft0, bottom, kLeft0 + width_, bottom, kInk, "stroke-width=\"0.7\"");
-    text(kLeft0 - 6, top + 9, svgNumber(most), "end", 9);
+    line(kLeft0, bottom, kLeft0 + width_, bottom, kInk, kThin);
+    text(kLeft0 - 6, top + 9, xmlNumber(most), "end", 9);
     text(kLeft0 - 6, bottom, "0", "end", 9);
     text(kLeft0 - 24, top + 0.5 * height + 4, label, "end");
-    curve(*heel_toe[0], bottom, per_unit, color, "stroke-width=\"1.6\"");
-    curve(*heel_toe[1], bottom, per_unit, color, "stroke-width=\"1.3\" stroke-dasharray=\"5 3\"");
+    curve(*heel_toe[0], bottom, per_unit, color, kHeelStroke);
+    curve(*heel_toe[1], bottom, per_unit, color, kToeStroke);
     return bottom;
   }
 
@@ -175,8 +190,8 @@ class Plot {
   }
 
   void events(Side side, double top, double bottom, const Color& color) {
-    const char* const whole = "stroke-width=\"0.8\"";
-    const char* const faint = "stroke-width=\"0.6\" stroke-dasharray=\"2 3\"";
+    const XmlAttributes whole = {{"stroke-width", 0.8}};
+    const XmlAttributes faint = {{"stroke-width", 0.6}, {"stroke-dasharray", "2 3"}};
     const double y = top + kMark + 1;
     for (const SwingEvents& swing : analysis_.events.swings[side]) {
       const auto put = [&](double frame, bool up, bool filled) {
@@ -191,7 +206,7 @@ class Plot {
     }
   }
 
-  std::ostream& out_;
+  XmlWriter& xml_;
   const ClipAnalysis& analysis_;
   int first_;
   double width_ = 0.0, unit_ = 1.0;
@@ -204,10 +219,8 @@ void legend(Plot& plot, double y) {
     plot.text(at + 26, y + 4, what);
     at += space;
   };
-  entry("heel", 70, [&](double x) { plot.line(x, y, x + 20, y, kInk, "stroke-width=\"1.6\""); });
-  entry("toe", 70, [&](double x) {
-    plot.line(x, y, x + 20, y, kInk, "stroke-width=\"1.3\" stroke-dasharray=\"5 3\"");
-  });
+  entry("heel", 70, [&](double x) { plot.line(x, y, x + 20, y, kInk, kHeelStroke); });
+  entry("toe", 70, [&](double x) { plot.line(x, y, x + 20, y, kInk, kToeStroke); });
   entry("lift", 66, [&](double x) { plot.mark(x + 14, y, true, false, kInk); });
   entry("lift-off", 84, [&](double x) { plot.mark(x + 14, y, true, true, kInk); });
   entry("strike", 78, [&](double x) { plot.mark(x + 14, y, false, true, kInk); });
@@ -215,38 +228,36 @@ void legend(Plot& plot, double y) {
 }
 
 std::string shares(const ClipClass& kind) {
-  std::string text;
+  std::vector<std::string> texts;
   for (int i = 0; i < kMotionTypes; ++i) {
     if (kind.share[i] <= 0.0) continue;
-    text += text.empty() ? "" : ", ";
-    text += std::string(motionTypeName(static_cast<MotionType>(i))) + " " +
-            svgNumber(std::round(100.0 * kind.share[i])) + " %";
+    texts.push_back(std::string(motionTypeName(static_cast<MotionType>(i))) + " " +
+                    fixedNumber(100.0 * kind.share[i], 0) + " %");
   }
-  return text;
+  return joined(texts);
 }
 
 }  // namespace
 
 void writeGaitPlot(std::ostream& out, const ClipAnalysis& analysis, const std::string& title,
                    int first_frame) {
-  Plot plot(out, analysis, first_frame);
+  XmlWriter xml(out);
+  Plot plot(xml, analysis, first_frame);
   const double foot = kHeights + kSpeeds + 2 * kGap + 3 * kBar + 6;
   const double panels = kTop + kBand + kFootGap, bottom = panels + 2 * foot + kFootGap + kGap;
   const double width = kLeft0 + plot.width() + kRight0, height = bottom + 60;
-  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << svgNumber(width) << "\" height=\""
-      << svgNumber(height) << "\" viewBox=\"0 0 " << svgNumber(width) << ' ' << svgNumber(height)
-      << "\" font-family=\"sans-serif\">\n<title>" << svgEscape(title) << "</title>\n";
+  xml.declare();
+  const auto svg = xml.open("svg", svgRoot(width, height));
+  xml.text("title", {}, title);
   plot.box(0, 0, width, height, kPaper);
   plot.text(kLeft0, 22, title, "start", 15);
   plot.text(kLeft0, 40, shares(analysis.kind));
   legend(plot, 52);
-  if (analysis.frames() > 0) {
-    plot.axis(kTop, bottom);
-    plot.band(kTop);
-    const double next = plot.foot(kLeft, panels);
-    plot.foot(kRight, next + kFootGap);
-  }
-  out << "</svg>\n";
+  if (analysis.frames() == 0) return;
+  plot.axis(kTop, bottom);
+  plot.band(kTop);
+  const double next = plot.foot(kLeft, panels);
+  plot.foot(kRight, next + kFootGap);
 }
 
 void writeGaitPlot(const std::filesystem::path& file, const ClipAnalysis& analysis,

@@ -7,7 +7,7 @@
 
 #include "base/output_file.h"
 #include "viz/color.h"
-#include "viz/outline.h"
+#include "viz/plan_things.h"
 #include "viz/svg.h"
 
 namespace amble {
@@ -17,85 +17,20 @@ using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kLow = 0.05, kHigh = 1.80;        // what a body can touch, over the floor [m]
-constexpr double kHipLow = 0.50, kHipHigh = 1.20;  // where hips and hands are [m]
-constexpr double kCell = 0.008;                    // of the outlines of meshes [m]
-constexpr double kRugLift = 0.002;                 // what lies higher on the floor is a rug [m]
-constexpr double kFloorDepth = 0.03;  // tops this close to the floor are floor or rug [m]
-constexpr double kOneThing = 5.0;     // what a file with parts spans at most to be one thing [m]
-constexpr double kWidth = 1100;       // of the room [units]
-constexpr double kTallest = 1300;     // of the room [units]
-constexpr double kMargin = 30;        // about the room [units]
-constexpr double kHeader = 46;        // for the title [units]
-constexpr double kFooter = 60;        // for scale bar and legend [units]
-constexpr double kAround = 0.3;       // shown beyond what the picture is about [m]
-constexpr double kBeyondWalk = 3.0;   // shown of a large scene around the walk [m]
+constexpr double kRugLift = 0.002;   // what lies higher on the floor is a rug [m]
+constexpr double kWidth = 1100;      // of the room [units]
+constexpr double kTallest = 1300;    // of the room [units]
+constexpr double kMargin = 30;       // about the room [units]
+constexpr double kHeader = 46;       // for the title [units]
+constexpr double kFooter = 60;       // for scale bar and legend [units]
+constexpr double kAround = 0.3;      // shown beyond what the picture is about [m]
+constexpr double kBeyondWalk = 3.0;  // shown of a large scene around the walk [m]
 
-// What of the scene is drawn: objects of one name are one thing; a file that holds a whole flat is
-// a thing a part.
-struct Thing {
-  std::string name;
-  std::vector<Outline> floor, body, hips;  // by height
-  AlignedBox2d box;                        // of `body` [m]
-  double top = 0;                          // highest point over the floor [m]
-};
-
-// Objects that are drawn as one thing.
-struct ThingObjects {
-  std::string name;
-  std::vector<const SceneObject*> objects;
-};
-
-std::vector<ThingObjects> groupObjects(const Scene& scene) {
-  std::vector<ThingObjects> groups;
-  for (const SceneObject& object : scene.objects) {
-    if (groups.empty() || groups.back().name != object.name) groups.push_back({object.name, {}});
-    groups.back().objects.push_back(&object);
-  }
-  std::vector<ThingObjects> things;
-  for (const ThingObjects& group : groups) {
-    AlignedBox2d box;
-    for (const SceneObject* object : group.objects)
-      for (const Vector3d& p : worldMesh(*object).vertices) box.extend(p.head<2>());
-    if (group.objects.size() == 1 || box.diagonal().norm() < kOneThing) {
-      things.push_back(group);
-    } else {
-      for (const SceneObject* object : group.objects) things.push_back({object->part, {object}});
-    }
-  }
-  return things;
-}
-
-TriangleMesh wholeMesh(const std::vector<const SceneObject*>& objects) {
-  TriangleMesh whole;
-  for (const SceneObject* object : objects) {
-    const TriangleMesh part = worldMesh(*object);
-    const int base = static_cast<int>(whole.vertices.size());
-    whole.vertices.insert(whole.vertices.end(), part.vertices.begin(), part.vertices.end());
-    for (const auto& t : part.triangles)
-      whole.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-  }
-  return whole;
-}
-
-std::vector<Thing> cutScene(const Scene& scene, double floor) {
-  std::vector<Thing> things;
-  for (const ThingObjects& group : groupObjects(scene)) {
-    Thing& thing = things.emplace_back();
-    thing.name = group.name;
-    const TriangleMesh mesh = wholeMesh(group.objects);
-    const bool convex =
-        group.objects.size() == 1 && !std::holds_alternative<TriangleMesh>(group.objects[0]->shape);
-    const auto trace = convex ? traceConvexOutline : traceOutlines;
-    for (const Vector3d& p : mesh.vertices) thing.top = std::max(thing.top, p.z() - floor);
-    thing.floor = trace(mesh, {floor - kFloorDepth, floor + kFloorDepth, 0.02});
-    thing.body = trace(mesh, {floor + kLow, floor + kHigh, kCell});
-    thing.hips = trace(mesh, {floor + kHipLow, floor + kHipHigh, kCell});
-    for (const Outline& outline : thing.body)
-      for (const Vector2d& p : outline) thing.box.extend(p);
-  }
-  return things;
-}
+constexpr const char* kInk = "#2b2f36";
+constexpr const char* kEdgeColor = "#3d8f6b";  // of the roadmap
+const XmlAttributes kBodyStyle = {
+    {"fill", "#d3d8df"}, {"stroke", "#8b94a1"}, {"stroke-width", 0.8}};
+const XmlAttributes kHipStyle = {{"fill", "#9aa4b2"}, {"stroke", "#6f7987"}, {"stroke-width", 0.6}};
 
 AlignedBox2d walkBox(const WalkView& view) {
   AlignedBox2d box;
@@ -119,11 +54,13 @@ AlignedBox2d shownBox(const WalkView& view) {
   return {box.min() - Vector2d::Constant(kAround), box.max() + Vector2d::Constant(kAround)};
 }
 
+Vector2d pictureDirection(double heading) { return {std::cos(heading), -std::sin(heading)}; }
+
 // Writes the drawing, layer by layer from the floor up.
 class Drawing {
  public:
   Drawing(std::ostream& out, const WalkView& view)
-      : out_(out), view_(view), shown_(shownBox(view)) {
+      : xml_(out), view_(view), shown_(shownBox(view)) {
     const Vector2d size = shown_.sizes();
     frame_.scale = std::min(kWidth / size.x(), kTallest / size.y());
     frame_.origin = Vector2d(shown_.min().x(), shown_.max().y());
@@ -132,142 +69,170 @@ class Drawing {
   }
 
   void draw() {
-    begin();
-    const std::vector<Thing> things = cutScene(*view_.scene, view_.floor);
+    xml_.declare();
+    const double wide = width_ + 2 * kMargin, tall = height_ + kHeader + kFooter + kMargin;
+    const auto svg = xml_.open("svg", svgRoot(wide, tall));
+    drawTitle(wide, tall);
+    const auto page = xml_.open(
+        "g", {{"transform", "translate(" + xmlNumber(kMargin) + " " + xmlNumber(kHeader) + ")"}});
+    drawRoom();
+    xml_.empty("rect", roomBox() + XmlAttributes{{"fill", "none"}, {"stroke", "#c9ccd2"}});
+    drawScaleBar();
+    drawLegend();
+  }
+
+ private:
+  XmlAttributes roomBox() const {
+    return {{"x", 0}, {"y", 0}, {"width", width_}, {"height", height_}};
+  }
+
+  void drawTitle(double wide, double tall) {
+    xml_.text("title", {}, view_.title);
+    {
+      const auto defs = xml_.open("defs");
+      const auto clip = xml_.open("clipPath", {{"id", "room"}});
+      xml_.empty("rect", roomBox());
+    }
+    xml_.empty("rect",
+               {{"x", 0}, {"y", 0}, {"width", wide}, {"height", tall}, {"fill", "#ffffff"}});
+    xml_.text(
+        "text",
+        {{"x", kMargin}, {"y", 31}, {"font-size", 20}, {"font-weight", "bold"}, {"fill", kInk}},
+        view_.title);
+  }
+
+  void drawRoom() {
+    const auto clipped = xml_.open("g", {{"clip-path", "url(#room)"}});
+    xml_.empty("rect", roomBox() + XmlAttributes{{"fill", "#f1f2f4"}});
+    const std::vector<PlanThing> things = cutScene(*view_.scene, view_.floor);
     drawThings(things);
     drawRoadmap();
     drawFootprints();
     drawPath();
     drawPlaces();
     drawNames(things);
-    out_ << "</g>\n<rect x=\"0\" y=\"0\" width=\"" << svgNumber(width_) << "\" height=\""
-         << svgNumber(height_) << "\" fill=\"none\" stroke=\"#c9ccd2\"/>\n";
-    drawScaleBar();
-    drawLegend();
-    out_ << "</g>\n</svg>\n";
-  }
-
- private:
-  void begin() {
-    const double wide = width_ + 2 * kMargin, tall = height_ + kHeader + kFooter + kMargin;
-    out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
-            "width=\""
-         << svgNumber(wide) << "\" height=\"" << svgNumber(tall) << "\" viewBox=\"0 0 "
-         << svgNumber(wide) << ' ' << svgNumber(tall) << "\" font-family=\"sans-serif\">\n<title>"
-         << svgEscape(view_.title) << "</title>\n"
-         << "<defs><clipPath id=\"room\"><rect x=\"0\" y=\"0\" width=\"" << svgNumber(width_)
-         << "\" height=\"" << svgNumber(height_) << "\"/></clipPath></defs>\n"
-         << "<rect x=\"0\" y=\"0\" width=\"" << svgNumber(wide) << "\" height=\"" << svgNumber(tall)
-         << "\" fill=\"#ffffff\"/>\n<text x=\"" << svgNumber(kMargin)
-         << "\" y=\"31\" font-size=\"20\" font-weight=\"bold\" fill=\"#2b2f36\">"
-         << svgEscape(view_.title) << "</text>\n<g transform=\"translate(" << svgNumber(kMargin)
-         << ' ' << svgNumber(kHeader)
-         << ")\">\n<g clip-path=\"url(#room)\">\n<rect x=\"0\" y=\"0\" width=\""
-         << svgNumber(width_) << "\" height=\"" << svgNumber(height_) << "\" fill=\"#f1f2f4\"/>\n";
   }
 
   void drawOutlines(const std::vector<Outline>& outlines, const std::string& name,
-                    const std::string& style) {
+                    const XmlAttributes& style) {
     if (outlines.empty()) return;
     std::string path;
     for (const Outline& outline : outlines) path += svgPath(frame_, outline, true);
-    out_ << "<path d=\"" << path << "\" " << style << "><title>" << svgEscape(name)
-         << "</title></path>\n";
+    const auto drawn = xml_.open("path", XmlAttributes{{"d", path}} + style);
+    xml_.text("title", {}, name);
   }
 
-  void drawThings(const std::vector<Thing>& things) {
-    out_ << "<g id=\"floor\">\n";
-    for (const Thing& thing : things) {
-      if (thing.top > kFloorDepth) continue;
-      const bool rug = thing.top > kRugLift;
-      drawOutlines(
-          thing.floor, thing.name,
-          !rug ? "fill=\"#fbf8f2\"" : "fill=\"#f0dcd8\" stroke=\"#e2c4be\" stroke-width=\"0.8\"");
+  void drawThings(const std::vector<PlanThing>& things) {
+    const XmlAttributes floor = {{"fill", "#fbf8f2"}};
+    const XmlAttributes rug = {{"fill", "#f0dcd8"}, {"stroke", "#e2c4be"}, {"stroke-width", 0.8}};
+    const XmlAttributes solid = {{"fill-rule", "nonzero"}};
+    {
+      const auto group = xml_.open("g", {{"id", "floor"}});
+      for (const PlanThing& thing : things) {
+        if (thing.top > kFloorDepth) continue;
+        drawOutlines(thing.floor, thing.name, thing.top > kRugLift ? rug : floor);
+      }
     }
-    out_ << "</g>\n<g id=\"things\" fill=\"#d3d8df\" stroke=\"#8b94a1\" stroke-width=\"0.8\">\n";
-    for (const Thing& thing : things) drawOutlines(thing.body, thing.name, "fill-rule=\"nonzero\"");
-    out_ << "</g>\n<g id=\"at-hip-height\" fill=\"#9aa4b2\" stroke=\"#6f7987\" "
-            "stroke-width=\"0.6\">\n";
-    for (const Thing& thing : things) drawOutlines(thing.hips, thing.name, "fill-rule=\"nonzero\"");
-    out_ << "</g>\n";
+    {
+      const auto group = xml_.open("g", XmlAttributes{{"id", "things"}} + kBodyStyle);
+      for (const PlanThing& thing : things) drawOutlines(thing.body, thing.name, solid);
+    }
+    const auto group = xml_.open("g", XmlAttributes{{"id", "at-hip-height"}} + kHipStyle);
+    for (const PlanThing& thing : things) drawOutlines(thing.hips, thing.name, solid);
   }
 
   void drawRoadmap() {
     const RoadmapView& map = view_.roadmap;
-    out_ << "<g id=\"roadmap\" fill=\"none\" stroke=\"#3d8f6b\" stroke-width=\"1\" "
-            "stroke-opacity=\"0.35\">\n";
+    const auto group = xml_.open("g", {{"id", "roadmap"},
+                                       {"fill", "none"},
+                                       {"stroke", kEdgeColor},
+                                       {"stroke-width", 1},
+                                       {"stroke-opacity", 0.35}});
     for (const RoadmapView::Edge& edge : map.edges) {
       const std::array<Vector2d, 2> straight = {map.nodes[edge.from].position,
                                                 map.nodes[edge.to].position};
       const std::span<const Vector2d> line =
           edge.line.empty() ? std::span<const Vector2d>(straight) : edge.line;
-      out_ << "<path class=\"edge\" d=\"" << svgPath(frame_, line, false) << "\"/>\n";
+      xml_.empty("path", {{"class", "edge"}, {"d", svgPath(frame_, line, false)}});
     }
     for (const RoadmapView::Node& node : map.nodes) {
+      constexpr double kReach = 11;  // of the line that shows a heading [units]
       const Vector2d p = frame_(node.position);
-      const Vector2d tip = p + 11 * Vector2d(std::cos(node.heading), -std::sin(node.heading));
-      out_ << "<path d=\"M" << svgNumber(p.x()) << ' ' << svgNumber(p.y()) << 'L'
-           << svgNumber(tip.x()) << ' ' << svgNumber(tip.y()) << "\" stroke-opacity=\"0.6\"/>\n";
+      const std::array<Vector2d, 2> ahead = {p, p + kReach * pictureDirection(node.heading)};
+      xml_.empty("path", {{"d", svgPath(ahead, false)}, {"stroke-opacity", 0.6}});
       drawNode(p, node.connector);
     }
-    out_ << "</g>\n";
   }
 
   void drawNode(const Vector2d& p, bool connector) {
-    const char* style = "stroke=\"#2f7d5c\" stroke-opacity=\"0.75\" stroke-width=\"1.3\"";
+    const XmlAttributes style = {
+        {"stroke", "#2f7d5c"}, {"stroke-opacity", 0.75}, {"stroke-width", 1.3}};
     if (connector) {
-      out_ << "<rect class=\"connector\" x=\"" << svgNumber(p.x() - 4) << "\" y=\""
-           << svgNumber(p.y() - 4) << "\" width=\"8\" height=\"8\" fill=\"#8fd0b4\" " << style
-           << "/>\n";
+      xml_.empty("rect", XmlAttributes{{"class", "connector"},
+                                       {"x", p.x() - 4},
+                                       {"y", p.y() - 4},
+                                       {"width", 8},
+                                       {"height", 8},
+                                       {"fill", "#8fd0b4"}} +
+                             style);
     } else {
-      out_ << "<circle class=\"guard\" cx=\"" << svgNumber(p.x()) << "\" cy=\"" << svgNumber(p.y())
-           << "\" r=\"5.5\" fill=\"#ffffff\" " << style << "/>\n";
+      xml_.empty(
+          "circle",
+          XmlAttributes{
+              {"class", "guard"}, {"cx", p.x()}, {"cy", p.y()}, {"r", 5.5}, {"fill", "#ffffff"}} +
+              style);
     }
   }
 
   void drawFootprints() {
     if (view_.animation == nullptr) return;
     const double length = soleLength(view_);
-    out_ << "<g id=\"footprints\" fill-opacity=\"0.8\">\n";
+    const auto group = xml_.open("g", {{"id", "footprints"}, {"fill-opacity", 0.8}});
     for (const Footprint& print : view_.animation->footprints) {
-      out_ << "<path class=\"" << (print.side == kLeft ? "left" : "right") << "\" d=\""
-           << svgPath(frame_, placedShoe(print, length), true) << "\" fill=\""
-           << hexColor(sideColor(print.side)) << "\"/>\n";
+      xml_.empty("path", {{"class", print.side == kLeft ? "left" : "right"},
+                          {"d", svgPath(frame_, placedShoe(print, length), true)},
+                          {"fill", hexColor(sideColor(print.side))}});
     }
-    out_ << "</g>\n";
   }
 
   void drawPath() {
     const std::vector<Vector2d> line = pathLine(view_);
     if (line.empty()) return;
-    out_ << "<path id=\"root-path\" d=\"" << svgPath(frame_, line, false)
-         << "\" fill=\"none\" stroke=\"" << hexColor(kPathColor)
-         << "\" stroke-width=\"2\" stroke-linejoin=\"round\"/>\n";
+    xml_.empty("path", {{"id", "root-path"},
+                        {"d", svgPath(frame_, line, false)},
+                        {"fill", "none"},
+                        {"stroke", hexColor(kPathColor)},
+                        {"stroke-width", 2},
+                        {"stroke-linejoin", "round"}});
   }
 
   // A disc with a letter, and an arrow where the heading is given.
   void drawPlace(const PlaceView& place, const char* id, const std::string& letter,
                  const std::string& color) {
     const Vector2d p = frame_(place.position);
-    out_ << "<g class=\"" << id << "\">\n";
+    const auto group = xml_.open("g", {{"class", id}});
     if (place.heading) {
-      const Vector2d along(std::cos(*place.heading), -std::sin(*place.heading)),
-          across(-along.y(), along.x());
-      const Vector2d tip = p + 31 * along, left = p + 20 * along + 6.5 * across,
-                     right = p + 20 * along - 6.5 * across;
-      out_ << "<path d=\"M" << svgNumber(p.x()) << ' ' << svgNumber(p.y()) << 'L'
-           << svgNumber((p + 22 * along).x()) << ' ' << svgNumber((p + 22 * along).y())
-           << "\" stroke=\"" << color << "\" stroke-width=\"4\"/>\n<path d=\"M"
-           << svgNumber(tip.x()) << ' ' << svgNumber(tip.y()) << 'L' << svgNumber(left.x()) << ' '
-           << svgNumber(left.y()) << 'L' << svgNumber(right.x()) << ' ' << svgNumber(right.y())
-           << "Z\" fill=\"" << color << "\"/>\n";
+      const Vector2d along = pictureDirection(*place.heading), across(-along.y(), along.x());
+      const std::array<Vector2d, 2> shaft = {p, p + 22 * along};
+      const std::array<Vector2d, 3> head = {p + 31 * along, p + 20 * along + 6.5 * across,
+                                            p + 20 * along - 6.5 * across};
+      xml_.empty("path", {{"d", svgPath(shaft, false)}, {"stroke", color}, {"stroke-width", 4}});
+      xml_.empty("path", {{"d", svgPath(head, true)}, {"fill", color}});
     }
-    out_ << "<circle cx=\"" << svgNumber(p.x()) << "\" cy=\"" << svgNumber(p.y())
-         << "\" r=\"11\" fill=\"" << color
-         << "\" stroke=\"#ffffff\" stroke-width=\"1.5\"/>\n<text x=\"" << svgNumber(p.x())
-         << "\" y=\"" << svgNumber(p.y() + 4.5)
-         << "\" font-size=\"13\" font-weight=\"bold\" text-anchor=\"middle\" fill=\"#ffffff\">"
-         << letter << "</text>\n</g>\n";
+    xml_.empty("circle", {{"cx", p.x()},
+                          {"cy", p.y()},
+                          {"r", 11},
+                          {"fill", color},
+                          {"stroke", "#ffffff"},
+                          {"stroke-width", 1.5}});
+    xml_.text("text",
+              {{"x", p.x()},
+               {"y", p.y() + 4.5},
+               {"font-size", 13},
+               {"font-weight", "bold"},
+               {"text-anchor", "middle"},
+               {"fill", "#ffffff"}},
+              letter);
   }
 
   void drawPlaces() {
@@ -278,47 +243,52 @@ class Drawing {
   }
 
   // Names of things that are large enough to write them on; walls need none.
-  void drawNames(const std::vector<Thing>& things) {
+  void drawNames(const std::vector<PlanThing>& things) {
     constexpr double kLetter = 6.2;  // mean width of a letter of size 12 [units]
-    out_ << "<g id=\"names\" font-size=\"12\" text-anchor=\"middle\" fill=\"#30353d\" "
-            "stroke=\"#ffffff\" "
-            "stroke-width=\"2.5\" stroke-linejoin=\"round\" paint-order=\"stroke\">\n";
-    for (const Thing& thing : things) {
+    const auto group = xml_.open("g", {{"id", "names"},
+                                       {"font-size", 12},
+                                       {"text-anchor", "middle"},
+                                       {"fill", "#30353d"},
+                                       {"stroke", "#ffffff"},
+                                       {"stroke-width", 2.5},
+                                       {"stroke-linejoin", "round"},
+                                       {"paint-order", "stroke"}});
+    for (const PlanThing& thing : things) {
       if (thing.body.empty() || coveredArea(thing.body) < 0.04) continue;
       const Vector2d size = thing.box.sizes() * frame_.scale;
       const double text = kLetter * static_cast<double>(thing.name.size());
       if (std::min(size.x(), size.y()) < 16 || size.x() + 24 < text) continue;
-      const Vector2d p = frame_(thing.box.center());
       if (size.maxCoeff() > 0.7 * std::min(width_, height_)) continue;  // a whole flat in one file
-      out_ << "<text x=\"" << svgNumber(p.x()) << "\" y=\"" << svgNumber(p.y() + 4) << "\">"
-           << svgEscape(thing.name) << "</text>\n";
+      const Vector2d p = frame_(thing.box.center());
+      xml_.text("text", {{"x", p.x()}, {"y", p.y() + 4}}, thing.name);
     }
-    out_ << "</g>\n";
   }
 
   void drawScaleBar() {
     const double metre = frame_.scale, y = height_ + 24;
     const int metres = metre > 60 ? 1 : metre > 12 ? 5 : 10;
-    out_ << "<g id=\"scale-bar\" font-size=\"12\" fill=\"#2b2f36\">\n";
-    for (int i = 0; i < 4; ++i)
-      out_ << "<rect x=\"" << svgNumber(i * metre * metres / 4) << "\" y=\"" << svgNumber(y)
-           << "\" width=\"" << svgNumber(metre * metres / 4) << "\" height=\"6\" fill=\""
-           << (i % 2 ? "#ffffff" : "#2b2f36") << "\" stroke=\"#2b2f36\" stroke-width=\"1\"/>\n";
-    out_ << "<text x=\"0\" y=\"" << svgNumber(y + 22)
-         << "\" text-anchor=\"start\">0</text>\n<text x=\"" << svgNumber(metre * metres)
-         << "\" y=\"" << svgNumber(y + 22) << "\" text-anchor=\"middle\">" << metres
-         << " m</text>\n</g>\n";
+    const auto group = xml_.open("g", {{"id", "scale-bar"}, {"font-size", 12}, {"fill", kInk}});
+    for (int i = 0; i < 4; ++i) {
+      xml_.empty("rect", {{"x", i * metre * metres / 4},
+                          {"y", y},
+                          {"width", metre * metres / 4},
+                          {"height", 6},
+                          {"fill", i % 2 != 0 ? "#ffffff" : kInk},
+                          {"stroke", kInk},
+                          {"stroke-width", 1}});
+    }
+    xml_.text("text", {{"x", 0}, {"y", y + 22}, {"text-anchor", "start"}}, "0");
+    xml_.text("text", {{"x", metre * metres}, {"y", y + 22}, {"text-anchor", "middle"}},
+              std::to_string(metres) + " m");
   }
 
   void legendText(double x, double y, const char* text) {
-    out_ << "<text x=\"" << svgNumber(x) << "\" y=\"" << svgNumber(y) << "\">" << text
-         << "</text>\n";
+    xml_.text("text", {{"x", x}, {"y", y}}, text);
   }
 
-  void legendSwatch(double x, double y, const char* fill, const char* stroke, const char* text) {
-    out_ << "<rect x=\"" << svgNumber(x) << "\" y=\"" << svgNumber(y - 10)
-         << "\" width=\"18\" height=\"12\" fill=\"" << fill << "\" stroke=\"" << stroke
-         << "\" stroke-width=\"0.8\"/>\n";
+  void legendSwatch(double x, double y, const XmlAttributes& style, const char* text) {
+    xml_.empty("rect",
+               XmlAttributes{{"x", x}, {"y", y - 10}, {"width", 18}, {"height", 12}} + style);
     legendText(x + 26, y, text);
   }
 
@@ -326,33 +296,34 @@ class Drawing {
     Footprint print;
     print.side = side;
     const SvgFrame at{Vector2d(-x / 70, y / 70), 70};
-    out_ << "<path d=\"" << svgPath(at, placedShoe(print, 0.27), true) << "\" fill=\""
-         << hexColor(sideColor(side)) << "\"/>\n";
+    xml_.empty("path", {{"d", svgPath(at, placedShoe(print, 0.27), true)},
+                        {"fill", hexColor(sideColor(side))}});
     legendText(x + 16, y + 4, text);
+  }
+
+  void legendLine(double x, double y, const XmlAttributes& style, const char* text) {
+    const std::array<Vector2d, 2> line = {Vector2d(x, y - 4), Vector2d(x + 22, y - 4)};
+    xml_.empty("path", XmlAttributes{{"d", svgPath(line, false)}} + style);
+    legendText(x + 30, y, text);
   }
 
   void drawLegend() {
     const double left = std::max(frame_.scale * 1.2, 130.0), row1 = height_ + 32, row2 = row1 + 26;
-    const double column = (width_ - left) / 4;
-    out_ << "<g id=\"legend\" font-size=\"12\" fill=\"#2b2f36\">\n";
-    legendSwatch(left, row1, "#d3d8df", "#8b94a1", "between 0.05 and 1.8 m");
-    legendSwatch(left, row2, "#9aa4b2", "#6f7987", "between 0.5 and 1.2 m");
+    const double column = (width_ - left) / 4, third = left + 2 * column;
+    const auto group = xml_.open("g", {{"id", "legend"}, {"font-size", 12}, {"fill", kInk}});
+    legendSwatch(left, row1, kBodyStyle, "between 0.05 and 1.8 m");
+    legendSwatch(left, row2, kHipStyle, "between 0.5 and 1.2 m");
     legendShoe(left + column + 22, row1 - 4, kLeft, "left foot");
     legendShoe(left + column + 22, row2 - 4, kRight, "right foot");
-    const double third = left + 2 * column;
-    out_ << "<path d=\"M" << svgNumber(third) << ' ' << svgNumber(row1 - 4) << "h22\" stroke=\""
-         << hexColor(kPathColor) << "\" stroke-width=\"2\"/>\n<path d=\"M" << svgNumber(third)
-         << ' ' << svgNumber(row2 - 4) << "h22\" stroke=\"#3d8f6b\" stroke-opacity=\"0.5\"/>\n";
-    legendText(third + 30, row1, "root path");
-    legendText(third + 30, row2, "roadmap edge");
+    legendLine(third, row1, {{"stroke", hexColor(kPathColor)}, {"stroke-width", 2}}, "root path");
+    legendLine(third, row2, {{"stroke", kEdgeColor}, {"stroke-opacity", 0.5}}, "roadmap edge");
     drawNode({third + column + 8, row1 - 4}, false);
     drawNode({third + column + 8, row2 - 4}, true);
     legendText(third + column + 24, row1, "guard");
     legendText(third + column + 24, row2, "connector");
-    out_ << "</g>\n";
   }
 
-  std::ostream& out_;
+  XmlWriter xml_;
   const WalkView& view_;
   AlignedBox2d shown_;
   SvgFrame frame_;

@@ -1,56 +1,35 @@
 #include "viz/svg.h"
 
-#include <charconv>
-#include <cmath>
+#include <vector>
 
 namespace amble {
 
-std::string svgNumber(double value) {
-  const double rounded = std::round(value * 1000) / 1000;
-  if (!std::isfinite(rounded) || rounded == 0) return "0";
-  char text[64];
-  const auto end =
-      std::to_chars(text, text + sizeof text, rounded, std::chars_format::fixed, 3).ptr;
-  std::string number(text, end);
-  while (number.back() == '0') number.pop_back();
-  if (number.back() == '.') number.pop_back();
-  return number;
+XmlAttributes svgRoot(double width, double height) {
+  return {{"xmlns", "http://www.w3.org/2000/svg"},
+          {"width", width},
+          {"height", height},
+          {"viewBox", "0 0 " + xmlNumber(width) + " " + xmlNumber(height)},
+          {"font-family", "sans-serif"}};
 }
 
-std::string svgEscape(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      case '\'':
-        safe += "&apos;";
-        break;
-      default:
-        safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
+std::string svgPath(std::span<const Eigen::Vector2d> points, bool closed) {
+  std::string path;
+  for (size_t i = 0; i < points.size(); ++i) {
+    path += i == 0 ? "M" : "L";
+    path += xmlNumber(points[i].x()) + ' ' + xmlNumber(points[i].y());
   }
-  return safe;
+  return closed ? path + 'Z' : path;
 }
 
 std::string svgPath(const SvgFrame& frame, std::span<const Eigen::Vector2d> points, bool closed) {
-  std::string path;
-  for (size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector2d p = frame(points[i]);
-    path += i == 0 ? "M" : "L";
-    path += svgNumber(p.x()) + ' ' + svgNumber(p.y());
-  }
-  return closed ? path + 'Z' : path;
+  std::vector<Eigen::Vector2d> placed;
+  for (const Eigen::Vector2d& p : points) placed.push_back(frame(p));
+  return svgPath(placed, closed);
+}
+
+XmlAttributes operator+(XmlAttributes first, const XmlAttributes& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
 }
 
 }  // namespace amble

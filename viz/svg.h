@@ -1,29 +1,32 @@
-/// SVG text: numbers that every locale writes the same, names that cannot break it, elements that
-/// close.
+/// What SVG drawings share: World in a picture, and paths.
 #pragma once
 
 #include <Eigen/Core>
-#include <ostream>
 #include <span>
 #include <string>
 
-namespace amble {
+#include "base/xml.h"
 
-/// At most three decimals, no trailing zeros, always a point.
-std::string svgNumber(double value);
-/// With & < > " ' as entities, control characters as spaces.
-std::string svgEscape(const std::string& text);
+namespace amble {
 
 /// World metres to picture units: y goes down in SVG and up in World.
 struct SvgFrame {
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< World point at the picture's top left [m]
-  double scale = 100;                                ///< picture units a metre
+  double scale = 100;                                ///< picture units a metre [> 0]
   Eigen::Vector2d operator()(const Eigen::Vector2d& p) const {
     return {(p.x() - origin.x()) * scale, (origin.y() - p.y()) * scale};
   }
 };
 
-/// "M x y L x y ... Z" of the points in the picture; "Z" only where `closed`.
+/// The attributes that every drawing of this size begins with: its element is `svg`. [units, > 0]
+XmlAttributes svgRoot(double width, double height);
+
+/// "M x y L x y ... Z" of points in the picture; "Z" only where `closed`.
+std::string svgPath(std::span<const Eigen::Vector2d> points, bool closed);
+/// The same of points in World.
 std::string svgPath(const SvgFrame& frame, std::span<const Eigen::Vector2d> points, bool closed);
+
+/// Attributes one after another.
+XmlAttributes operator+(XmlAttributes first, const XmlAttributes& second);
 
 }  // namespace amble

@@ -11,9 +11,7 @@
 namespace amble {
 namespace {
 
-Scenario parse(const std::string& text) {
-  return readScenario(ScenarioFile{"dir/case.yaml", text});
-}
+Scenario parse(const std::string& text) { return readScenario(parseYaml(text, "dir/case.yaml")); }
 
 constexpr const char* kLeast = "scene: room.yaml\nstart: {at: [1, 1]}\ngoal: {at: [2, 3]}\n";
 
@@ -113,8 +111,8 @@ TEST(Scenario, DefaultsAreDesignsDefaults) {
   EXPECT_NEAR(s.character.max_slope, 20.0 * kPi / 180.0, 1e-15);
   EXPECT_EQ(s.character.max_climb, 0.25);
   EXPECT_FALSE(s.start.z || s.start.heading || s.goal.heading);
-  EXPECT_EQ(s.source.lines.at("start.at"), 2);
-  EXPECT_EQ(s.source.lines.at("goal.at"), 3);
+  EXPECT_EQ(s.start.line, 2);
+  EXPECT_EQ(s.goal.line, 3);
   EXPECT_TRUE(s.via.empty());
   EXPECT_FALSE(s.bounds);
   EXPECT_EQ(s.walk.speed, 1.2);
@@ -167,7 +165,7 @@ TEST(IsScenario, OnlyFilesWithSceneAndStartAre) {
   const auto file = std::filesystem::temp_directory_path() / "amble_is_scenario_test.yaml";
   const auto holdsScenario = [&](const std::string& text) {
     std::ofstream(file) << text;
-    return isScenario(readScenarioFile(file));
+    return isScenario(file);
   };
   EXPECT_TRUE(holdsScenario(kLeast));
   EXPECT_FALSE(holdsScenario("objects: []\n"));

@@ -66,7 +66,7 @@ TEST(GaitPlot, MarksEveryEventThatTheClipShows) {
     }
   }
   const size_t legend = 4;
-  EXPECT_EQ(count(plot(analysis), " Z\" fill="), events + legend);
+  EXPECT_EQ(count(plot(analysis), "class=\"mark\""), events + legend);
 }
 
 TEST(GaitPlot, ShowsTheTypeOfTheMotionAndBothFeet) {

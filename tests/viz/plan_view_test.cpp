@@ -102,13 +102,6 @@ TEST(PlanView, GivesTheSameBytesTwice) {
   EXPECT_EQ(planOf(makeTestWalk()->view), planOf(makeTestWalk()->view));
 }
 
-TEST(Svg, NumbersAreShortAndFinite) {
-  EXPECT_EQ(svgNumber(1.5), "1.5");
-  EXPECT_EQ(svgNumber(-0.0001), "0");
-  EXPECT_EQ(svgNumber(1234.56789), "1234.568");
-  EXPECT_EQ(svgNumber(std::nan("")), "0");
-}
-
 TEST(Svg, YGoesDown) {
   const SvgFrame frame{{1, 5}, 100};
   EXPECT_EQ(svgPath(frame, std::vector<Eigen::Vector2d>{{1, 5}, {2, 4}}, true), "M0 0L100 100Z");
