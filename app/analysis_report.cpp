@@ -25,6 +25,12 @@ const char* sideName(Side side) { return side == kLeft ? "left" : "right"; }
 
 double milli(double metres) { return 1000.0 * metres; }
 
+/// "-" and null for what could not be measured.
+std::string shareText(const std::optional<double>& share) {
+  return share ? fmt::format("{:.2f}", *share) : "-";
+}
+Json orNull(const std::optional<double>& share) { return share ? Json(*share) : Json(nullptr); }
+
 /// Times and frames of the file from frames of the analysis.
 struct FileTime {
   double frame_time;
@@ -97,10 +103,10 @@ void addGait(const AnalysedClip& clip, Findings& out) {
   out.facts.emplace_back(
       "steps",
       fmt::format("{}: {:.3f} m long, {:.3f} m wide, lifted {:.3f} m, toe {:.3f} m clear, {:.3f} "
-                  "s; stride {:.3f} m; left against right {:.2f} in length, {:.2f} in time",
+                  "s; stride {:.3f} m; left against right {} in length, {} in time",
                   gait.steps.size(), gait.step_length, gait.step_width, gait.lift,
-                  gait.toe_clearance, gait.step_time, gait.stride_length, gait.length_asymmetry,
-                  gait.time_asymmetry));
+                  gait.toe_clearance, gait.step_time, gait.stride_length,
+                  shareText(gait.length_asymmetry), shareText(gait.time_asymmetry)));
   out.facts.emplace_back("support", fmt::format("double {:.3f}, flight {:.3f} of the time",
                                                 gait.double_support, gait.flight));
   out.data["gait"] = {{"begin", time(gait.begin)},
@@ -119,8 +125,8 @@ void addGait(const AnalysedClip& clip, Findings& out) {
                       {"stride_length", gait.stride_length},
                       {"lift", gait.lift},
                       {"toe_clearance", gait.toe_clearance},
-                      {"length_asymmetry", gait.length_asymmetry},
-                      {"time_asymmetry", gait.time_asymmetry},
+                      {"length_asymmetry", orNull(gait.length_asymmetry)},
+                      {"time_asymmetry", orNull(gait.time_asymmetry)},
                       {"double_support", gait.double_support},
                       {"flight", gait.flight}};
   if (gait.steps.empty()) out.warnings.push_back("no step was found");
@@ -189,17 +195,18 @@ void addPlants(const AnalysedClip& clip, Findings& out) {
                                   {"drift", plant.drift}});
   }
   out.data["steps"] = Json::array();
-  for (const StepMeasures& step : gait.steps) {
+  const double cut_off = time(0.0);  // the analysis begins so long after the file
+  for (const StepMeasure& step : gait.steps) {
     out.data["steps"].push_back({{"foot", sideName(step.side)},
-                                 {"begin", time(step.begin)},
-                                 {"end", time(step.end)},
+                                 {"begin", cut_off + step.strike - step.duration},
+                                 {"end", cut_off + step.strike},
                                  {"time", step.duration},
-                                 {"length", step.length},
-                                 {"stride", step.stride},
+                                 {"length", step.stride},
+                                 {"stride", step.two_steps},
                                  {"width", step.width},
                                  {"lift", step.lift},
                                  {"toe_clearance", step.toe_clearance},
-                                 {"rise", step.rise},
+                                 {"rise", step.climb},
                                  {"speed", step.speed},
                                  {"turn_rate", step.turn_rate / kDegree},
                                  {"double_support", step.double_support}});
@@ -281,12 +288,12 @@ void printAnalysisTable(const std::vector<AnalysedClip>& clips,
     const ClipClass& kind = clip.analysis.kind;
     std::cout << fmt::format(
         "{:<{}}  {:<7} {:>3.0f} % {:>7.2f} {:>6.2f} {:>6.2f} {:>+5.0f} {:>6.0f} {:>6.3f} {:>6.3f} "
-        "{:>6.3f} {:>6.3f} {:>6.3f} {:>6.2f}\n",
+        "{:>6.3f} {:>6.3f} {:>6.3f} {:>6}\n",
         clip.file.string(), width, motionTypeName(kind.largest()),
         100.0 * kind.shareOf(kind.largest()), clip.analysis.frames() * clip.analysis.frame_time,
         gait.speed, gait.normalised_speed, gait.turn_rate / kDegree, gait.cadence, gait.step_length,
         gait.stride_length, gait.lift, gait.toe_clearance, gait.double_support,
-        gait.time_asymmetry);
+        shareText(gait.time_asymmetry));
   }
   for (const SubjectLaw& law : laws) {
     if (law.walks.empty()) continue;

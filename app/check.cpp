@@ -12,7 +12,9 @@
 #include "app/progress.h"
 #include "app/stop.h"
 #include "base/output_file.h"
+#include "scenarios/check_junit.h"
 #include "scenarios/check_scenarios.h"
+#include "scenarios/find_scenarios.h"
 
 namespace amble {
 namespace {
@@ -77,9 +79,9 @@ int statusOf(const std::vector<CheckRow>& rows) {
 
 int run(const Options& options) {
   const std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
+  const std::vector<ScenarioFile> files = findScenarios(paths);
   size_t width = 8;
-  for (const auto& file : findScenarios(paths))
-    width = std::max(width, file.stem().string().size());
+  for (const ScenarioFile& file : files) width = std::max(width, file.file.stem().string().size());
   Progress progress;
   std::string running;
   CheckOptions how;
@@ -91,14 +93,14 @@ int run(const Options& options) {
     const double done = at.total > 0 ? static_cast<double>(at.done) / at.total : -1.0;
     progress.update(fmt::format("{}: {}", running, at.phase), done);
   };
-  how.started = [&](const std::filesystem::path& file, int index, int count) {
-    running = fmt::format("{} ({} of {})", file.stem().string(), index + 1, count);
+  how.started = [&](const ScenarioFile& file, int index, int count) {
+    running = fmt::format("{} ({} of {})", file.file.stem().string(), index + 1, count);
   };
   how.finished = [&](const CheckRow& row) {
     progress.clear();
     if (!options.json) printRow(row, static_cast<int>(width));
   };
-  const std::vector<CheckRow> rows = checkScenarios(paths, how);
+  const std::vector<CheckRow> rows = checkScenarios(files, how);
   if (options.json) {
     Json all = Json::array();
     for (const CheckRow& row : rows) all.push_back(rowJson(row));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "animation/captures/motion_reader.h"
+#include "scenarios/scenario.h"
 
 namespace amble {
 
@@ -26,6 +27,6 @@ Findings inspectScene(const std::filesystem::path& file);
 Findings inspectMesh(const std::filesystem::path& file);
 Findings inspectClip(const std::filesystem::path& file, const MotionReadOptions& options);
 Findings inspectLibrary(const std::filesystem::path& file);
-Findings inspectScenario(const std::filesystem::path& file);
+Findings inspectScenario(const ScenarioFile& file);
 
 }  // namespace amble

@@ -15,9 +15,10 @@ namespace amble {
 namespace {
 
 Findings inspectYaml(const std::filesystem::path& file) {
-  const YamlNode root = readYaml(file);
+  const std::string text = readWholeFile(file, kAnyYaml);
+  const YamlNode root = parseYaml(text, file.string());
   if (root.isMap()) {
-    if (root.has("scene") || root.has("start")) return inspectScenario(file);
+    if (root.has("scene") || root.has("start")) return inspectScenario({file, text});
     if (root.has("motions")) return inspectLibrary(file);
     if (root.has("objects")) return inspectScene(file);
   }

@@ -162,10 +162,10 @@ Findings inspectMesh(const std::filesystem::path& file) {
   return out;
 }
 
-Findings inspectScenario(const std::filesystem::path& file) {
+Findings inspectScenario(const ScenarioFile& file) {
   const Scenario scenario = readScenario(file);
   const Scene scene = readScene(scenario.scene);
-  Findings out{file.string(), "scenario", {}, {}, {}};
+  Findings out{file.file.string(), "scenario", {}, {}, {}};
   const CharacterSpec& who = scenario.character;
   out.facts = {
       {"name", scenario.name},

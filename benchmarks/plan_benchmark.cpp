@@ -6,6 +6,7 @@
 
 #include "planner/steering/walk_steering.h"
 #include "scenarios/check_scenarios.h"
+#include "scenarios/find_scenarios.h"
 #include "scenarios/problem.h"
 #include "scenarios/run_scenario.h"
 #include "test_paths.h"
@@ -60,9 +61,9 @@ void planScenario(benchmark::State& state, const std::filesystem::path& file) {
 const bool registered = [] {
   for (const auto& file : findScenarios({kScenarios})) {
     if (!missingData(readScenario(file)).empty()) continue;
-    const std::string name = "planScenario/" + file.stem().string();
-    benchmark::RegisterBenchmark(name.c_str(),
-                                 [file](benchmark::State& state) { planScenario(state, file); })
+    const std::string name = "planScenario/" + file.file.stem().string();
+    benchmark::RegisterBenchmark(
+        name.c_str(), [file](benchmark::State& state) { planScenario(state, file.file); })
         ->Unit(benchmark::kMillisecond)
         ->Iterations(1);
   }

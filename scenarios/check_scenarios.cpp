@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
+#include <new>
 
-#include "base/data_directory.h"
 #include "base/error.h"
 #include "base/output_file.h"
+#include "scenarios/find_scenarios.h"
+#include "scenarios/update_expectation.h"
 
 namespace amble {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string decimals(double value) {
   char text[40];
@@ -26,35 +24,43 @@ std::string over(const char* what, double value, double bar, const char* unit) {
          decimals(bar);
 }
 
-std::string readText(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-bool isYaml(const fs::path& file) {
-  return file.extension() == ".yaml" || file.extension() == ".yml";
-}
-
-// The first folder on the way to a file that is not there.
-fs::path firstMissing(const fs::path& file) {
-  fs::path way;
-  for (const fs::path& part : fs::absolute(file).lexically_normal()) {
-    way /= part;
-    if (!fs::exists(way)) return way;
-  }
-  return {};
-}
-
-bool isBelow(const fs::path& file, const fs::path& folder) {
-  const fs::path way = fs::absolute(file).lexically_normal().lexically_relative(
-      fs::absolute(folder).lexically_normal());
-  return !way.empty() && *way.begin() != "..";
-}
-
-CheckRow runOne(const fs::path& file, const CheckOptions& options) {
+CheckRow rowOf(const ScenarioFile& file) {
   CheckRow row;
-  row.file = file;
-  row.scenario = file.stem().string();
+  row.file = file.file;
+  row.scenario = file.file == "-" ? "scenario" : file.file.stem().string();
+  return row;
+}
+
+// Writes the digest into the file, unless its author changed it while it ran.
+void updateDigest(const ScenarioFile& file, const std::string& digest) {
+  const std::string name = file.file.string();
+  if (file.file == "-") throw InputError(name, 0, "cannot be updated", "a file");
+  if (readScenarioFile(file.file).text != file.text) {
+    throw InputError(name, 0, "was changed while it ran", "a file that is left alone");
+  }
+  const std::string text = withDigest(file.text, name, digest);
+  writeFile(file.file, [&](std::ostream& out) { out << text; });
+}
+
+// The digest of a finished, counted run becomes what is expected, in the file and here.
+void update(const ScenarioFile& file, const RunResult& result, Expectation& expect, CheckRow& row) {
+  const Report& report = result.report;
+  if (!report.stopped_by.empty()) {
+    row.notes.push_back("ended by " + report.stopped_by + ", so nothing was updated; expected a " +
+                        "run that finishes");
+    return;
+  }
+  if (report.status != PlanStatus::kSolved) return;
+  const std::string digest = result.bvhDigest();
+  if (expect.bvh_sha256 != digest) {
+    updateDigest(file, digest);
+    row.updated = true;
+  }
+  expect.bvh_sha256 = digest;
+}
+
+CheckRow runOne(const ScenarioFile& file, const CheckOptions& options) {
+  CheckRow row = rowOf(file);
   const Scenario scenario = readScenario(file);
   if (const std::string missing = missingData(scenario); !missing.empty()) {
     row.verdict = CheckVerdict::kSkipped;
@@ -63,59 +69,39 @@ CheckRow runOne(const fs::path& file, const CheckOptions& options) {
   }
   const RunResult result = runScenario(scenario, options.run);
   const Report& report = result.report;
+  if (report.stopped_by == "interrupt") {
+    row.verdict = CheckVerdict::kStopped;
+    return row;
+  }
   row.status = statusName(report.status);
   row.length = report.length;
   row.clearance = report.clearance.min;
   row.foot_skate = report.foot_skate_max;
   row.planning_time = report.times.planning();
   Expectation expect = scenario.expect.value_or(Expectation{});
-  if (options.update && report.status == PlanStatus::kSolved) {
-    const std::string digest = result.bvhDigest();
-    if (expect.bvh_sha256 != digest) {
-      const std::string text = withDigest(readText(file), file.string(), digest);
-      writeFile(file, [&](std::ostream& out) { out << text; });
-      row.updated = true;
-    }
-    expect.bvh_sha256 = digest;
+  if (options.update) update(file, result, expect, row);
+  for (const std::string& note : differences(expect, result, options.judge_times)) {
+    row.notes.push_back(note);
   }
-  row.notes = differences(expect, result, options.judge_times);
   if (!row.notes.empty()) row.verdict = CheckVerdict::kDiffers;
   return row;
 }
 
-std::string xmlText(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
+// One that fails is one row: the others have nothing to do with it.
+CheckRow runGuardedFromFaults(const ScenarioFile& file, const CheckOptions& options) {
+  CheckRow row = rowOf(file);
+  row.verdict = CheckVerdict::kError;
+  const std::string name = file.file.string();
+  try {
+    return runOne(file, options);
+  } catch (const InputError& error) {
+    row.notes = {error.what()};
+  } catch (const std::bad_alloc&) {
+    row.notes = {InputError(name, 0, "out of memory", "a smaller scene").what()};
+  } catch (const std::exception& error) {
+    row.notes = {InputError(name, 0, error.what()).what()};
   }
-  return escaped;
-}
-
-std::string joined(const std::vector<std::string>& notes) {
-  std::string text;
-  for (const std::string& note : notes) text += (text.empty() ? "" : "; ") + note;
-  return text;
-}
-
-std::string seconds(double time) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3f", time);
-  return text;
+  return row;
 }
 
 }  // namespace
@@ -128,53 +114,10 @@ std::string verdictName(CheckVerdict verdict) {
       return "differs";
     case CheckVerdict::kSkipped:
       return "skipped";
+    case CheckVerdict::kStopped:
+      return "stopped";
     case CheckVerdict::kError:
       return "error";
-  }
-  return "";
-}
-
-std::vector<fs::path> findScenarios(const std::vector<fs::path>& paths) {
-  std::vector<fs::path> found;
-  for (const fs::path& path : paths) {
-    if (!fs::exists(path)) {
-      throw InputError(path.string(), 0, "is not there", "a scenario, or a folder that holds some");
-    }
-    if (!fs::is_directory(path)) {
-      if (!isScenario(path)) {
-        throw InputError(path.string(), 0, "is no scenario", "YAML with 'scene:' and 'start:'");
-      }
-      found.push_back(path);
-      continue;
-    }
-    std::vector<fs::path> here;
-    for (const auto& entry :
-         fs::recursive_directory_iterator(path, fs::directory_options::skip_permission_denied)) {
-      if (entry.is_regular_file() && isYaml(entry.path()) && isScenario(entry.path())) {
-        here.push_back(entry.path());
-      }
-    }
-    if (here.empty()) throw InputError(path.string(), 0, "holds no scenario", "at least one");
-    std::sort(here.begin(), here.end());
-    found.insert(found.end(), here.begin(), here.end());
-  }
-  return found;
-}
-
-std::string missingData(const Scenario& scenario) {
-  const fs::path own = dataDirectory();
-  if (!fs::exists(scenario.scene)) return "";  // a slip, which readers tell
-  const YamlNode root = readYaml(scenario.scene);
-  if (!root.isMap() || !root.has("objects") || !root.at("objects").isSequence()) return "";
-  for (const YamlNode& object : root.at("objects").items()) {
-    if (!object.isMap() || !object.has("mesh")) continue;
-    const fs::path mesh = object.at("mesh").asPath();
-    const fs::path missing = firstMissing(mesh);
-    if (missing.empty() || isBelow(mesh, own) ||
-        isBelow(mesh, fs::current_path() / scenario.scene.parent_path())) {
-      continue;
-    }
-    return mesh.string();
   }
   return "";
 }
@@ -213,9 +156,8 @@ std::vector<std::string> differences(const Expectation& expect, const RunResult&
   return notes;
 }
 
-std::vector<CheckRow> checkScenarios(const std::vector<fs::path>& paths,
+std::vector<CheckRow> checkScenarios(const std::vector<ScenarioFile>& files,
                                      const CheckOptions& options) {
-  const std::vector<fs::path> files = findScenarios(paths);
   std::vector<CheckRow> rows;
   for (size_t i = 0; i < files.size(); ++i) {
     if (options.run.stop != nullptr && options.run.stop->load()) break;
@@ -223,18 +165,9 @@ std::vector<CheckRow> checkScenarios(const std::vector<fs::path>& paths,
       options.started(files[i], static_cast<int>(i), static_cast<int>(files.size()));
     }
     const auto begin = std::chrono::steady_clock::now();
-    CheckRow row;
-    try {
-      row = runOne(files[i], options);
-    } catch (const InputError& error) {
-      row.file = files[i];
-      row.scenario = files[i].stem().string();
-      row.verdict = CheckVerdict::kError;
-      row.notes = {error.what()};
-    }
-    row.total_time =
+    rows.push_back(runGuardedFromFaults(files[i], options));
+    rows.back().total_time =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    rows.push_back(row);
     if (options.finished) options.finished(rows.back());
   }
   return rows;
@@ -244,34 +177,6 @@ bool allHold(const std::vector<CheckRow>& rows) {
   return std::all_of(rows.begin(), rows.end(), [](const CheckRow& row) {
     return row.verdict == CheckVerdict::kHolds || row.verdict == CheckVerdict::kSkipped;
   });
-}
-
-void writeJUnit(std::ostream& out, const std::vector<CheckRow>& rows) {
-  const auto count = [&](CheckVerdict verdict) {
-    return std::count_if(rows.begin(), rows.end(),
-                         [&](const CheckRow& row) { return row.verdict == verdict; });
-  };
-  double time = 0.0;
-  for (const CheckRow& row : rows) time += row.total_time;
-  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
-      << "  <testsuite name=\"amble check\" tests=\"" << rows.size() << "\" failures=\""
-      << count(CheckVerdict::kDiffers) << "\" errors=\"" << count(CheckVerdict::kError)
-      << "\" skipped=\"" << count(CheckVerdict::kSkipped) << "\" time=\"" << seconds(time)
-      << "\">\n";
-  for (const CheckRow& row : rows) {
-    out << "    <testcase classname=\"" << xmlText(row.file.parent_path().generic_string())
-        << "\" name=\"" << xmlText(row.scenario) << "\" time=\"" << seconds(row.total_time) << "\"";
-    if (row.verdict == CheckVerdict::kHolds) {
-      out << "/>\n";
-      continue;
-    }
-    const char* element = row.verdict == CheckVerdict::kDiffers   ? "failure"
-                          : row.verdict == CheckVerdict::kSkipped ? "skipped"
-                                                                  : "error";
-    out << ">\n      <" << element << " message=\"" << xmlText(joined(row.notes))
-        << "\"/>\n    </testcase>\n";
-  }
-  out << "  </testsuite>\n</testsuites>\n";
 }
 
 }  // namespace amble

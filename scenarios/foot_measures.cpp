@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/rotation.h"
+#include "base/statistics.h"
 
 namespace amble {
 namespace {
@@ -23,12 +23,6 @@ std::vector<int> heelToBall(const Body& body, int side) {
   return parts;
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 SoleTracks::SoleTracks(const Skeleton& skeleton, const Body& body, const PoseArray& poses,
@@ -44,7 +38,7 @@ SoleTracks::SoleTracks(const Skeleton& skeleton, const Body& body, const PoseArr
   const std::array<std::vector<int>, 2> feet = {heelToBall(body, kLeft), heelToBall(body, kRight)};
   for (int side = 0; side < 2; ++side) {
     lowest_[side].assign(frames_, kNone);
-    centres_[side].assign(2 * static_cast<size_t>(frames_), {Eigen::Vector2d::Zero(), kNone});
+    centres_[side].assign(2 * static_cast<size_t>(frames_), {Eigen::Vector3d::Zero(), kNone});
   }
   for (int frame = 0; frame < frames_; ++frame) {
     forwardKinematics(skeleton, poses[frame], joints);
@@ -64,8 +58,9 @@ SoleTracks::SoleTracks(const Skeleton& skeleton, const Body& body, const PoseArr
         ball += to[part] / static_cast<double>(feet[side].size());
       }
       const double radius = body.parts[feet[side][0]].radius;
-      centres_[side][2 * frame] = {heel.head<2>(), underside(heel, radius)};
-      centres_[side][2 * frame + 1] = {ball.head<2>(), underside(ball, radius)};
+      const Eigen::Vector3d down(0, 0, radius);
+      centres_[side][2 * frame] = {heel - down, underside(heel, radius)};
+      centres_[side][2 * frame + 1] = {ball - down, underside(ball, radius)};
     }
   }
 }
@@ -84,7 +79,8 @@ double SoleTracks::slide(Side side, int first, int last) const {
     const Eigen::Vector2d rest(median(x), median(y));
     for (int frame = first; frame <= last; ++frame) {
       const Centre& centre = centres_[side][2 * frame + end];
-      if (centre.height <= kTouchHeight) largest = std::max(largest, (centre.at - rest).norm());
+      if (centre.height <= kTouchHeight)
+        largest = std::max(largest, (centre.at.head<2>() - rest).norm());
     }
   }
   return largest;
@@ -98,28 +94,44 @@ double SoleTracks::penetration() const {
   return deepest;
 }
 
-std::vector<StepReport> measureSteps(const AnimationBuffer& walk, const SoleTracks& soles) {
-  std::vector<StepReport> steps;
+SoleEnds SoleTracks::ends(Side side, int frame) const {
+  return {centres_[side][2 * frame].at, centres_[side][2 * frame + 1].at};
+}
+
+int SoleTracks::flattest(Side side, int first, int last) const {
+  const auto higher = [&](int frame) {
+    return std::max(centres_[side][2 * frame].height, centres_[side][2 * frame + 1].height);
+  };
+  int best = first;
+  for (int frame = first; frame <= last; ++frame) {
+    if (higher(frame) < higher(best)) best = frame;
+  }
+  return best;
+}
+
+std::vector<StepMeasure> measureSteps(const AnimationBuffer& walk, const SoleTracks& soles) {
+  std::vector<StepMeasure> steps;
   std::array<const Footprint*, 2> before = {nullptr, nullptr};
+  const auto printOf = [&](const Footprint& print) -> SolePrint {
+    const int flat = soles.flattest(print.side, print.first_frame, print.last_frame);
+    return {print.position, soles.ends(print.side, flat)};
+  };
   for (const Footprint& print : walk.footprints) {
-    StepReport step;
-    step.foot = print.side;
-    step.start = print.first_frame * walk.frame_time;
-    step.end = print.last_frame * walk.frame_time;
+    const Footprint *own = before[print.side], *standing = before[other(print.side)];
+    StepMeasure step;
+    step.side = print.side;
     step.at = print.position;
-    step.slide = soles.slide(print.side, print.first_frame, print.last_frame);
-    const Footprint* own = before[print.side];
-    const Footprint* other = before[1 - print.side];
-    if (own != nullptr && other != nullptr) {
-      const Eigen::Vector3d d = print.position - other->position;
-      // Left and right feet's toeing out cancel.
-      const double heading = other->heading + 0.5 * wrapAngle(print.heading - other->heading);
-      step.stride = d.x() * std::cos(heading) + d.y() * std::sin(heading);
-      step.climb = d.z();
+    if (own != nullptr && standing != nullptr) {
+      StepPrints prints{print.side, printOf(*own), printOf(print), printOf(*standing), 0.0, {}};
+      prints.along = headingBetween(standing->heading, print.heading);
       for (int frame = own->last_frame; frame <= print.first_frame; ++frame) {
-        step.lift = std::max(step.lift, soles.ballHeight(print.side, frame));
+        prints.swing.push_back(soles.ends(print.side, frame));
       }
+      step = measureStep(prints);
     }
+    step.strike = print.first_frame * walk.frame_time;
+    step.lift_off = print.last_frame * walk.frame_time;
+    step.slide = soles.slide(print.side, print.first_frame, print.last_frame);
     before[print.side] = &print;
     steps.push_back(step);
   }

@@ -11,10 +11,10 @@
 #include <span>
 #include <vector>
 
+#include "animation/body/step_measure.h"
 #include "animation/ground/ground.h"
 #include "animation/synthesis/animation_buffer.h"
 #include "environments/body/body.h"
-#include "scenarios/report.h"
 
 namespace amble {
 
@@ -34,8 +34,11 @@ class SoleTracks {
   /// The lowest underside of any of the foot's sole parts over the ground below it; +infinity where
   /// there is no ground [m].
   double height(Side side, int frame) const { return lowest_[side][frame]; }
-  /// The ball's centre over its height when the sole is flat on the ground [m].
-  double ballHeight(Side side, int frame) const { return centres_[side][2 * frame + 1].height; }
+  /// Undersides of the sole's two ends [m, World].
+  SoleEnds ends(Side side, int frame) const;
+  /// The frame of [first, last] in which heel and ball are lowest over the ground: the sole is
+  /// flat.
+  int flattest(Side side, int first, int last) const;
   /// Largest drift of the foot's centres that touch in frames [first, last] [m]; 0 where none does.
   double slide(Side side, int first, int last) const;
   /// Largest depth of any sole below the ground, over all frames [m, >= 0].
@@ -43,15 +46,16 @@ class SoleTracks {
 
  private:
   struct Centre {
-    Eigen::Vector2d at = Eigen::Vector2d::Zero();
-    double height = 0.0;  // of the underside over the ground
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();  // its underside
+    double height = 0.0;                           // of that over the ground
   };
   int frames_ = 0;
   std::array<std::vector<double>, 2> lowest_;   // [side][frame]
   std::array<std::vector<Centre>, 2> centres_;  // [side][2 * frame + {heel, ball}]
 };
 
-/// The placings of a walk of ours, in order.
-std::vector<StepReport> measureSteps(const AnimationBuffer& walk, const SoleTracks& soles);
+/// The placings of a walk of ours, in order: strike, lift-off and slide of all, the step to it of
+/// those that the walk swings to.
+std::vector<StepMeasure> measureSteps(const AnimationBuffer& walk, const SoleTracks& soles);
 
 }  // namespace amble

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {
@@ -33,16 +34,16 @@ std::string listed(const std::vector<double>& heights) {
 
 Scene loadScene(const Scenario& scenario) {
   if (!std::filesystem::exists(scenario.scene)) {
-    throw InputError(scenario.file.string(), scenario.scene_line,
-                     "the scene '" + scenario.scene.string() + "' is not there",
-                     "the path of a scene file, relative to this one");
+    scenario.source.fail("scene", "the scene '" + scenario.scene.string() + "' is not there",
+                         "the path of a scene file, relative to this one");
   }
   return readScene(scenario.scene);
 }
 
 // Actions are held for the whole walk: what is valid for a part of it only cannot be one.
 void requireActions(const Scenario& scenario, const MotionLibrary& library) {
-  for (const auto& [action, line] : scenario.walk.actions) {
+  for (size_t i = 0; i < scenario.walk.actions.size(); ++i) {
+    const std::string& action = scenario.walk.actions[i];
     const Motion* motion = library.find(action);
     const bool held = motion != nullptr && (motion->kind == MotionKind::kMovement ||
                                             motion->kind == MotionKind::kPosture);
@@ -52,8 +53,8 @@ void requireActions(const Scenario& scenario, const MotionLibrary& library) {
       if (other.kind != MotionKind::kMovement && other.kind != MotionKind::kPosture) continue;
       if (other.valid.when == Validity::When::kAlways) names += " " + other.name;
     }
-    throw InputError(
-        scenario.file.string(), line,
+    scenario.source.fail(
+        "walk.actions[" + std::to_string(i) + "]",
         "'" + action + "' is no movement or posture of the library that is always valid",
         "of" + names);
   }
@@ -62,9 +63,9 @@ void requireActions(const Scenario& scenario, const MotionLibrary& library) {
 MotionLibrary loadLibrary(const Scenario& scenario) {
   const CharacterSpec& character = scenario.character;
   if (character.library != "default" && !std::filesystem::exists(character.library)) {
-    throw InputError(scenario.file.string(), character.library_line,
-                     "the library '" + character.library + "' is not there",
-                     "'default', or the path of a motion library, relative to this file");
+    scenario.source.fail("character.library",
+                         "the library '" + character.library + "' is not there",
+                         "'default', or the path of a motion library, relative to this file");
   }
   MotionLibrary library = openMotionLibrary(character.library);
   requireActions(scenario, library);
@@ -79,7 +80,7 @@ CharacterSettings settingsOf(const Scenario& scenario, double frame_time) {
   settings.max_slope = scenario.character.max_slope;
   settings.max_climb = scenario.character.max_climb;
   settings.max_drop = scenario.character.max_drop;
-  for (const auto& [action, line] : scenario.walk.actions) settings.actions.push_back(action);
+  settings.actions = scenario.walk.actions;
   return settings;
 }
 
@@ -105,9 +106,28 @@ void requireWithinBounds(const Scenario& scenario, const Place& place, const std
       (place.at.array() <= bounds.max.array()).all()) {
     return;
   }
-  throw InputError(scenario.file.string(), place.line, "'" + key + ".at' is outside of 'bounds'",
-                   range("x", bounds.min.x(), bounds.max.x()) + " and " +
-                       range("y", bounds.min.y(), bounds.max.y()));
+  scenario.source.fail(key + ".at", "'" + key + ".at' is outside of 'bounds'",
+                       range("x", bounds.min.x(), bounds.max.x()) + " and " +
+                           range("y", bounds.min.y(), bounds.max.y()));
+}
+
+std::string degrees(double angle) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", angle / kDegree);
+  return text;
+}
+
+// Without ground nobody stands anywhere; what is wrong then is the scene, not a place in it.
+SceneGround makeGround(const Scene& scene, const Scenario& scenario, const MotionLibrary& library) {
+  const GroundSettings settings = groundSettings(scenario, library);
+  SceneGround ground(scene, settings);
+  if (ground.extent().isEmpty()) {
+    scenario.source.fail(
+        "scene", "the scene '" + scenario.scene.string() + "' holds nothing that can be walked on",
+        "a floor that faces up, no steeper than " + degrees(settings.max_slope) +
+            " degrees, with " + metres(settings.headroom) + " m of room above it");
+  }
+  return ground;
 }
 
 }  // namespace
@@ -116,7 +136,7 @@ double chooseFloor(const Scene& scene, const SceneGround& ground, const Scenario
                    const Place& place, const std::string& key) {
   requireWithinBounds(scenario, place, key);
   const auto fail = [&](const std::string& problem, const std::string& expected) {
-    throw InputError(scenario.file.string(), place.line, "'" + key + ".at' " + problem, expected);
+    scenario.source.fail(key + ".at", "'" + key + ".at' " + problem, expected);
   };
   const std::vector<double> heights = ground.floors(place.at.x(), place.at.y());
   if (heights.empty()) {
@@ -147,7 +167,7 @@ Problem::Problem(const Scenario& problem, double frame_time)
     : scenario(problem),
       scene(loadScene(scenario)),
       library(loadLibrary(scenario)),
-      ground(scene, groundSettings(scenario, library)),
+      ground(makeGround(scene, scenario, library)),
       floor(chooseFloor(scene, ground, scenario, scenario.start, "start")),
       synthesizer(library, ground, settingsOf(scenario, frame_time)),
       body(makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),

@@ -27,10 +27,10 @@ const char* sideName(int side) { return side == kLeft ? "left" : "right"; }
 
 Json stepsJson(const Report& report) {
   Json steps = Json::array();
-  for (const StepReport& step : report.steps) {
-    steps.push_back({{"foot", sideName(step.foot)},
-                     {"start", number(step.start)},
-                     {"end", number(step.end)},
+  for (const StepMeasure& step : report.steps) {
+    steps.push_back({{"foot", sideName(step.side)},
+                     {"start", number(step.strike)},
+                     {"end", number(step.lift_off)},
                      {"at", vector(step.at)},
                      {"stride", number(step.stride)},
                      {"lift", number(step.lift)},

@@ -13,26 +13,12 @@
 #include <vector>
 
 #include "animation/body/joint_roles.h"
+#include "animation/body/step_measure.h"
 #include "animation/quality/walk_quality.h"
 #include "environments/body/body.h"
 #include "scenarios/scenario.h"
 
 namespace amble {
-
-/// One placing of one foot, and the swing that led to it.
-struct StepReport {
-  Side foot = kLeft;
-  double start = 0.0;  ///< strike and lift-off, by the walk's clock [s]
-  double end = 0.0;
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< middle of the sole, on the ground [m, World]
-  /// Horizontal distance from the other foot's placing before it, along this foot's heading [m].
-  /// What Shanbhag calls stride is a step's length to gait analysis. 0 for the first placing of
-  /// each foot.
-  double stride = 0.0;
-  double lift = 0.0;  ///< highest rise of the ball over its standing height in the swing before [m]
-  double climb = 0.0;  ///< rise of the ground from the other foot's placing before it [m]
-  double slide = 0.0;  ///< largest drift of its contact point while planted [m]
-};
 
 struct ClearanceReport {
   double min = 0.0;  ///< to everything but the ground that soles stand on [m]
@@ -60,13 +46,14 @@ struct Report {
   std::string scenario;
   std::uint64_t seed = 1;
   std::string planner;
-  std::string
-      stopped_by;  ///< what ended the search: "solved", "failures", "time_limit", "interrupt", ...
+  /// "time_limit" or "interrupt" where that ended the search or the refinement; else empty, and
+  /// the result is the counted one.
+  std::string stopped_by;
   double length = 0.0;    ///< of the root path [m]
   double duration = 0.0;  ///< [s]
   int frames = 0;
-  double frame_time = 0.0;  ///< [s]
-  std::vector<StepReport> steps;
+  double frame_time = 0.0;           ///< [s]
+  std::vector<StepMeasure> steps;    ///< the placings, and the swings that led to them
   double goal_position_error = 0.0;  ///< [m]
   double goal_heading_error = 0.0;   ///< 0 where any heading was right [rad]
   ClearanceReport clearance;

@@ -7,7 +7,6 @@
 #include <memory>
 #include <string>
 
-#include "animation/body/clip.h"
 #include "planner/plan_walk.h"
 #include "scenarios/problem.h"
 #include "scenarios/report.h"
@@ -30,9 +29,6 @@ struct RunResult {
 
   std::string bvhDigest() const;  ///< SHA-256 of `bvh`; empty without a walk
 };
-
-/// The walk as a clip, for exports. @pre the result has a walk
-Clip walkClip(const RunResult& result);
 
 /// @throws InputError for bad input only; that there is no walk is a result.
 RunResult runScenario(const Scenario& scenario, const RunOptions& options = {});

@@ -1,12 +1,11 @@
 #include "scenarios/scenario.h"
 
-#include <fstream>
-#include <iostream>
-#include <iterator>
+#include <sstream>
 
 #include "base/error.h"
 #include "base/rotation.h"
 #include "base/sha256.h"
+#include "base/strict_yaml.h"
 
 namespace amble {
 namespace {
@@ -26,7 +25,6 @@ Place readPlace(const YamlNode& node, bool with_heading) {
   }
   Place place;
   const YamlNode at = node.at("at");
-  place.line = at.line();
   const bool has_z = at.isSequence() && at.size() == 3;
   if (!has_z && at.isSequence() && at.size() != 2) {
     at.fail("'" + at.path() + "' has " + std::to_string(at.size()) + " numbers",
@@ -47,7 +45,6 @@ CharacterSpec readCharacter(const YamlNode& node) {
   if (const YamlNode n = node["height"]) character.height = n.asDouble(0.5, 2.5, "height [m]");
   if (const YamlNode n = node["library"]) {
     character.library = n.asString() == "default" ? "default" : n.asPath().string();
-    character.library_line = n.line();
   }
   if (const YamlNode n = node["max_slope"]) {
     character.max_slope = asAngle(n, 0.0, 45.0, "slope [degrees]");
@@ -84,9 +81,7 @@ WalkSpec readWalk(const YamlNode& node) {
     walk.to_standing = n.asEnum<bool>({{"stand", true}, {"walking", false}});
   }
   if (const YamlNode n = node["actions"]) {
-    for (const YamlNode& action : n.items()) {
-      walk.actions.emplace_back(action.asString(), action.line());
-    }
+    for (const YamlNode& action : n.items()) walk.actions.push_back(action.asString());
   }
   return walk;
 }
@@ -94,10 +89,7 @@ WalkSpec readWalk(const YamlNode& node) {
 PlannerSpec readPlanner(const YamlNode& node) {
   node.requireKeys({"name", "seed", "max_failures", "time_limit"});
   PlannerSpec planner;
-  if (const YamlNode n = node["name"]) {
-    planner.name = n.asString();
-    planner.name_line = n.line();
-  }
+  if (const YamlNode n = node["name"]) planner.name = n.asString();
   if (const YamlNode n = node["seed"]) {
     planner.seed = static_cast<std::uint64_t>(n.asInt(0, 2147483647, "seed"));
   }
@@ -141,7 +133,22 @@ Expectation readExpectation(const YamlNode& node) {
   return expect;
 }
 
+void collectLines(const YamlNode& node, std::map<std::string, int>& lines) {
+  lines[node.path()] = node.line();
+  if (node.isMap()) {
+    for (const auto& [key, value] : node.entries()) collectLines(value, lines);
+  } else if (node.isSequence()) {
+    for (const YamlNode& item : node.items()) collectLines(item, lines);
+  }
+}
+
 }  // namespace
+
+void ScenarioSource::fail(const std::string& key, const std::string& problem,
+                          const std::string& expected) const {
+  const auto line = lines.find(key);
+  throw InputError(file.string(), line == lines.end() ? 0 : line->second, problem, expected);
+}
 
 std::string statusName(PlanStatus status) {
   switch (status) {
@@ -157,14 +164,13 @@ std::string statusName(PlanStatus status) {
   return "";
 }
 
-Scenario readScenario(const YamlNode& root) {
+Scenario readScenario(const ScenarioFile& file) {
+  const YamlNode root = parseYaml(file.text, file.file.string());
   root.requireKeys(
       {"scene", "character", "start", "goal", "via", "bounds", "walk", "planner", "expect"});
   Scenario scenario;
-  scenario.file = root.file();
-  scenario.name = scenario.file == "-" ? "scenario" : scenario.file.stem().string();
+  scenario.name = file.file == "-" ? "scenario" : file.file.stem().string();
   scenario.scene = root.at("scene").asPath();
-  scenario.scene_line = root.at("scene").line();
   if (const YamlNode n = root["character"]) scenario.character = readCharacter(n);
   scenario.start = readPlace(root.at("start"), true);
   scenario.goal = readPlace(root.at("goal"), true);
@@ -175,31 +181,27 @@ Scenario readScenario(const YamlNode& root) {
   if (const YamlNode n = root["walk"]) scenario.walk = readWalk(n);
   if (const YamlNode n = root["planner"]) scenario.planner = readPlanner(n);
   if (const YamlNode n = root["expect"]) scenario.expect = readExpectation(n);
+  scenario.source = {file.file, sha256(file.text), {}};
+  collectLines(root, scenario.source.lines);
   return scenario;
+}
+
+ScenarioFile readScenarioFile(const std::filesystem::path& file) {
+  return {file, readWholeFile(file, kScenarioKind)};
 }
 
 Scenario readScenario(const std::filesystem::path& file) {
-  std::string text;
-  if (file == "-") {
-    text.assign(std::istreambuf_iterator<char>(std::cin), {});
-  } else {
-    readYaml(file);  // says what is wrong with a file that is missing, unreadable or too large
-    std::ifstream in(file, std::ios::binary);
-    text.assign(std::istreambuf_iterator<char>(in), {});
-  }
-  Scenario scenario = readScenario(parseYaml(text, file.string()));
-  scenario.sha256 = sha256(text);
-  return scenario;
+  return readScenario(readScenarioFile(file));
 }
 
-bool isScenario(const std::filesystem::path& file) {
+bool isScenario(const ScenarioFile& file) {
   try {
-    const YamlNode root = readYaml(file);
+    const YamlNode root = parseYaml(file.text, file.file.string());
     return root.isMap() && root.has("scene") && root.has("start");
   } catch (const InputError&) {
     // Not YAML as we read it: a scenario with a slip in it must be heard of, somebody else's file
     // must not.
-    std::ifstream in(file);
+    std::istringstream in(file.text);
     bool scene = false, start = false;
     for (std::string line; std::getline(in, line);) {
       scene |= line.starts_with("scene:");

@@ -6,12 +6,13 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/files.h"
 #include "base/rotation.h"
-#include "base/strict_yaml.h"
 #include "planner/plan_walk.h"
 
 namespace amble {
@@ -21,7 +22,6 @@ struct Place {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< [m]
   std::optional<double> z;        ///< stands on the floor within kFloorReach of it [m]
   std::optional<double> heading;  ///< [rad]; none: any
-  int line = 0;                   ///< of `at` in the file, for messages
 };
 
 /// How far from a place's z its floor may lie [m].
@@ -30,7 +30,6 @@ inline constexpr double kFloorReach = 0.3;
 struct CharacterSpec {
   double height = 0.0;                ///< stature [m, 0.5 to 2.5]; 0: the library's own
   std::string library = "default";    ///< `default`, or a path that stands on its own
-  int library_line = 0;               ///< where the file names it; 0: it does not
   double max_slope = 20.0 * kDegree;  ///< [rad, 0 to 45 degrees]
   double max_climb = 0.25;            ///< highest step up [m, 0 to 1]
   double max_drop = 0.25;             ///< highest step down [m, 0 to 1]
@@ -40,14 +39,12 @@ struct WalkSpec {
   double speed = 1.2;         ///< on the straight [m/s, 0.3 to 2]
   bool from_standing = true;  ///< `from: stand`; else the walk begins in mid-walk
   bool to_standing = true;
-  /// Movements and postures of the library that are held for the whole walk, and the lines that
-  /// name them.
-  std::vector<std::pair<std::string, int>> actions;
+  std::vector<std::string>
+      actions;  ///< movements and postures of the library, held for the whole walk
 };
 
 struct PlannerSpec {
   std::string name = "visibility";
-  int name_line = 0;         ///< where the file names it; 0: it does not
   std::uint64_t seed = 1;    ///< [0 to 2^31 - 1]
   int max_failures = 500;    ///< the visibility PRM's M [1 to 1,000,000]
   double time_limit = 60.0;  ///< [s, > 0, at most a day]
@@ -70,12 +67,21 @@ struct Expectation {
   std::optional<std::string> bvh_sha256;    ///< 64 lower-case hexadecimal digits
 };
 
+/// Where a scenario's values stood, for messages and reports.
+struct ScenarioSource {
+  std::filesystem::path file;        ///< `-` for standard input
+  std::string sha256;                ///< of the file's bytes as they were read
+  std::map<std::string, int> lines;  ///< by the value's path: "scene", "goal.at", "walk.actions[1]"
+
+  /// @param key  of a value; one that the file leaves to its default has no line.
+  [[noreturn]] void fail(const std::string& key, const std::string& problem,
+                         const std::string& expected) const;
+};
+
 struct Scenario {
   std::string name;  ///< the file's, without folder and extension
-  std::filesystem::path file;
-  std::string sha256;  ///< of the file as it was read; empty where a text was given
+  ScenarioSource source;
   std::filesystem::path scene;
-  int scene_line = 0;
   CharacterSpec character;
   Place start, goal;
   std::vector<Place> via;  ///< in order
@@ -85,14 +91,24 @@ struct Scenario {
   std::optional<Expectation> expect;
 };
 
-/// @param file  `-` is standard input. @throws InputError as DESIGN.md, section 5, asks.
-Scenario readScenario(const std::filesystem::path& file);
-/// The same from a text that was read already.
-Scenario readScenario(const YamlNode& root);
+/// A file as it was read: a pipe can be read but once, and what is run is what is hashed.
+struct ScenarioFile {
+  std::filesystem::path file;
+  std::string text;
+};
+inline constexpr FileKind kScenarioKind = {"a scenario (YAML)", size_t{1} << 20};
 
-/// Whether a YAML file is a scenario: a map with `scene:` and `start:`. Other files are passed over
-/// by `amble check`, so a broken one is none here unless a line of it begins with `scene:` and
+/// @param file  `-` is standard input. @throws InputError if it cannot be read or is too large.
+ScenarioFile readScenarioFile(const std::filesystem::path& file);
+
+/// @throws InputError as DESIGN.md, section 5, asks.
+Scenario readScenario(const ScenarioFile& file);
+/// Both at once.
+Scenario readScenario(const std::filesystem::path& file);
+
+/// Whether it is a scenario: YAML with `scene:` and `start:`. Other files are passed over by `amble
+/// check`, so one that is no such YAML is none here unless a line of it begins with `scene:` and
 /// another with `start:`.
-bool isScenario(const std::filesystem::path& file);
+bool isScenario(const ScenarioFile& file);
 
 }  // namespace amble

@@ -1,10 +1,12 @@
-/// Setting one value in a scenario's text without touching the rest of it: comments and layout are
-/// the author's.
+#include "scenarios/update_expectation.h"
+
 #include <algorithm>
 #include <sstream>
+#include <vector>
 
 #include "base/error.h"
-#include "scenarios/check_scenarios.h"
+#include "base/strict_yaml.h"
+#include "scenarios/scenario.h"
 
 namespace amble {
 namespace {
@@ -70,7 +72,7 @@ std::string withDigest(const std::string& text, const std::string& file,
   for (const std::string& line : lines) updated += line + "\n";
   // The layouts of YAML are many: what was written is read again before it is believed.
   try {
-    const Scenario scenario = readScenario(parseYaml(updated, file));
+    const Scenario scenario = readScenario(ScenarioFile{file, updated});
     if (scenario.expect && scenario.expect->bvh_sha256 == digest) return updated;
   } catch (const InputError&) {
   }

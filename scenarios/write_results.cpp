@@ -1,5 +1,6 @@
 #include "scenarios/write_results.h"
 
+#include <algorithm>
 #include <chrono>
 #include <system_error>
 
@@ -43,11 +44,17 @@ class MadeFolder {
   bool keep_ = false;
 };
 
-void removeEarlierWalk(const fs::path& folder) {
-  std::error_code not_there;
-  for (const char* name : {"walk.bvh", "walk.glb", "walk.html", "walk.png", "walk.csv"}) {
-    fs::remove(folder / name, not_there);
+// Of the names those that this run does not write.
+std::vector<fs::path> obsolete(const std::vector<fs::path>& names, const fs::path& folder,
+                               const std::vector<ResultFile>& files) {
+  std::vector<fs::path> old;
+  for (const fs::path& name : names) {
+    const bool is_new = std::any_of(files.begin(), files.end(), [&](const ResultFile& file) {
+      return file.file == folder / name;
+    });
+    if (!is_new) old.push_back(folder / name);
   }
+  return old;
 }
 
 }  // namespace
@@ -69,8 +76,7 @@ void writeResults(RunResult& result, const fs::path& folder, const WriteOptions&
            writeJson(out, result.report);
          }});
   }
-  writeFiles(files);
-  if (!walk) removeEarlierWalk(folder);
+  writeFiles(files, obsolete(options.names, folder, files));
   made.keep();
 }
 

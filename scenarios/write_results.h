@@ -14,11 +14,14 @@ struct WriteOptions {
   bool bvh = true;               ///< walk.bvh, where there is a walk
   bool json = true;              ///< report.json
   std::vector<ResultFile> more;  ///< pictures and the like: paths relative to the folder
+  /// Every name that any run may write there: a result is one set, of one run, so what another left
+  /// under them goes when this one's is written.
+  std::vector<std::filesystem::path> names = {"walk.bvh", "report.json"};
 };
 
 /// Makes the folder if need be and writes the files, the report last: `times.export` holds what the
-/// others took. Either all are there afterwards or the folder is as it was. Without a walk the
-/// walk.* files of an earlier run are removed, since they would be taken for this one's.
+/// others took. Either all are there afterwards, and none of another run, or the folder is as it
+/// was.
 /// @throws InputError naming the folder or the file that cannot be written.
 void writeResults(RunResult& result, const std::filesystem::path& folder,
                   const WriteOptions& options = {});

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "animation/analysis/low_pass.h"
+#include "animation/body/foot_shape.h"
 #include "animation/clips/floor_fit.h"
 #include "base/statistics.h"
 
@@ -16,10 +17,6 @@ namespace {
 // it moves faster along the ground than this share of the walk. Both by trial, he says.
 constexpr double kRisen = 0.1;
 constexpr double kMoving = 0.5;
-
-// Height of the ankle joint over the sole in leg lengths: 0.039 of stature over 0.491 (Drillis &
-// Contini 1966). It only says how much a tilted foot shortens that height.
-constexpr double kAnkleHeight = 0.039 / 0.491;
 
 // Share of a plant at both ends in which the foot rolls, and does not stand flat.
 constexpr double kRolling = 0.3;
@@ -137,7 +134,7 @@ std::array<FootCurves, 2> footCurves(const FootPaths& paths, const std::array<do
     FootCurves& out = curves[side];
     out.toe_height = toe.array() - standing(toe, plants.plants[side]);
     out.heel_height = ankle.array() - standing(ankle, plants.plants[side]) +
-                      kAnkleHeight * legs[side] * (1.0 - (pitch.array() - flat).cos());
+                      kAnkleHeightOfLeg * legs[side] * (1.0 - (pitch.array() - flat).cos());
     out.heel_speed = alongFloor(velocity, 0, floor.normal);
     out.toe_speed = alongFloor(velocity, 3, floor.normal);
   }

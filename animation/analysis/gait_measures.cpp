@@ -20,6 +20,10 @@ constexpr double kSpeedWindow =
 // down.
 constexpr double kClearFrom = 0.3, kClearTo = 0.7;
 constexpr double kGroundReach = 1.0;  // how far the ground may lie from a sole point [m]
+// Steps whose mean is less are on the spot or backwards as often as ahead: what left and right
+// differ by is no share of it.
+constexpr double kShortestStep = 0.05;  // [m]
+constexpr double kShortestTime = 0.01;  // [s]
 
 /// Standard deviation over mean.
 double variation(const std::vector<double>& values) {
@@ -29,16 +33,19 @@ double variation(const std::vector<double>& values) {
   return middle > 0.0 ? std::sqrt(squares / static_cast<double>(values.size())) / middle : 0.0;
 }
 
-double asymmetry(const std::array<std::vector<double>, 2>& values) {
-  if (values[kLeft].empty() || values[kRight].empty()) return 0.0;
+std::optional<double> asymmetry(const std::array<std::vector<double>, 2>& values, double least) {
+  if (values[kLeft].empty() || values[kRight].empty()) return std::nullopt;
   const double left = mean(values[kLeft]), right = mean(values[kRight]);
-  return std::abs(left - right) / std::max(1e-9, 0.5 * (left + right));
+  const double middle = 0.5 * (left + right);
+  if (middle < least) return std::nullopt;
+  return std::abs(left - right) / middle;
 }
 
 /// Ankle and toe of a foot, and their heights over the ground below them.
 struct FootTrack {
   std::vector<Eigen::Vector3d> ankle, toe;
   std::vector<double> ankle_height, toe_height;
+  double heel = 0.0;  // the heel's point of the sole is so far below the ankle of a flat foot [m]
 };
 
 double groundHeight(const Ground* ground, const Eigen::Vector3d& p) {
@@ -52,6 +59,7 @@ std::array<FootTrack, 2> footTracks(const Clip& clip, const JointRoles& roles,
   std::array<FootTrack, 2> tracks;
   for (const Side side : {kLeft, kRight}) {
     FootTrack& track = tracks[side];
+    track.heel = kAnkleHeightOfLeg * roles.legLength(clip.skeleton, side);
     for (int i = 0; i < clip.frames(); ++i) {
       track.ankle.emplace_back(paths[side].block<1, 3>(i, 0).transpose());
       track.toe.emplace_back(paths[side].block<1, 3>(i, 3).transpose());
@@ -95,7 +103,13 @@ PlantMeasures measurePlant(Side side, const FootPlant& plant, const FootTrack& t
   result.ankle_height = median(slice(track.ankle_height, first, flat));
   const Eigen::Vector2d middle = 0.5 * (toe + medianPlace(track.ankle, first, flat));
   const int at = (first + last) / 2;
-  result.at << middle, track.toe[at].z() - track.toe_height[at];
+  const double ground = track.toe[at].z() - track.toe_height[at];
+  result.at << middle, ground;
+  const Eigen::Vector2d ankle = medianPlace(track.ankle, first, flat);
+  const double drop = result.ankle_height - result.toe_height;
+  result.flat_pitch = std::atan2(drop, (toe - ankle).norm());
+  result.ends.ball << toe, ground + result.toe_height;
+  result.ends.heel << ankle, ground + result.ankle_height - track.heel;
   return result;
 }
 
@@ -139,43 +153,50 @@ const PlantMeasures* standBefore(const GaitMeasures& measures, size_t landing) {
   return nullptr;
 }
 
-/// What the foot that lands does since it stood `before`: how high its ankle goes over where it
-/// stood, how near to the ground its toe stays.
-void measureSwing(const PlantMeasures& before, const PlantMeasures& landing, const FootTrack& track,
-                  StepMeasures& step) {
-  double highest = 0.0;
-  for (int k = before.plant.last; k <= landing.plant.first; ++k) {
-    highest = std::max(highest, track.ankle_height[k]);
-  }
-  step.lift = std::max(0.0, highest - before.ankle_height);
+/// Heel and toe at a frame: the heel turns with the foot, from `flat_pitch`.
+SoleEnds endsAt(const FootTrack& track, int frame, double flat_pitch) {
+  const Eigen::Vector3d &ankle = track.ankle[frame], &toe = track.toe[frame];
+  const Eigen::Vector2d ahead = (toe - ankle).head<2>();
+  const double run = ahead.norm();
+  const double pitch = std::atan2(ankle.z() - toe.z(), run) - flat_pitch;
+  SoleEnds ends{ankle - Eigen::Vector3d(0, 0, track.heel * std::cos(pitch)), toe};
+  if (run > 0.0) ends.heel.head<2>() -= track.heel * std::sin(pitch) / run * ahead;
+  return ends;
+}
+
+/// Least rise of the toe over where it stood, in the middle of its swing.
+double toeClearance(const PlantMeasures& before, const PlantMeasures& landing,
+                    const FootTrack& track) {
   const double swing = landing.plant.strike - before.plant.lift_off;
   const int first = static_cast<int>(std::ceil(before.plant.lift_off + kClearFrom * swing));
   const int last = static_cast<int>(std::floor(before.plant.lift_off + kClearTo * swing));
+  if (first > last) return 0.0;
   double lowest = std::numeric_limits<double>::infinity();
   for (int k = first; k <= last; ++k) lowest = std::min(lowest, track.toe_height[k]);
-  if (first <= last) step.toe_clearance = std::max(0.0, lowest - before.toe_height);
-  step.stride = (landing.at - before.at).head<2>().norm();
+  return std::max(0.0, lowest - before.toe_height);
 }
 
-StepMeasures measureStep(const GaitMeasures& measures, size_t landing,
-                         const std::vector<Eigen::Vector3d>& pelvis,
-                         const std::array<FootTrack, 2>& tracks, double frame_time) {
-  const PlantMeasures& from = measures.plants[landing - 1];
+StepMeasure stepTo(const GaitMeasures& measures, size_t landing,
+                   const std::vector<Eigen::Vector3d>& pelvis,
+                   const std::array<FootTrack, 2>& tracks, double frame_time) {
+  const PlantMeasures& other = measures.plants[landing - 1];
   const PlantMeasures& to = measures.plants[landing];
-  StepMeasures step;
-  step.side = to.side;
-  step.begin = from.plant.strike;
-  step.end = to.plant.strike;
-  step.duration = (step.end - step.begin) * frame_time;
-  const Eigen::Vector2d along =
-      (pelvis[to.plant.first] - pelvis[from.plant.first]).head<2>().normalized();
-  const Eigen::Vector3d way = to.at - from.at;
-  step.length = way.head<2>().dot(along);
-  step.width = (along.x() * way.y() - along.y() * way.x()) * (to.side == kLeft ? 1.0 : -1.0);
-  if (const PlantMeasures* before = standBefore(measures, landing)) {
-    measureSwing(*before, to, tracks[to.side], step);
+  const Eigen::Vector3d way = pelvis[to.plant.first] - pelvis[other.plant.first];
+  StepPrints prints{to.side, {}, {to.at, to.ends}, {other.at, other.ends}, 0.0, {}};
+  prints.along = std::atan2(way.y(), way.x());
+  const PlantMeasures* before = standBefore(measures, landing);
+  if (before != nullptr) {
+    prints.from = {before->at, before->ends};
+    for (int k = before->plant.last; k <= to.plant.first; ++k) {
+      prints.swing.push_back(endsAt(tracks[to.side], k, before->flat_pitch));
+    }
   }
-  step.rise = way.z();
+  StepMeasure step = measureStep(prints);
+  step.strike = to.plant.strike * frame_time;
+  step.lift_off = to.plant.lift_off * frame_time;
+  step.duration = (to.plant.strike - other.plant.strike) * frame_time;
+  step.slide = to.drift;
+  if (before != nullptr) step.toe_clearance = toeClearance(*before, to, tracks[to.side]);
   return step;
 }
 
@@ -189,15 +210,15 @@ void measureSteps(const std::vector<Eigen::Vector3d>& pelvis,
   for (size_t i = 1; i < result.plants.size(); ++i) {
     if (result.plants[i].side == result.plants[i - 1].side || !struck(result.plants[i - 1]))
       continue;
-    const StepMeasures step = measureStep(result, i, pelvis, tracks, frame_time);
-    lengths[step.side].push_back(step.length);
+    const StepMeasure step = stepTo(result, i, pelvis, tracks, frame_time);
+    lengths[step.side].push_back(step.stride);
     times[step.side].push_back(step.duration);
-    all_lengths.push_back(step.length);
+    all_lengths.push_back(step.stride);
     all_times.push_back(step.duration);
     widths.push_back(step.width);
     if (step.lift > 0.0) lifts.push_back(step.lift);
-    if (step.stride > 0.0) strides.push_back(step.stride);
-    if (step.stride > 0.0) clearances.push_back(step.toe_clearance);
+    if (step.two_steps > 0.0) strides.push_back(step.two_steps);
+    if (step.two_steps > 0.0) clearances.push_back(step.toe_clearance);
     result.steps.push_back(step);
   }
   result.step_length = mean(all_lengths);
@@ -207,8 +228,8 @@ void measureSteps(const std::vector<Eigen::Vector3d>& pelvis,
   result.lift = mean(lifts);
   result.stride_length = mean(strides);
   result.toe_clearance = mean(clearances);
-  result.length_asymmetry = asymmetry(lengths);
-  result.time_asymmetry = asymmetry(times);
+  result.length_asymmetry = asymmetry(lengths, kShortestStep);
+  result.time_asymmetry = asymmetry(times, kShortestTime);
 }
 
 /// Whole strides of the foot that has the longer span of them.
@@ -264,12 +285,19 @@ SupportTime supportTime(const FootPlants& plants, double begin, double end) {
   return time;
 }
 
-void measureSupport(const FootPlants& plants, GaitMeasures& result) {
-  for (StepMeasures& step : result.steps) {
-    const double span = step.end - step.begin;
-    if (span > 0.0) {
-      step.double_support = supportTime(plants, step.begin, step.end).both / span;
-    }
+/// From strike to strike [frames].
+struct StepSpan {
+  double begin, end;
+};
+
+StepSpan spanOf(const StepMeasure& step, double frame_time) {
+  return {(step.strike - step.duration) / frame_time, step.strike / frame_time};
+}
+
+void measureSupport(const FootPlants& plants, double frame_time, GaitMeasures& result) {
+  for (StepMeasure& step : result.steps) {
+    const auto [begin, end] = spanOf(step, frame_time);
+    if (end > begin) step.double_support = supportTime(plants, begin, end).both / (end - begin);
   }
   const double span = result.end - result.begin;
   if (!(span > 0.0)) return;
@@ -322,11 +350,12 @@ void measureTravel(const Clip& clip, const JointRoles& roles,
   result.speed = whole.speed;
   result.turn_rate = whole.turn_rate;
   int steps = 0;
-  for (StepMeasures& step : result.steps) {
-    const Travel travel = travelOver(path, headings, step.begin, step.end, clip.frame_time);
+  for (StepMeasure& step : result.steps) {
+    const auto [begin, end] = spanOf(step, clip.frame_time);
+    const Travel travel = travelOver(path, headings, begin, end, clip.frame_time);
     step.speed = travel.speed;
     step.turn_rate = travel.turn_rate;
-    if (step.begin >= result.begin - 1e-9 && step.end <= result.end + 1e-9) ++steps;
+    if (begin >= result.begin - 1e-9 && end <= result.end + 1e-9) ++steps;
   }
   result.cadence = 60.0 * steps / time;
   result.cycle_frequency = 0.5 * steps / time;
@@ -347,7 +376,7 @@ GaitMeasures measureGait(const Clip& clip, const JointRoles& roles, const FootPl
   measureFeet(tracks, plants, clip.frame_time, result);
   measureSteps(pelvis, tracks, clip.frame_time, result);
   findSpan(clip.frames(), result);
-  measureSupport(plants, result);
+  measureSupport(plants, clip.frame_time, result);
   measureTravel(clip, roles, pelvis, result);
   result.root_acceleration = rootAcceleration(clip);
   result.joint_jerk = jointJerk(clip);

@@ -14,25 +14,23 @@
 namespace amble {
 
 struct FootShape {
-  double radius = 0.0;        ///< of heel and ball, height of the toe joint over a flat sole [m]
+  double radius = 0.0;  ///< of heel and ball, height of the toe joint over a flat sole [m, > 0]
   double ankle_height = 0.0;  ///< over a flat sole [m]
-  double ankle_x =
-      0.0;  ///< of the ankle, of heel centre, toe joint and toe tip's centre, in the sole frame [m]
-  double heel_x = 0.0;
-  double ball_x = 0.0;
-  double tip_x = 0.0;
-  double half_width = 0.0;  ///< of the sole [m]
-  Eigen::Quaterniond q_SF =
-      Eigen::Quaterniond::Identity();  ///< foot joint in the sole frame while flat
-  Eigen::Quaterniond q_FT =
-      Eigen::Quaterniond::Identity();  ///< toe joint in the foot joint while flat
-  Eigen::Vector3d lateral_T =
-      Eigen::Vector3d::UnitY();  ///< sole frame's y in the toe joint's frame while flat
+  /// Of the ankle, of heel centre, toe joint and toe tip's centre, in the sole frame [m].
+  double ankle_x = 0.0, heel_x = 0.0, ball_x = 0.0, tip_x = 0.0;
+  double half_width = 0.0;  ///< of the sole [m, > 0]
+  /// Foot joint in the sole frame, and toe joint in the foot joint, while flat.
+  Eigen::Quaterniond q_SF = Eigen::Quaterniond::Identity();
+  Eigen::Quaterniond q_FT = Eigen::Quaterniond::Identity();
+  /// The sole frame's y in the toe joint's frame while flat [unit].
+  Eigen::Vector3d lateral_T = Eigen::Vector3d::UnitY();
 };
 
 /// Drillis & Contini (1966): foot length 0.152 of stature; thigh and shank together 0.491.
 inline constexpr double kFootLengthOfStature = 0.152;
 inline constexpr double kLegOfStature = 0.491;
+/// Height of the ankle joint over the sole in leg lengths: 0.039 of stature (Drillis & Contini).
+inline constexpr double kAnkleHeightOfLeg = 0.039 / kLegOfStature;
 /// Breadth of the foot: Gordon et al. (1989), 0.101 of 1.756 m, as the body's soles have it.
 inline constexpr double kFootBreadthOfStature = 0.0575;
 /// Height of the toe joint over the sole; chosen so that the ankle of our captures comes to Drillis

@@ -53,79 +53,96 @@ double rolledBy(const Sole& sole, const FootPlace& place) {
   return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
-// Where a print's foot was in the middle of its stance.
-struct Stood {
-  Sole sole;
-  int first = 0, last = 0;  // frames of the print
-};
+// The soles of a walk, frame by frame.
+class WalkedSoles {
+ public:
+  WalkedSoles(const Skeleton& skeleton, const JointRoles& roles,
+              const std::array<FootShape, 2>& feet, const AnimationBuffer& walk)
+      : skeleton_(skeleton), roles_(roles), feet_(feet), walk_(walk), joints_(skeleton.size()) {}
 
-}  // namespace
-
-std::vector<StepMeasure> measureWalkSteps(const Skeleton& skeleton, const JointRoles& roles,
-                                          const std::array<FootShape, 2>& feet,
-                                          const AnimationBuffer& walk, const Ground& ground) {
-  std::vector<StepMeasure> steps;
-  std::vector<JointFrame> joints(skeleton.size());
-  const auto soleOf = [&](int frame, Side side) {
-    forwardKinematics(skeleton, walk.poses[frame], joints);
-    return soleAt(joints[roles.legs[side].foot], feet[side]);
-  };
-  // Where the sole lies flat, nearest to the middle of its stance; a print may be cut off by the
-  // buffer's ends.
-  const auto flattest = [&](const Footprint& print) {
+  Sole at(int frame, Side side) {
+    forwardKinematics(skeleton_, walk_.poses[frame], joints_);
+    return soleAt(joints_[roles_.legs[side].foot], feet_[side]);
+  }
+  // The frame in which the sole lies flat, nearest to the middle of its stance; a print may be cut
+  // off by the buffer's ends.
+  int flattest(const Footprint& print) {
     int best = print.first_frame;
     double least = std::numeric_limits<double>::infinity();
     for (int frame = print.first_frame; frame <= print.last_frame; ++frame) {
-      const FootState& foot = walk.states[frame].feet[print.side];
+      const FootState& foot = walk_.states[frame].feet[print.side];
       const double off = std::abs(foot.at - kMiddleOfStance);
-      const double rolled = rolledBy(soleOf(frame, print.side), foot.from);
-      if (off + kFlatFirst * rolled < least) least = off + kFlatFirst * rolled, best = frame;
+      const double cost = off + kFlatFirst * rolledBy(at(frame, print.side), foot.from);
+      if (cost < least) least = cost, best = frame;
     }
     return best;
-  };
+  }
+
+ private:
+  const Skeleton& skeleton_;
+  const JointRoles& roles_;
+  const std::array<FootShape, 2>& feet_;
+  const AnimationBuffer& walk_;
+  std::vector<JointFrame> joints_;
+};
+
+// Where a print's foot was in the middle of its stance.
+struct Stood {
+  Sole sole;
+  int last = 0;  // frame of the print
+
+  SolePrint print() const { return {sole.middle, sole.ends}; }
+  double heading() const {
+    const Eigen::Vector3d ahead = sole.q_WS * Eigen::Vector3d::UnitX();
+    return std::atan2(ahead.y(), ahead.x());
+  }
+};
+
+// Tilt and support of a sole that stands.
+void measureStand(const Sole& sole, const FootShape& foot, const Ground& ground,
+                  StepMeasure& step) {
+  const auto surface = ground.surface(sole.middle.x(), sole.middle.y(), sole.middle.z(), kReach);
+  if (surface) {
+    const double cosine = surface->normal.dot(sole.q_WS * Eigen::Vector3d::UnitZ());
+    step.tilt = std::acos(std::clamp(cosine, -1.0, 1.0));
+  }
+  step.supported = supportOf(sole, foot, ground);
+}
+
+}  // namespace
+
+std::vector<JudgedStep> measureWalkSteps(const Skeleton& skeleton, const JointRoles& roles,
+                                         const std::array<FootShape, 2>& feet,
+                                         const AnimationBuffer& walk, const Ground& ground) {
+  std::vector<JudgedStep> steps;
+  WalkedSoles soles(skeleton, roles, feet, walk);
   std::array<std::optional<Stood>, 2> before;
   for (const Footprint& print : walk.footprints) {
     const Side side = print.side;
-    StepMeasure step;
-    step.side = side;
-    step.frame = flattest(print);
-    const Sole sole = soleOf(step.frame, side);
-    const auto surface = ground.surface(sole.middle.x(), sole.middle.y(), sole.middle.z(), kReach);
-    if (surface) {
-      const double cosine = surface->normal.dot(sole.q_WS * Eigen::Vector3d::UnitZ());
-      step.tilt = std::acos(std::clamp(cosine, -1.0, 1.0));
-    }
-    step.supported = supportOf(sole, feet[side], ground);
-    step.asked = print.gait;
-    const double at = walk.states[step.frame].feet[side].at;
-    if (before[kLeft] && before[kRight] && std::abs(at - kMiddleOfStance) < kCutOff) {
-      const Stood &own = *before[side], &other = *before[side == kLeft ? kRight : kLeft];
-      const auto heading = [](const Sole& s) {
-        const Eigen::Vector3d ahead = s.q_WS * Eigen::Vector3d::UnitX();
-        return std::atan2(ahead.y(), ahead.x());
-      };
-      const double from = heading(other.sole);
-      const double along = from + 0.5 * wrapAngle(heading(sole) - from);
-      const Eigen::Vector3d d = sole.middle - other.sole.middle;
-      step.achieved.stride = d.x() * std::cos(along) + d.y() * std::sin(along);
-      step.achieved.climb = d.z();
-      for (int frame = own.last + 1; frame < print.first_frame; ++frame) {
-        step.achieved.lift = std::max(
-            step.achieved.lift, heightOver(own.sole.ends, sole.ends, soleOf(frame, side).ends));
+    const int frame = soles.flattest(print);
+    const Stood stood{soles.at(frame, side), print.last_frame};
+    const double off = std::abs(walk.states[frame].feet[side].at - kMiddleOfStance);
+    if (before[kLeft] && before[kRight] && off < kCutOff) {
+      const Stood &own = *before[side], &standing = *before[other(side)];
+      StepPrints prints{side, own.print(), stood.print(), standing.print(), 0.0, {}};
+      prints.along = headingBetween(standing.heading(), stood.heading());
+      for (int k = own.last + 1; k < print.first_frame; ++k) {
+        prints.swing.push_back(soles.at(k, side).ends);
       }
-      steps.push_back(step);
+      steps.push_back({print.gait, measureStep(prints)});
+      measureStand(stood.sole, feet[side], ground, steps.back().achieved);
     }
-    before[side] = Stood{sole, print.first_frame, print.last_frame};
+    before[side] = stood;
   }
   return steps;
 }
 
-GaitParameters largestMiss(const std::vector<StepMeasure>& steps) {
+GaitParameters largestMiss(const std::vector<JudgedStep>& steps) {
   GaitParameters miss;
   const auto off = [](double asked, double achieved) {
     return std::abs(achieved - asked) / std::max(std::abs(asked), kSmall);
   };
-  for (const StepMeasure& step : steps) {
+  for (const JudgedStep& step : steps) {
     miss.stride = std::max(miss.stride, off(step.asked.stride, step.achieved.stride));
     miss.lift = std::max(miss.lift, off(step.asked.lift, step.achieved.lift));
     miss.climb = std::max(miss.climb, off(step.asked.climb, step.achieved.climb));

@@ -6,28 +6,26 @@
 
 #include "animation/body/foot_shape.h"
 #include "animation/body/skeleton.h"
+#include "animation/body/step_measure.h"
 #include "animation/ground/ground.h"
 #include "animation/synthesis/animation_buffer.h"
 
 namespace amble {
 
-/// One step: from the foot's last print to the one it lands on.
-struct StepMeasure {
-  Side side = kLeft;
-  int frame = 0;  ///< in the middle of its stance
+/// What a step was asked to be, and what it came to.
+struct JudgedStep {
   GaitParameters asked;
-  GaitParameters achieved;
-  double tilt = 0.0;       ///< between the sole's and the ground's normal at that frame [rad]
-  double supported = 1.0;  ///< share of the sole's length with ground within 12 mm below [0, 1]
+  StepMeasure achieved;
 };
 
-/// Of every footprint that a foot swings to within the buffer. @param feet  by Side
-std::vector<StepMeasure> measureWalkSteps(const Skeleton& skeleton, const JointRoles& roles,
-                                          const std::array<FootShape, 2>& feet,
-                                          const AnimationBuffer& walk, const Ground& ground);
+/// Of every footprint that a foot swings to within the buffer: stride, lift, climb, tilt and
+/// support, where the sole lies flattest in the middle of its stance. @param feet  by Side
+std::vector<JudgedStep> measureWalkSteps(const Skeleton& skeleton, const JointRoles& roles,
+                                         const std::array<FootShape, 2>& feet,
+                                         const AnimationBuffer& walk, const Ground& ground);
 
 /// The largest share by which a parameter misses what was asked, over all steps; what is asked to
-/// be less than 2 cm is compared with 2 cm [1].
-GaitParameters largestMiss(const std::vector<StepMeasure>& steps);
+/// be less than 2 cm is compared with 2 cm [1, >= 0].
+GaitParameters largestMiss(const std::vector<JudgedStep>& steps);
 
 }  // namespace amble

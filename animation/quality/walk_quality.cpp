@@ -182,13 +182,13 @@ std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
   return lines;
 }
 
-std::vector<QualityLine> judgeSteps(const std::vector<StepMeasure>& steps) {
+std::vector<QualityLine> judgeSteps(const std::vector<JudgedStep>& steps) {
   if (steps.empty()) return {};
   const GaitParameters miss = largestMiss(steps);
   double tilt = 0.0, unsupported = 0.0;
-  for (const StepMeasure& step : steps) {
-    tilt = std::max(tilt, step.tilt);
-    unsupported = std::max(unsupported, 1.0 - step.supported);
+  for (const JudgedStep& step : steps) {
+    tilt = std::max(tilt, step.achieved.tilt);
+    unsupported = std::max(unsupported, 1.0 - step.achieved.supported);
   }
   return {{"step length, achieved against asked", miss.stride, kStepAchieved, "1"},
           {"lift, achieved against asked", miss.lift, kStepAchieved, "1"},

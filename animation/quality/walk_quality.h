@@ -18,11 +18,11 @@ namespace amble {
 
 /// What the captures measure that a walk is made from, by measureGait.
 struct QualityAnchors {
-  double root_acceleration = 0.0;  ///< the largest of all walks of the library [m/s²]
-  double joint_jerk = 0.0;  ///< of the straight walks, not of their mirror images, at the walk's
-                            ///< speed, between those captured
-                            ///< [m/s³]
-  double pops = 0.0;        ///< the largest of all walks but those whose joints flip over [1]
+  double root_acceleration = 0.0;  ///< the largest of all walks of the library [m/s², >= 0]
+  /// Of the straight walks, not of their mirror images, at the walk's speed, between those captured
+  /// [m/s³, >= 0].
+  double joint_jerk = 0.0;
+  double pops = 0.0;  ///< the largest of all walks but those whose joints flip over [1, >= 0]
 };
 
 /// Of a library's walks, for a character `scale` times the captured subject who walks at `speed`
@@ -50,6 +50,6 @@ std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
                                    const QualityAnchors& anchors);
 
 /// Its steps: how far the worst misses what it was asked to be, how its sole lies on the ground.
-std::vector<QualityLine> judgeSteps(const std::vector<StepMeasure>& steps);
+std::vector<QualityLine> judgeSteps(const std::vector<JudgedStep>& steps);
 
 }  // namespace amble

@@ -1,8 +1,9 @@
 #include "scenarios/check_scenarios.h"
 
-#include <sstream>
+#include <thread>
 
 #include "base/sha256.h"
+#include "scenarios/find_scenarios.h"
 #include "tests/scenarios/small_room.h"
 
 namespace amble {
@@ -13,30 +14,14 @@ namespace fs = std::filesystem;
 class CheckScenarios : public SmallRoom {
  protected:
   CheckRow checkOne(const std::string& text, const CheckOptions& options = {}) const {
-    return checkScenarios({write("case.yaml", text)}, options).at(0);
+    return checkScenarios(findScenarios({write("case.yaml", text)}), options).at(0);
   }
 };
-
-TEST_F(CheckScenarios, PathsThatHoldNoScenarioAreInputErrors) {
-  EXPECT_TRUE(holds(inputError([&] { findScenarios({folder_ / "none"}); }), "is not there"));
-  EXPECT_TRUE(
-      holds(inputError([&] { findScenarios({folder_ / "scene.yaml"}); }), "is no scenario"));
-  EXPECT_TRUE(holds(inputError([&] { findScenarios({folder_}); }), "holds no scenario"));
-}
-
-TEST_F(CheckScenarios, FoldersAreSearchedAndOtherFilesPassedOver) {
-  write("b.yaml", kScenario);
-  write("deeper/a.yml", kScenario);
-  write("deeper/notes.txt", kScenario);
-  write("deeper/other.yaml", "objects: []\n");
-  const std::vector<fs::path> expected = {folder_ / "b.yaml", folder_ / "deeper" / "a.yml"};
-  EXPECT_EQ(findScenarios({folder_}), expected);
-}
 
 TEST_F(CheckScenarios, ABrokenScenarioIsAnErrorAndDoesNotStopTheOthers) {
   write("a.yaml", "scene: scene.yaml\nstart: {at: [1]}\ngoal: {at: [1, 1]}\n");
   write("b.yaml", std::string(kScenario) + "expect: {status: solved}\n");
-  const std::vector<CheckRow> rows = checkScenarios({folder_}, {});
+  const std::vector<CheckRow> rows = checkScenarios(findScenarios({folder_}), {});
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].verdict, CheckVerdict::kError);
   EXPECT_TRUE(holds(rows[0].notes.at(0), "a.yaml:2:"));
@@ -83,10 +68,74 @@ TEST_F(CheckScenarios, UpdateWritesTheDigestThatTheNextCheckCompares) {
   EXPECT_TRUE(row.updated);
   const std::string updated = read(folder_ / "case.yaml");
   EXPECT_EQ(updated.substr(0, text.size()), text);
-  EXPECT_EQ(checkScenarios({folder_ / "case.yaml"}, {}).at(0).verdict, CheckVerdict::kHolds);
+  EXPECT_EQ(checkScenarios(findScenarios({folder_ / "case.yaml"}), {}).at(0).verdict,
+            CheckVerdict::kHolds);
   const CheckRow differs = checkOne(text + "  bvh_sha256: " + std::string(64, '0') + "\n");
   EXPECT_EQ(differs.verdict, CheckVerdict::kDiffers);
   EXPECT_TRUE(holds(differs.notes.at(0), "SHA-256"));
+}
+
+TEST_F(CheckScenarios, AnUpdateTakesFinishedRunsOnly) {
+  // No walk, and more samples than any time limit lets it try.
+  write("scene.yaml", std::string(kScene) +
+                          "  - {name: divider, box: {size: [0.1, 3, 2.5]}, at: [3, 1.5, 1.25]}\n");
+  const std::string text = std::string(kScenario) +
+                           "planner: {max_failures: 1000000, time_limit: 0.1}\n"
+                           "expect: {status: no_walk}\n";
+  CheckOptions update;
+  update.update = true;
+  const CheckRow late = checkOne(text, update);
+  EXPECT_EQ(late.verdict, CheckVerdict::kDiffers);
+  EXPECT_TRUE(holds(late.notes.at(0), "time_limit, so nothing was updated")) << late.notes.at(0);
+  EXPECT_FALSE(late.updated);
+  EXPECT_EQ(read(folder_ / "case.yaml"), text);
+}
+
+TEST_F(CheckScenarios, WhatIsInterruptedIsStoppedAndNeitherJudgedNorWritten) {
+  const std::string text = std::string(kScenario) + "expect: {max_length: 0.1}\n";
+  std::atomic<bool> stop = false;
+  CheckOptions options;
+  options.update = true;
+  options.run.stop = &stop;
+  options.started = [&](const ScenarioFile&, int, int) { stop = true; };
+  write("other.yaml", text);
+  write("case.yaml", text);
+  const std::vector<CheckRow> rows = checkScenarios(findScenarios({folder_}), options);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].verdict, CheckVerdict::kStopped);
+  EXPECT_TRUE(rows[0].notes.empty());
+  EXPECT_FALSE(allHold(rows));
+  EXPECT_EQ(read(folder_ / "case.yaml"), text);
+}
+
+TEST_F(CheckScenarios, AFileThatIsChangedWhileItRunsIsNotWrittenOver) {
+  CheckOptions options;
+  options.update = true;
+  options.started = [&](const ScenarioFile& file, int, int) {
+    write(file.file.filename().string(), "# somebody's edit\n" + file.text);
+  };
+  const CheckRow row = checkOne(kScenario, options);
+  EXPECT_EQ(row.verdict, CheckVerdict::kError);
+  EXPECT_TRUE(holds(row.notes.at(0), "was changed while it ran")) << row.notes.at(0);
+  EXPECT_TRUE(holds(read(folder_ / "case.yaml"), "# somebody's edit"));
+}
+
+TEST_F(CheckScenarios, EveryFaultOfOneIsOneRow) {
+  write("low.yaml",  // half a metre below a lid: nobody walks there
+        "name: low\nobjects:\n"
+        "  - {name: floor, box: {size: [6, 3, 0.1]}, at: [3, 1.5, -0.05]}\n"
+        "  - {name: lid, box: {size: [6, 3, 0.1]}, at: [3, 1.5, 0.55], role: obstacle}\n");
+  write("a.yaml", "scene: low.yaml\nstart: {at: [1, 1]}\ngoal: {at: [3, 1]}\n");
+  write("b.yaml", std::string(kScenario) + "expect: {status: solved}\n");
+  CheckOptions options;  // a fault that is none of the input
+  write("c.yaml", kScenario);
+  options.run.progress = [](const SearchProgress&) { throw std::bad_alloc(); };
+  const std::vector<CheckRow> rows = checkScenarios(findScenarios({folder_}), options);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_TRUE(holds(rows[0].notes.at(0), "a.yaml:1: the scene")) << rows[0].notes.at(0);
+  EXPECT_TRUE(holds(rows[0].notes.at(0), "can be walked on")) << rows[0].notes.at(0);
+  for (const CheckRow& row : rows) EXPECT_EQ(row.verdict, CheckVerdict::kError) << row.scenario;
+  EXPECT_TRUE(holds(rows[2].notes.at(0), "c.yaml: out of memory")) << rows[2].notes.at(0);
 }
 
 TEST_F(CheckScenarios, DataThatLiesElsewhereAndIsNotThereSkipsAndSaysSo) {
@@ -107,49 +156,7 @@ TEST_F(CheckScenarios, StoppingEndsTheRound) {
   std::atomic<bool> stop = true;
   CheckOptions options;
   options.run.stop = &stop;
-  EXPECT_TRUE(checkScenarios({folder_}, options).empty());
-}
-
-TEST(WithDigest, EveryLayoutKeepsItsText) {
-  const std::string begin = "scene: a\nstart: {at: [1, 1]}  # here\ngoal: {at: [2, 2]}\n";
-  const std::string digest(64, 'b'), old(64, 'a');
-  const auto with = [&](const std::string& text) { return withDigest(begin + text, "x", digest); };
-  EXPECT_EQ(with(""), begin + "expect:\n  bvh_sha256: " + digest + "\n");
-  EXPECT_EQ(with("expect:\n"), begin + "expect:\n  bvh_sha256: " + digest + "\n");
-  EXPECT_EQ(with("expect:\n    status: solved  # yes\nwalk: {speed: 1}\n"),
-            begin + "expect:\n    status: solved  # yes\n    bvh_sha256: " + digest +
-                "\nwalk: {speed: 1}\n");
-  EXPECT_EQ(with("expect: {status: solved}\n"),
-            begin + "expect: {status: solved, bvh_sha256: " + digest + "}\n");
-  EXPECT_EQ(with("expect: { status: solved }  # so\n"),
-            begin + "expect: { status: solved, bvh_sha256: " + digest + " }  # so\n");
-  EXPECT_EQ(with("expect: {}\n"), begin + "expect: {bvh_sha256: " + digest + "}\n");
-  EXPECT_EQ(with("expect:\n  bvh_sha256: " + old + "  # of then\n  status: solved\n"),
-            begin + "expect:\n  bvh_sha256: " + digest + "  # of then\n  status: solved\n");
-}
-
-TEST(WithDigest, ALayoutThatItCannotKeepIsRefused) {
-  const std::string text =
-      "scene: a\nstart: {at: [1, 1]}\ngoal: {at: [2, 2]}\nexpect: {status:\n    solved\n  }\n";
-  EXPECT_THROW(withDigest(text, "x", std::string(64, 'b')), InputError);
-}
-
-TEST(WriteJUnit, CountsAndEscapes) {
-  CheckRow good, bad, skipped, error;
-  good.file = "s/good.yaml";
-  good.scenario = "good";
-  bad.scenario = "bad & \"worse\"";
-  bad.verdict = CheckVerdict::kDiffers;
-  bad.notes = {"length is 5 m; expected < 4", "second"};
-  skipped.verdict = CheckVerdict::kSkipped;
-  error.verdict = CheckVerdict::kError;
-  std::ostringstream out;
-  writeJUnit(out, {good, bad, skipped, error});
-  const std::string xml = out.str();
-  EXPECT_TRUE(holds(xml, "tests=\"4\" failures=\"1\" errors=\"1\" skipped=\"1\"")) << xml;
-  EXPECT_TRUE(holds(xml, "classname=\"s\" name=\"good\"")) << xml;
-  EXPECT_TRUE(holds(xml, "name=\"bad &amp; &quot;worse&quot;\"")) << xml;
-  EXPECT_TRUE(holds(xml, "expected &lt; 4; second")) << xml;
+  EXPECT_TRUE(checkScenarios(findScenarios({folder_}), options).empty());
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST_F(SoleTracksTest, FeetThatStandDoNotSlideAndDoNotSink) {
   for (const Side side : {kLeft, kRight}) {
     EXPECT_NEAR(tracks().slide(side, 0, kFrames - 1), 0.0, 1e-12);
     EXPECT_NEAR(tracks().height(side, 0), 0.0, 0.001);
-    EXPECT_NEAR(tracks().ballHeight(side, 0), 0.0, 0.001);
+    EXPECT_NEAR(tracks().ends(side, 0).ball.z(), 0.0, 0.001);
   }
   EXPECT_LT(tracks().penetration(), 0.001);
 }
@@ -87,7 +87,7 @@ TEST_F(SoleTracksTest, StridesAreMeasuredAlongTheFootsHeading) {
                      {kRight, right, heading, 0, 8, {}},
                      {kLeft, left + 0.6 * ahead, heading, 8, 14, {}},
                      {kRight, right + 1.2 * ahead, heading, 12, 20, {}}};
-  const std::vector<StepReport> steps = measureSteps(walk, tracks());
+  const std::vector<StepMeasure> steps = measureSteps(walk, tracks());
   ASSERT_EQ(steps.size(), 4u);
   EXPECT_EQ(steps[0].stride, 0.0);
   EXPECT_EQ(steps[1].stride, 0.0);
@@ -95,8 +95,8 @@ TEST_F(SoleTracksTest, StridesAreMeasuredAlongTheFootsHeading) {
   EXPECT_NEAR(steps[3].stride, 0.6, 1e-12);
   EXPECT_NEAR(steps[2].climb, -0.1, 1e-12);
   EXPECT_NEAR(steps[3].climb, 0.1, 1e-12);
-  EXPECT_NEAR(steps[3].start, 12 * walk.frame_time, 1e-12);
-  EXPECT_NEAR(steps[3].end, 20 * walk.frame_time, 1e-12);
+  EXPECT_NEAR(steps[3].strike, 12 * walk.frame_time, 1e-12);
+  EXPECT_NEAR(steps[3].lift_off, 20 * walk.frame_time, 1e-12);
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ Report solvedReport() {
   report.length = 4.25;
   report.frames = 200;
   report.frame_time = 1.0 / 60.0;
-  StepReport step;
-  step.foot = kRight;
+  StepMeasure step;
+  step.side = kRight;
   step.at = {1, 2, 0};
   step.stride = 0.7;
   report.steps = {step};

@@ -115,16 +115,17 @@ TEST_F(RunScenario, CentimetresAreTheSameWalk) {
 TEST_F(RunScenario, StepsAlternateAndCoverTheWalk) {
   const Report report = run(kScenario).report;
   ASSERT_GE(report.steps.size(), 6u);
-  for (const StepReport& step : report.steps) {
-    EXPECT_LE(step.start, step.end);
+  for (const StepMeasure& step : report.steps) {
+    EXPECT_LE(step.strike, step.lift_off);
     EXPECT_LE(step.slide, 0.002);
     EXPECT_NEAR(step.at.z(), 0.0, 1e-9);
     EXPECT_LT(step.stride, 1.0);
     EXPECT_LT(step.lift, 0.3);
   }
-  EXPECT_EQ(report.steps.front().start, 0.0);
-  EXPECT_NEAR(std::max(report.steps.back().end, report.steps[report.steps.size() - 2].end),
-              report.duration, 1e-9);
+  EXPECT_EQ(report.steps.front().strike, 0.0);
+  EXPECT_NEAR(
+      std::max(report.steps.back().lift_off, report.steps[report.steps.size() - 2].lift_off),
+      report.duration, 1e-9);
 }
 
 TEST_F(RunScenario, InputsAreTheFilesThatWereRead) {

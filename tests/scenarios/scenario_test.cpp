@@ -11,7 +11,9 @@
 namespace amble {
 namespace {
 
-Scenario parse(const std::string& text) { return readScenario(parseYaml(text, "dir/case.yaml")); }
+Scenario parse(const std::string& text) {
+  return readScenario(ScenarioFile{"dir/case.yaml", text});
+}
 
 constexpr const char* kLeast = "scene: room.yaml\nstart: {at: [1, 1]}\ngoal: {at: [2, 3]}\n";
 
@@ -111,8 +113,8 @@ TEST(Scenario, DefaultsAreDesignsDefaults) {
   EXPECT_NEAR(s.character.max_slope, 20.0 * kPi / 180.0, 1e-15);
   EXPECT_EQ(s.character.max_climb, 0.25);
   EXPECT_FALSE(s.start.z || s.start.heading || s.goal.heading);
-  EXPECT_EQ(s.start.line, 2);
-  EXPECT_EQ(s.goal.line, 3);
+  EXPECT_EQ(s.source.lines.at("start.at"), 2);
+  EXPECT_EQ(s.source.lines.at("goal.at"), 3);
   EXPECT_TRUE(s.via.empty());
   EXPECT_FALSE(s.bounds);
   EXPECT_EQ(s.walk.speed, 1.2);
@@ -165,7 +167,7 @@ TEST(IsScenario, OnlyFilesWithSceneAndStartAre) {
   const auto file = std::filesystem::temp_directory_path() / "amble_is_scenario_test.yaml";
   const auto holdsScenario = [&](const std::string& text) {
     std::ofstream(file) << text;
-    return isScenario(file);
+    return isScenario(readScenarioFile(file));
   };
   EXPECT_TRUE(holdsScenario(kLeast));
   EXPECT_FALSE(holdsScenario("objects: []\n"));

@@ -9,6 +9,7 @@
 #include "base/output_file.h"
 #include "base/rotation.h"
 #include "scenarios/check_scenarios.h"
+#include "scenarios/find_scenarios.h"
 #include "scenarios/validate_walk.h"
 #include "test_paths.h"
 
@@ -19,10 +20,10 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> shipped(bool with_walk) {
   std::vector<fs::path> files;
-  for (const fs::path& file : findScenarios({fs::path(AMBLE_SOURCE_DIR) / "scenarios"})) {
+  for (const ScenarioFile& file : findScenarios({fs::path(AMBLE_SOURCE_DIR) / "scenarios"})) {
     const Scenario scenario = readScenario(file);
     const bool solved = scenario.expect && scenario.expect->status == PlanStatus::kSolved;
-    if (solved == with_walk) files.push_back(file);
+    if (solved == with_walk) files.push_back(file.file);
   }
   return files;
 }
@@ -40,11 +41,11 @@ RunResult runShipped(const Scenario& scenario) {
 }
 
 TEST(ShippedScenarios, EveryOneExpectsAStatus) {
-  for (const fs::path& file : findScenarios({fs::path(AMBLE_SOURCE_DIR) / "scenarios"})) {
+  for (const ScenarioFile& file : findScenarios({fs::path(AMBLE_SOURCE_DIR) / "scenarios"})) {
     const Scenario scenario = readScenario(file);
-    ASSERT_TRUE(scenario.expect) << file;
-    EXPECT_TRUE(scenario.expect->status) << file;
-    EXPECT_TRUE(fs::exists(scenario.scene)) << file;
+    ASSERT_TRUE(scenario.expect) << file.file;
+    EXPECT_TRUE(scenario.expect->status) << file.file;
+    EXPECT_TRUE(fs::exists(scenario.scene)) << file.file;
   }
 }
 

@@ -113,7 +113,7 @@ TEST_F(UnevenGround, AFlightIsClimbedTreadByTread) {
   const RunResult result = run(scene, "[-1.5, 0, 0]", "[3, 0, 1.02]");
   expectStood(result);
   double highest = 0.0;
-  for (const StepReport& step : result.report.steps) {
+  for (const StepMeasure& step : result.report.steps) {
     EXPECT_LE(step.climb, 0.18);
     highest = std::max(highest, step.climb);
   }

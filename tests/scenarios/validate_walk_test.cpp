@@ -22,9 +22,14 @@ class ValidateWalk : public SmallRoom {
   WalkValidation validate(const ValidateOptions& options = {}) const {
     return validateWalk(walk_, folder_ / "scene.yaml", options);
   }
+  Clip walkClip() const {
+    const WalkSynthesizer& synthesizer = result_->problem->synthesizer;
+    const AnimationBuffer& walk = result_->outcome.walk.buffer;
+    return {"walk", synthesizer.skeleton(), walk.frame_time, walk.poses, {}};
+  }
   // The same walk elsewhere.
   std::filesystem::path moved(const Eigen::Vector3d& by, double unit = 1.0) const {
-    Clip clip = walkClip(*result_);
+    Clip clip = walkClip();
     for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i) += by;
     BvhWriteOptions options;
     options.metres_per_unit = unit;
@@ -105,7 +110,7 @@ TEST_F(ValidateWalk, TheUnitIsGuessedFromTheLegs) {
 }
 
 TEST_F(ValidateWalk, ADragThatTheGaitDoesNotKnowIsSkate) {
-  Clip clip = walkClip(*result_);
+  Clip clip = walkClip();
   for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i).y() += 0.0005 * i;  // 3 cm/s sideways
   writeBvh(folder_ / "dragged.bvh", clip);
   const WalkValidation found = validateWalk(folder_ / "dragged.bvh", folder_ / "scene.yaml");

@@ -69,6 +69,37 @@ TEST_F(WriteResults, OnlyWhatIsAskedForIsWritten) {
   EXPECT_TRUE(fs::exists(folder_ / "out" / "report.json"));
 }
 
+TEST_F(WriteResults, AResultIsOneSetOfOneRun) {
+  RunResult result = solved();
+  WriteOptions all;
+  all.more = {picture()};
+  all.names = {"walk.bvh", "report.json", "top.svg"};
+  writeResults(result, folder_ / "out", all);
+  write("out/notes.txt", "the user's own");
+  WriteOptions walk_only = all;
+  walk_only.json = false;
+  walk_only.more.clear();
+  result.bvh = "HIERARCHY 2\n";
+  writeResults(result, folder_ / "out", walk_only);
+  EXPECT_EQ(read(folder_ / "out" / "walk.bvh"), result.bvh);
+  EXPECT_FALSE(fs::exists(folder_ / "out" / "report.json"));
+  EXPECT_FALSE(fs::exists(folder_ / "out" / "top.svg"));
+  EXPECT_TRUE(fs::exists(folder_ / "out" / "notes.txt"));
+}
+
+TEST_F(WriteResults, AnEarlierSetStaysWhereTheNewOneFails) {
+  RunResult result = solved();
+  writeResults(result, folder_ / "out");
+  WriteOptions bad;
+  bad.json = false;
+  bad.more = {{"bad.svg", [](std::ostream& out) { out.setstate(std::ios::badbit); }}};
+  RunResult other = solved();
+  other.bvh = "other";
+  EXPECT_THROW(writeResults(other, folder_ / "out", bad), InputError);
+  EXPECT_EQ(read(folder_ / "out" / "walk.bvh"), result.bvh);
+  EXPECT_TRUE(fs::exists(folder_ / "out" / "report.json"));
+}
+
 TEST_F(WriteResults, AnEarlierWalkIsNotTakenForThisOnes) {
   RunResult result = solved();
   writeResults(result, folder_ / "out");

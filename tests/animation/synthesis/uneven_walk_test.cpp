@@ -104,9 +104,9 @@ void expectGoodSteps(const WalkSynthesizer& walker, const Ground& ground,
   EXPECT_LE(miss.stride, 0.02) << what;
   EXPECT_LE(miss.climb, 0.02) << what;
   EXPECT_LE(miss.lift, 0.02) << what;
-  for (const StepMeasure& step : steps) {
-    EXPECT_LE(step.tilt, 3.0 * kDegree) << what;
-    EXPECT_GE(step.supported, 0.7) << what;
+  for (const JudgedStep& step : steps) {
+    EXPECT_LE(step.achieved.tilt, 3.0 * kDegree) << what;
+    EXPECT_GE(step.achieved.supported, 0.7) << what;
   }
 }
 
@@ -211,7 +211,7 @@ TEST(UnevenWalk, StridesAndLiftsComeAsAskedAndHoldTheBarsOfGoodWalks) {
     judge(walked, "lift " + std::to_string(f));
     const auto steps =
         measureWalkSteps(walker.skeleton(), walker.roles(), walker.feet(), walked.buffer, ground);
-    for (const StepMeasure& step : steps) EXPECT_NEAR(step.achieved.lift, lift, 0.02 * lift) << f;
+    for (const JudgedStep& step : steps) EXPECT_NEAR(step.achieved.lift, lift, 0.02 * lift) << f;
   }
 }
 

@@ -1,0 +1,30 @@
+#include "animation/body/step_measure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/rotation.h"
+
+namespace amble {
+
+StepMeasure measureStep(const StepPrints& prints) {
+  StepMeasure step;
+  step.side = prints.side;
+  step.at = prints.to.at;
+  const Eigen::Vector3d d = prints.to.at - prints.other.at;
+  const double cosine = std::cos(prints.along), sine = std::sin(prints.along);
+  step.stride = d.x() * cosine + d.y() * sine;  // Shanbhag's thesis, eq. 6.8: S parallel
+  step.width = (d.y() * cosine - d.x() * sine) * (prints.side == kLeft ? 1.0 : -1.0);
+  step.climb = d.z();  // eq. 6.8: S perpendicular
+  if (!prints.swing.empty()) step.two_steps = (prints.to.at - prints.from.at).head<2>().norm();
+  for (const SoleEnds& sole : prints.swing) {
+    step.lift = std::max(step.lift, heightOver(prints.from.ends, prints.to.ends, sole));
+  }
+  return step;
+}
+
+double headingBetween(double other, double landing) {
+  return other + 0.5 * wrapAngle(landing - other);
+}
+
+}  // namespace amble

@@ -1,0 +1,21 @@
+/// Which files are scenarios, and whether what they need is there.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scenarios/scenario.h"
+
+namespace amble {
+
+/// Scenarios at the paths, each read once: files as they are, folders with all below them, by name.
+/// @throws InputError for a path that is not there, a file that is no scenario, or where nothing is
+/// found.
+std::vector<ScenarioFile> findScenarios(const std::vector<std::filesystem::path>& paths);
+
+/// What a scenario needs that lies outside of Amble's own folders and is not there (a mesh of the
+/// shared captures' folder), or an empty text.
+std::string missingData(const Scenario& scenario);
+
+}  // namespace amble
