@@ -62,9 +62,11 @@ void printSummary(const std::vector<CheckRow>& rows) {
     return std::count_if(rows.begin(), rows.end(),
                          [&](const CheckRow& row) { return row.verdict == verdict; });
   };
-  fmt::print("{} scenarios: {} as expected, {} differ, {} in error, {} skipped\n", rows.size(),
+  const auto stopped = count(CheckVerdict::kStopped);
+  fmt::print("{} scenarios: {} as expected, {} differ, {} in error, {} skipped{}\n", rows.size(),
              count(CheckVerdict::kHolds), count(CheckVerdict::kDiffers),
-             count(CheckVerdict::kError), count(CheckVerdict::kSkipped));
+             count(CheckVerdict::kError), count(CheckVerdict::kSkipped),
+             stopped > 0 ? fmt::format(", {} stopped", stopped) : std::string());
 }
 
 int statusOf(const std::vector<CheckRow>& rows) {
@@ -100,6 +102,7 @@ int run(const Options& options) {
     progress.clear();
     if (!options.json) printRow(row, static_cast<int>(width));
   };
+  const StoppableWork work;
   const std::vector<CheckRow> rows = checkScenarios(files, how);
   if (options.json) {
     Json all = Json::array();
@@ -121,13 +124,19 @@ void addCheck(CLI::App& app, Command& chosen) {
   options->threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
   CLI::App* command = app.add_subcommand(
       "check", "Run every scenario found at the paths and compare with its `expect`");
-  command->add_option("PATH", options->paths, "Scenario files, and folders of them")->required();
+  command
+      ->add_option("PATH", options->paths,
+                   "Scenario files, and folders of them; - is one on standard input")
+      ->required();
   command->add_option("--junit", options->junit, "Write the table as JUnit's XML too");
-  command->add_flag("--update", options->update, "Write each walk's SHA-256 into its `expect`");
+  command->add_flag("--update", options->update,
+                    "Write the SHA-256 of each walk of a finished run into its `expect`");
   command->add_flag("--judge-times", options->judge_times, "Judge max_planning_time too");
   command->add_option("--threads", options->threads, "Threads; changes no result")
       ->check(wholeNumber(1, 64));
   command->add_flag("--json", options->json, "Print results for machines");
+  addExamples(*command, {"amble check scenarios/narrow-gap-070.yaml",
+                         "amble check scenarios/narrow-gap-070.yaml --junit check.xml"});
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

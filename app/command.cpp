@@ -64,6 +64,10 @@ CLI::Validator number(double min, double max, const std::string& unit) {
   return CLI::Validator(check, fmt::format("[{}]", wanted));
 }
 
+void addExamples(CLI::App& command, const std::vector<std::string>& lines) {
+  command.footer(fmt::format("Examples:\n  {}", fmt::join(lines, "\n  ")));
+}
+
 CLI::Validator wholeNumber(long min, long max) {
   const std::string wanted = fmt::format("{} to {}", min, max);
   const auto check = [=](const std::string& text) -> std::string {

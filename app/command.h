@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace amble {
 
@@ -40,6 +41,8 @@ Ramp readRamp(const std::string& text);  ///< @pre ramp() has accepted it
 /// Accepts two numbers with a comma between them, each within its range.
 CLI::Validator twoNumbers(const Ramp& first, const Ramp& second, const std::string& unit);
 std::pair<double, double> readTwoNumbers(const std::string& text);  ///< @pre accepted
+/// Shows how the command is used, behind its options.
+void addExamples(CLI::App& command, const std::vector<std::string>& lines);
 /// Accepts a whole number within a range, ends included.
 CLI::Validator wholeNumber(long min, long max);
 

@@ -55,6 +55,8 @@ void addInspect(CLI::App& app, Command& chosen) {
       ->required();
   addReadOptions(*command, options->read);
   command->add_flag("--json", options->json, "Print results for machines");
+  addExamples(*command, {"amble inspect scenarios/living-room.yaml",
+                         "amble inspect environments/scenes/living-room/scene.yaml --json"});
   command->callback([options, &chosen] {
     chosen = [options] {
       std::vector<Findings> all;

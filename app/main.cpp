@@ -8,6 +8,8 @@
 #include <new>
 
 #include "app/command.h"
+#include "app/misuse.h"
+#include "app/standard_streams.h"
 #include "app/stop.h"
 #include "base/error.h"
 #include "base/version.h"
@@ -38,13 +40,13 @@ int runProgram(int argc, char** argv) {
   addLibrary(app, chosen);
   addConvert(app, chosen);
   addInspect(app, chosen);
+  takeOneArgumentEach(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version
     return app.exit(wanted);
   } catch (const CLI::ParseError& error) {
-    return complain(
-        fmt::format("amble: {}; expected a command line as amble --help has it", error.what()));
+    return complain(explainMisuse(app, error));
   }
   stopOnSignals();
   return chosen();
@@ -54,6 +56,7 @@ int runProgram(int argc, char** argv) {
 }  // namespace amble
 
 int main(int argc, char** argv) {
+  amble::prepareStandardStreams();
   try {
     const int status = amble::runProgram(argc, argv);
     std::cout.flush();

@@ -23,6 +23,16 @@
 namespace amble {
 namespace {
 
+// What can be written, and under which name.
+constexpr std::pair<const char*, const char*> kFormats[] = {
+    {"bvh", "walk.bvh"}, {"json", "report.json"}, {"svg", "top.svg"}, {"png", "walk.png"}};
+
+std::vector<std::string> formatNames() {
+  std::vector<std::string> names;
+  for (const auto& [name, file] : kFormats) names.emplace_back(name);
+  return names;
+}
+
 struct Options {
   std::string scenario, out, planner;
   int seed = -1;  // -1: the scenario's
@@ -30,7 +40,7 @@ struct Options {
   double time_limit = 0.0;  // [s]; 0: the scenario's
   double fps = 60.0;
   std::string bvh_units = "m";
-  std::vector<std::string> formats = {"bvh", "json", "svg", "png"};
+  std::vector<std::string> formats = formatNames();
   bool json = false, list_planners = false;
 };
 
@@ -40,7 +50,10 @@ bool wants(const Options& options, const std::string& format) {
 
 Scenario readAsked(const Options& options) {
   Scenario scenario = readScenario(options.scenario);
-  if (!options.planner.empty()) scenario.planner.name = options.planner;
+  if (!options.planner.empty()) {
+    scenario.planner.name = options.planner;
+    scenario.source.lines.erase("planner.name");
+  }
   if (options.seed >= 0) scenario.planner.seed = static_cast<std::uint64_t>(options.seed);
   if (options.time_limit > 0.0) scenario.planner.time_limit = options.time_limit;
   return scenario;
@@ -73,6 +86,8 @@ void writeAll(const Options& options, RunResult& result, const std::filesystem::
   WriteOptions write;
   write.bvh = wants(options, "bvh");
   write.json = wants(options, "json");
+  write.names.clear();
+  for (const auto& [format, file] : kFormats) write.names.emplace_back(file);
   if (wants(options, "svg")) {
     write.more.push_back({"top.svg", [&](std::ostream& out) { writePlanView(out, view); }});
   }
@@ -139,16 +154,20 @@ int run(const Options& options) {
     progress.update(fmt::format("{}, {} guards, {} connectors", at.phase, at.guards, at.connectors),
                     done);
   };
+  const StoppableWork work;
   RunResult result = runScenario(scenario, how);
   progress.clear();
+  if (result.report.stopped_by == "interrupt" && result.report.status != PlanStatus::kSolved) {
+    fmt::print(stderr, "amble plan: stopped; nothing was written to {}\n", folder.string());
+    return kExitStopped;
+  }
   writeAll(options, result, folder);
   if (options.json) {
     writeJson(std::cout, result.report);
   } else {
     printResult(result.report, folder);
   }
-  if (result.report.status == PlanStatus::kSolved) return kExitDone;
-  return stopFlag() ? kExitStopped : kExitNone;
+  return result.report.status == PlanStatus::kSolved ? kExitDone : kExitNone;
 }
 
 }  // namespace
@@ -173,11 +192,16 @@ void addPlan(CLI::App& app, Command& chosen) {
   command->add_option("--bvh-units", options->bvh_units, "Unit of length in the BVH")
       ->check(CLI::IsMember({"m", "cm"}))
       ->capture_default_str();
-  command->add_option("--formats", options->formats, "What to write: bvh,json,svg,png")
+  command
+      ->add_option("--formats", options->formats,
+                   fmt::format("What to write: {}", fmt::join(formatNames(), ",")))
       ->delimiter(',')
-      ->check(CLI::IsMember({"bvh", "json", "svg", "png"}));
+      ->check(CLI::IsMember(formatNames()));
   command->add_flag("--json", options->json, "Print the report");
   command->add_flag("--list-planners", options->list_planners, "Explain each planner");
+  addExamples(*command,
+              {"amble plan scenarios/living-room.yaml -o out",
+               "amble plan --formats bvh,json scenarios/living-room.yaml -o out --fps 30"});
   command->callback([options, scenario, &chosen] {
     if (scenario->count() == 0 && !options->list_planners) throw CLI::RequiredError("SCENARIO");
     chosen = [options] { return run(*options); };

@@ -11,7 +11,7 @@ namespace amble {
 /// object is.
 class Progress {
  public:
-  /// @param wanted  false (`--quiet`) draws nothing.
+  /// @param wanted  false draws nothing: where the work is done in a moment.
   explicit Progress(bool wanted = true);
   ~Progress();
   Progress(const Progress&) = delete;

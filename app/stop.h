@@ -1,11 +1,22 @@
-/// Ctrl-C: searches poll a flag and stop cleanly, so that no half-written file is left.
+/// Ctrl-C: work that can be stopped polls a flag and ends cleanly; anything else ends at once. No
+/// half-written file is left either way.
 #pragma once
 
 #include <atomic>
 
 namespace amble {
 
-/// From now on SIGINT and SIGTERM set the flag; a second one ends the program at once.
+/// While one lives the first SIGINT or SIGTERM sets the flag, and the work that goes on polls it. A
+/// second one, or the first without such work, ends the program with kExitStopped.
+class StoppableWork {
+ public:
+  StoppableWork();
+  ~StoppableWork();
+  StoppableWork(const StoppableWork&) = delete;
+  StoppableWork& operator=(const StoppableWork&) = delete;
+};
+
+/// From now on signals are treated so.
 void stopOnSignals();
 /// Set when the user asked to stop.
 const std::atomic<bool>& stopFlag();

@@ -107,6 +107,9 @@ void addValidate(CLI::App& app, Command& chosen) {
       ->check(number(-1e5, 1e5, "m"))
       ->each([options](const std::string&) { options->has_floor = true; });
   command->add_flag("--json", options->json, "Print results for machines");
+  const std::string example =
+      "amble validate out/walk.bvh --scene environments/scenes/living-room/scene.yaml";
+  addExamples(*command, {example, example + " --fps 240 --json"});
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
@@ -80,6 +81,25 @@ void clearLeftovers(const fs::path& file) {
   }
 }
 
+// Paths of the half-written files, for removeHalfWritten: a handler of signals may neither wait nor
+// ask for memory. More at once than there are places are left to clearLeftovers.
+constexpr size_t kMostHalfWritten = 64;
+std::array<std::atomic<const char*>, kMostHalfWritten> half_written{};
+
+void remember(const char* path) {
+  for (std::atomic<const char*>& place : half_written) {
+    const char* none = nullptr;
+    if (place.compare_exchange_strong(none, path)) return;
+  }
+}
+
+void forget(const char* path) {
+  for (std::atomic<const char*>& place : half_written) {
+    const char* same = path;
+    if (place.compare_exchange_strong(same, nullptr)) return;
+  }
+}
+
 // Removes the half-written file unless it was renamed.
 class TemporaryFile {
  public:
@@ -94,11 +114,13 @@ class TemporaryFile {
       error = handle_ < 0 ? errno : 0;
       if (error != 0 && error != EEXIST) failWriting(asked, error);
     }
+    remember(path_.c_str());
     ::flock(handle_, LOCK_EX | LOCK_NB);
     takeRights(handle_, file_);
   }
   ~TemporaryFile() {
-    if (!path_.empty()) ::unlink(path_.c_str());
+    forget(path_.c_str());
+    if (!renamed_) ::unlink(path_.c_str());
     ::close(handle_);
   }
   TemporaryFile(const TemporaryFile&) = delete;
@@ -107,13 +129,14 @@ class TemporaryFile {
   const fs::path& path() const { return path_; }
   void giveName() {
     if (::rename(path_.c_str(), file_.c_str()) != 0) failWriting(file_, errno);
-    path_.clear();
+    renamed_ = true;
   }
 
  private:
   const fs::path file_;
-  fs::path path_;
+  fs::path path_;  // stays as it is: its text is remembered
   int handle_ = -1;
+  bool renamed_ = false;
 };
 
 void writeStream(std::ostream& out, const fs::path& file,
@@ -197,6 +220,12 @@ std::unique_ptr<TemporaryFile> prepare(const fs::path& file,
 
 void writeFile(const fs::path& file, const std::function<void(std::ostream&)>& write) {
   if (const auto temporary = prepare(file, write)) temporary->giveName();
+}
+
+void removeHalfWritten() {
+  for (const std::atomic<const char*>& place : half_written) {
+    if (const char* const path = place) ::unlink(path);
+  }
 }
 
 void writeFiles(const std::vector<ResultFile>& files, const std::vector<fs::path>& obsolete) {

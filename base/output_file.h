@@ -34,4 +34,8 @@ struct ResultFile {
 void writeFiles(const std::vector<ResultFile>& files,
                 const std::vector<std::filesystem::path>& obsolete = {});
 
+/// Removes the half-written files of the whole program, for a handler of signals that ends it: safe
+/// to call in one.
+void removeHalfWritten();
+
 }  // namespace amble

@@ -1,0 +1,113 @@
+// What is in the results' folder after runs that end well, badly, or not at all.
+
+#include "tests/app/program.h"
+
+namespace amble {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const kRoom =
+    "name: room\n"
+    "objects:\n"
+    "  - {name: floor, box: {size: [6, 4, 0.1]}, at: [3, 2, -0.05]}\n";
+const char* const kWall = "  - {name: wall, box: {size: [0.2, 4, 2.5]}, at: [4, 2, 1.25]}\n";
+const char* const kScenario =
+    "scene: room.yaml\n"
+    "start: {at: [1, 2], heading: 0}\n"
+    "goal: {at: [5, 2], heading: 0}\n";
+
+// What Ctrl-C does, SIGTERM does: a shell has its background jobs ignore SIGINT.
+const std::string kStopped = " & pid=$!; sleep 1; kill -TERM $pid; wait $pid";
+
+class Results : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    write("in/room.yaml", kRoom);
+    write("in/scenario.yaml", kScenario);
+  }
+  // No walk, and far too many samples to try.
+  void makeEndless() const {
+    write("in/room.yaml", std::string(kRoom) + kWall);
+    write("in/scenario.yaml",
+          std::string(kScenario) + "planner: {max_failures: 1000000, time_limit: 600}\n");
+  }
+  std::set<std::string> results() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_ / "out")) {
+      names.insert(entry.path().filename().string());
+    }
+    return names;
+  }
+};
+
+TEST_F(Results, CtrlCLeavesAnEarlierWalkWithItsReport) {
+  ASSERT_EQ(run("plan in/scenario.yaml -o out").status, 0);
+  const std::string walk = read("out/walk.bvh"), report = read("out/report.json");
+  makeEndless();
+  const Ran ran = run("plan in/scenario.yaml -o out" + kStopped);
+  EXPECT_EQ(ran.status, 130) << ran.err;
+  EXPECT_NE(ran.err.find("stopped; nothing was written to out"), std::string::npos) << ran.err;
+  EXPECT_EQ(read("out/walk.bvh"), walk);
+  EXPECT_EQ(read("out/report.json"), report);
+  EXPECT_EQ(results(), (std::set<std::string>{"report.json", "top.svg", "walk.bvh", "walk.png"}));
+}
+
+TEST_F(Results, OfTwoRunsNoneIsMixed) {
+  ASSERT_EQ(run("plan in/scenario.yaml -o out").status, 0);
+  write("out/notes.txt", "the user's own");
+  ASSERT_EQ(run("plan in/scenario.yaml -o out --formats bvh --seed 7").status, 0);
+  EXPECT_EQ(results(), (std::set<std::string>{"notes.txt", "walk.bvh"}));
+  write("in/room.yaml", std::string(kRoom) + kWall);
+  write("in/scenario.yaml", std::string(kScenario) + "planner: {max_failures: 3}\n");
+  EXPECT_EQ(run("plan in/scenario.yaml -o out --formats json").status, 1);
+  EXPECT_EQ(results(), (std::set<std::string>{"notes.txt", "report.json"}));
+}
+
+TEST_F(Results, WhatAKilledRunLeftIsClearedByTheNext) {
+  ASSERT_EQ(run("plan in/scenario.yaml -o out --formats json").status, 0);
+  // The name that a process which is gone gave it.
+  const Ran gone = run("--version & echo $!; wait $!");
+  const std::string process = gone.out.substr(0, gone.out.find('\n'));
+  write("out/walk.bvh.part-" + process + "-0", "half");
+  write("out/report.json.part-" + process + "-1", "half");
+  ASSERT_EQ(run("plan in/scenario.yaml -o out --formats json").status, 0);
+  EXPECT_EQ(results(), (std::set<std::string>{"report.json"}));
+}
+
+TEST_F(Results, AnUpdateThatIsInterruptedChangesNoScenario) {
+  makeEndless();
+  const std::string before = read("in/scenario.yaml");
+  const Ran ran = run("check in --update" + kStopped);
+  EXPECT_EQ(ran.status, 130) << ran.err;
+  EXPECT_EQ(ran.out.find("differs"), std::string::npos) << ran.out;
+  EXPECT_EQ(read("in/scenario.yaml"), before);
+}
+
+TEST_F(Results, APipeThatNobodyReadsFromIsNotWaitedForAndCtrlCEndsTheWait) {
+  const Ran alone = run("animate --duration 2 -o pipe", "mkfifo pipe;");
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_NE(alone.err.find("pipe: nobody reads from the pipe; expected"), std::string::npos);
+  const Ran read_from = run("animate --duration 2 -o pipe & cat pipe >walk.bvh; wait $!");
+  EXPECT_EQ(read_from.status, 0) << read_from.err;
+  EXPECT_EQ(read("walk.bvh").rfind("HIERARCHY", 0), 0u);
+  const Ran stopped = run("animate --duration 2 -o pipe" + kStopped);
+  EXPECT_EQ(stopped.status, 130) << stopped.err;
+}
+
+TEST_F(Results, LinksAndModesAreKept) {
+  fs::create_directories(folder_ / "far");
+  fs::create_directories(folder_ / "out");
+  fs::create_symlink("../far/walk.bvh", folder_ / "out/walk.bvh");
+  write("out/report.json", "{}");
+  fs::permissions(folder_ / "out/report.json", fs::perms::owner_read | fs::perms::owner_write);
+  ASSERT_EQ(run("plan in/scenario.yaml -o out --formats bvh,json").status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "out/walk.bvh"));
+  EXPECT_EQ(read("far/walk.bvh").rfind("HIERARCHY", 0), 0u);
+  EXPECT_EQ(fs::status(folder_ / "out/report.json").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+}
+
+}  // namespace
+}  // namespace amble
