@@ -6,7 +6,7 @@
 
 #include "animation/ground/slope_ground.h"
 #include "animation/ground/stair_ground.h"
-#include "animation/steps/step_placer.h"
+#include "animation/steps/slope_gait.h"
 #include "base/rotation.h"
 
 namespace amble {

@@ -361,14 +361,6 @@ Eigen::VectorXd YamlNode::asVec(int n, std::string_view what, double min, double
   return numbers;
 }
 
-std::vector<double> YamlNode::asDoubles(std::string_view what) const {
-  std::vector<double> numbers;
-  for (const Data* item : sequence("a list of " + std::string(what)).children) {
-    numbers.push_back(child(item).asDouble());
-  }
-  return numbers;
-}
-
 std::filesystem::path YamlNode::asPath() const {
   const std::filesystem::path named = asString();
   const std::filesystem::path folder = std::filesystem::path(file()).parent_path();

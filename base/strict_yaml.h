@@ -87,9 +87,6 @@ class YamlNode {
   Eigen::VectorXd asVec(int n, std::string_view what = "numbers", double min = -kInfinity,
                         double max = kInfinity) const;
   Eigen::Vector2d asVec2(std::string_view what = "numbers") const { return asVec(2, what); }
-  Eigen::Vector3d asVec3(std::string_view what = "numbers") const { return asVec(3, what); }
-  /// A sequence of any number of finite numbers.
-  std::vector<double> asDoubles(std::string_view what = "numbers") const;
   /// A relative path is relative to the folder of the file that names it.
   std::filesystem::path asPath() const;
   /// The value that belongs to the scalar: `role.asEnum<Role>({{"auto", Role::kAuto}, {"ground",

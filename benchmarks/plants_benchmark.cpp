@@ -10,6 +10,7 @@
 #include "animation/analysis/classify_clip.h"
 #include "animation/analysis/foot_plants.h"
 #include "animation/analysis/gait_events.h"
+#include "base/ease.h"
 #include "base/rotation.h"
 
 namespace {
@@ -36,7 +37,7 @@ FootPaths walk() {
       const double phase = i * kFrameTime / kPeriod + (side == amble::kRight ? 0.5 : 0.0);
       const double cycle = std::floor(phase);
       const double u = std::max(0.0, (phase - cycle - kStance) / (1.0 - kStance));
-      const double x = kSpeed * kPeriod * (cycle + u * u * (3.0 - 2.0 * u));
+      const double x = kSpeed * kPeriod * (cycle + amble::smoothstep(u));
       const double z = 0.12 * std::sin(amble::kPi * u) * std::sin(amble::kPi * u);
       const double y = side == amble::kLeft ? 0.08 : -0.08;
       path.row(i) << x, y, 0.08 + z, x + 0.13, y, 0.03 + 0.8 * z;

@@ -29,7 +29,7 @@ constexpr double kLargestClosure = 0.10;       // rms over the joints: more is n
 // leave.
 std::vector<double> doubleSupports(const GaitTrack& track, Side leading) {
   std::vector<double> middles;
-  const Side trailing = leading == kLeft ? kRight : kLeft;
+  const Side trailing = other(leading);
   for (const Plant& front : track.plants(leading)) {
     for (const Plant& rear : track.plants(trailing)) {
       if (rear.strike < front.strike && rear.lift_off > front.strike - 2.0 &&
@@ -80,13 +80,13 @@ std::vector<Stretch> allStretches(const GaitTrack& track, const CycleOptions& op
   std::vector<Stretch> found;
   for (const Side leading : {kLeft, kRight}) {
     const auto own = doubleSupports(track, leading);
-    const auto other = doubleSupports(track, leading == kLeft ? kRight : kLeft);
+    const auto others = doubleSupports(track, other(leading));
     for (size_t i = 0; i + 1 < own.size(); ++i) {
       const double begin = own[i], end = own[i + 1];
       const double period = (end - begin) * track.clip().frame_time;
-      const auto middle = std::upper_bound(other.begin(), other.end(), begin);
+      const auto middle = std::upper_bound(others.begin(), others.end(), begin);
       if (period < kShortestPeriod || period > kLongestPeriod) continue;
-      if (middle == other.end() || *middle >= end || !within(options, begin, end)) continue;
+      if (middle == others.end() || *middle >= end || !within(options, begin, end)) continue;
       if (!hasSwing(track, kLeft, begin, end) || !hasSwing(track, kRight, begin, end)) continue;
       found.push_back(stretchOf(track, begin, *middle, end, leading));
     }

@@ -14,6 +14,18 @@ struct FootPlace {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
 };
 
+/// Rise per metre of the plane that a foot stands in, along a direction in plan [1, up positive].
+inline double tiltAlong(const FootPlace& place, const Eigen::Vector2d& direction) {
+  return -place.normal.head<2>().dot(direction) / place.normal.z();
+}
+
+/// How much higher `b` is than where the slope under both leads from `a`: a step up or down [m].
+inline double stepHeight(const FootPlace& a, const FootPlace& b) {
+  const Eigen::Vector2d line = (b.position - a.position).head<2>();
+  const double slope = 0.5 * (tiltAlong(a, line) + tiltAlong(b, line));
+  return b.position.z() - a.position.z() - slope;
+}
+
 /// How a swing departs from the captured one, to clear what lies between its prints.
 struct SwingShape {
   double lift = 1.0;   ///< times the captured height [> 0]

@@ -10,13 +10,6 @@
 namespace amble {
 namespace {
 
-constexpr double kExtraRise =
-    35.0 * kDegree;  // of a heel, by trial: more, and the walker goes on tiptoe [rad]
-constexpr double kBehind =
-    0.12;  // a ball of the foot so far behind the hip lets its heel rise freely [m]
-constexpr double kSoftReach =
-    0.006;  // over which the heel begins to rise before the leg is at its longest [m]
-
 double rolled(double pitch, double strike_roll, double lift_roll) {
   return pitch * (pitch < 0.0 ? strike_roll : lift_roll);
 }
@@ -71,16 +64,16 @@ FootTarget footTarget(const FootState& state, const FootCycle& cycle, const Foot
   SolePose sole = solePose(state, cycle);
   FootTarget target = targetOf(shape, sole);
   const double distance = (target.ankle - hip).norm();
-  const double over = (distance - longest) / kSoftReach;
+  const double over = (distance - longest) / HeelRise::kSoftReach;
   if (over < -6.0) return target;
   Eigen::Vector3d ahead = sole.q_WS * Eigen::Vector3d::UnitX();
   ahead.z() = 0.0;
   const Eigen::Vector3d ball = sole.position + shape.ball_x * ahead;
   const double behind = (hip - ball).dot(ahead);
-  const double freedom = smoothstep(std::clamp(behind / kBehind, 0.0, 1.0));
+  const double freedom = smoothstep(behind / HeelRise::kBehind);
   // A smooth minimum of what it is and what it may be.
-  const double wanted = distance - kSoftReach * std::log1p(std::exp(over));
-  double low = sole.pitch, high = sole.pitch + heel_share * kExtraRise * freedom;
+  const double wanted = distance - HeelRise::kSoftReach * std::log1p(std::exp(over));
+  double low = sole.pitch, high = sole.pitch + heel_share * HeelRise::kMost * freedom;
   for (int i = 0; i < 30; ++i) {
     sole.pitch = 0.5 * (low + high);
     ((targetOf(shape, sole).ankle - hip).norm() > wanted ? low : high) = sole.pitch;

@@ -7,8 +7,22 @@
 #include "animation/body/foot_shape.h"
 #include "animation/library/foot_cycle.h"
 #include "animation/steps/foot_state.h"
+#include "base/rotation.h"
 
 namespace amble {
+
+/// How a heel behind the walker rises farther than captured, as it does when people take longer
+/// steps.
+struct HeelRise {
+  /// By trial: more, and the walker goes on tiptoe [rad].
+  static constexpr double kMost = 35.0 * kDegree;
+  /// A ball of the foot so far behind the hip lets its heel rise freely, one under the hip not at
+  /// all: a standing leg would be lifted by its toes [m].
+  static constexpr double kBehind = 0.12;
+  /// Over which the heel begins to rise before the leg is at its longest; at once, and the knee
+  /// jerks [m].
+  static constexpr double kSoftReach = 0.006;
+};
 
 /// Where a foot is to be: the ankle, the foot's rotation and how far the toes bend up.
 struct FootTarget {
@@ -18,8 +32,7 @@ struct FootTarget {
 };
 
 /// Where the foot is to be in a frame. Behind the walker, where the leg from `hip` [World] would be
-/// longer than `longest` [m], the heel rises farther than captured, as it does when people take
-/// longer steps.
+/// longer than `longest` [m], the heel rises farther than captured (HeelRise).
 /// @param heel_share  of the rise that there is for a heel beyond the captured one [0, 1]
 FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
                       const Eigen::Vector3d& hip, double longest, double heel_share = 1.0);

@@ -5,26 +5,19 @@
 #include <cmath>
 #include <optional>
 
+#include "animation/steps/unevenness.h"
+
 namespace amble {
 namespace {
 
-constexpr int kRows = 7;     // of samples, from the heel's end to the tip's
-constexpr int kColumns = 3;  // from side to side
-// What sticks out of the sole's plane by less is pressed flat: half of the penetration that
-// QUALITY.md allows [m].
-constexpr double kPressed = 0.0025;
-// Ground this uneven under a sole is still one surface, and the sole lies in its mean plane [m].
-constexpr double kUneven = 0.008;
-// What ends within so much above a sole is in its way; what goes on higher is a wall, which is for
-// the collision check [m].
-constexpr double kHighest = 0.35;
-constexpr int kCellsOfTilted = 6;  // along a tilted sole, in which obstacles are looked for
-// Normals as near to the vertical are vertical: rounding [1].
-constexpr double kVertical = 1e-9;
+constexpr int kRows = 7;                 // of samples, from the heel's end to the tip's
+constexpr int kColumns = 3;              // from side to side
+constexpr int kCellsOfTilted = 6;        // along a tilted sole, in which obstacles are looked for
 constexpr double kSlopeRounding = 1e-3;  // ground as steep as the limit is walked [rad]
 
 std::optional<SurfacePoint> uprightIfVertical(std::optional<SurfacePoint> point) {
-  if (point && point->normal.z() > 1.0 - kVertical) point->normal = Eigen::Vector3d::UnitZ();
+  if (point && point->normal.z() > 1.0 - Unevenness::kVertical)
+    point->normal = Eigen::Vector3d::UnitZ();
   return point;
 }
 
@@ -78,19 +71,19 @@ Foothold FootholdFinder::judge(const FootPlace& place, const Samples& samples,
   for (const auto& point : samples.points) {
     if (!point.surface) continue;
     const double out = over(point);
-    if (out > kStraddled) {
+    if (out > Unevenness::kStraddled) {
       found.refusal = Foothold::Refusal::kEdge;
       return found;
     }
     raise = std::max(raise, out);
   }
-  if (!samples.level) raise = std::max(0.0, raise - kPressed);
+  if (!samples.level) raise = std::max(0.0, raise - Unevenness::kPressed);
   int rows = 0;
   for (int i = 0; i < kRows; ++i) {
     int standing = 0;
     for (int j = 0; j < kColumns; ++j) {
       const auto& point = samples.points[i * kColumns + j];
-      standing += point.surface && over(point) >= raise - kStraddled ? 1 : 0;
+      standing += point.surface && over(point) >= raise - Unevenness::kStraddled ? 1 : 0;
     }
     rows += 2 * standing > kColumns ? 1 : 0;
   }
@@ -107,17 +100,16 @@ bool FootholdFinder::obstructed(const FootPlace& stood, const FootShape& foot) c
   const double back = foot.heel_x - foot.radius, front = foot.tip_x + foot.radius;
   const double z = stood.position.z();
   const bool level = stood.normal.z() == 1.0;
-  const double tilt = -stood.normal.head<2>().dot(ahead) / stood.normal.z();
-  const double across =
-      -stood.normal.head<2>().dot(Eigen::Vector2d(-ahead.y(), ahead.x())) / stood.normal.z();
+  const double tilt = tiltAlong(stood, ahead), across = tiltAlong(stood, {-ahead.y(), ahead.x()});
   const int cells = level ? 1 : kCellsOfTilted;
   for (int i = 0; i < cells; ++i) {
     const double x0 = back + (front - back) * i / cells,
                  x1 = back + (front - back) * (i + 1) / cells;
     const double plane = z + std::max(tilt * x0, tilt * x1) + std::abs(across) * foot.half_width;
-    const double crest = ground_.crest(middle + x0 * ahead, middle + x1 * ahead, foot.half_width,
-                                       plane - kStraddled, plane + kHighest);
-    if (crest > plane + (level ? kPressed : 2.0 * kPressed)) return true;
+    const double crest =
+        ground_.crest(middle + x0 * ahead, middle + x1 * ahead, foot.half_width,
+                      plane - Unevenness::kStraddled, plane + Unevenness::kInTheWay);
+    if (crest > plane + (level ? Unevenness::kPressed : 2.0 * Unevenness::kPressed)) return true;
   }
   return false;
 }
@@ -147,7 +139,7 @@ Foothold FootholdFinder::at(const FootPlace& place, Side side, double reach) con
     if (whole) {
       // The samples lie the same way about the middle for every foot: well conditioned.
       const Eigen::Vector3d fit = (a.transpose() * a).ldlt().solve(a.transpose() * b);
-      if ((a * fit - b).cwiseAbs().maxCoeff() <= kUneven) {
+      if ((a * fit - b).cwiseAbs().maxCoeff() <= Unevenness::kUneven) {
         const Eigen::Vector3d normal = Eigen::Vector3d(-fit.x(), -fit.y(), 1.0).normalized();
         found = judge(place, samples, normal, height + fit.z());
       }

@@ -15,8 +15,8 @@ namespace amble {
 
 struct FootholdLimits {
   double max_slope = 0.35;  ///< [rad, 0 to pi/4]
-  double max_climb = 0.25;  ///< highest step up and down [m, 0 to 1]
-  double max_drop = 0.25;
+  double max_climb = 0.25;  ///< highest step up [m, 0 to 1]
+  double max_drop = 0.25;   ///< highest step down [m, 0 to 1]
 };
 
 /// What is found at a place.
@@ -34,16 +34,17 @@ struct Foothold {
 
 class FootholdFinder {
  public:
-  /// The least share of a sole's length that stands: a foot on a tread may overhang its edge.
+  /// The least share of a sole's length that stands: a foot on a tread may overhang its edge, heel
+  /// or toes. Less, and the ball is in the air; more, and treads of 0.22 m cannot be climbed [0 to
+  /// 1].
   static constexpr double kLeastSupport = 0.7;
-  /// Ground so far below a flat sole still supports it: rugs and seams are stood across [m].
-  static constexpr double kStraddled = 0.012;
 
   FootholdFinder(const Ground& ground, const std::array<FootShape, 2>& feet,
                  const FootholdLimits& limits)
       : ground_(ground), feet_(feet), limits_(limits) {}
 
   const FootholdLimits& limits() const { return limits_; }
+  const Ground& ground() const { return ground_; }
   /// Height of the ground under a point, within reach of it [m].
   std::optional<double> heightNear(const Eigen::Vector3d& point, double reach) const {
     return ground_.height(point.x(), point.y(), point.z(), reach);

@@ -1,8 +1,8 @@
 /// Footsteps that are chosen for the ground: along a root path, where whole soles stand, as near to
 /// the wanted step lengths as may be.
 ///
-/// Places are tried every kSpacing along the path, on the lines of the left and of the right foot.
-/// Of all sequences that alternate between them the cheapest is taken (dynamic programming: costs
+/// Places are tried along the path, on the lines of the left and of the right foot (FootTrials). Of
+/// all sequences that alternate between them the cheapest is taken (dynamic programming: costs
 /// add up from step to step), then its places are evened out within the surfaces that they stand
 /// on. So on a stair every tread gets one foot, in its middle, and the steps before it give way.
 #pragma once
@@ -18,11 +18,21 @@
 
 namespace amble {
 
-/// A point of the path, going on straight beyond its ends; at height z.
-GroundPoint pathPoint(const RootPath& path, double arc, double z);
-
-/// How much higher `b` is than where the slope under both leads from `a`: a step up or down [m].
-double stepHeight(const FootPlace& a, const FootPlace& b);
+/// What is weighed against that of a step twice as long as wanted, which costs 1. By trial.
+struct FootstepCosts {
+  /// Of a sole that overhangs by all of its length: less, and feet stand on edges where a shorter
+  /// step would have stood whole.
+  static constexpr double kOverhang = 2.0;
+  /// Of passing over a tread; less, and stairs are taken two at a time.
+  static constexpr double kSkip = 0.5;
+  /// Of a foot put down farthest beside its line: cheaper than a step by a third too long.
+  static constexpr double kAside = 0.1;
+  /// What lies between two prints is a tread where its tilt differs from the line's by more [1].
+  static constexpr double kTreadTilt = 0.08;
+  /// Surfaces as short as this have feet in their middle, those of TrialGrid::kNarrow anywhere [m].
+  static constexpr double kNarrowest = 0.15;
+  static constexpr int kSweeps = 40;  ///< of evening out: places move by less than 1 mm after them
+};
 
 /// What is asked for.
 struct FootstepRequest {

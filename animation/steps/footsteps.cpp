@@ -3,20 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "animation/steps/start_and_stop.h"
 #include "base/ease.h"
 
 namespace amble {
 namespace {
-
-// The first foot leaves the ground after this share of the first step, the last one lands so much
-// before the end of the last: weight is shifted before and after [steps].
-constexpr double kFirstLift = 0.30;
-constexpr double kLastStrike = 0.12;
-// The foot of a first step lingers while the body gains speed: its swing runs as this power of
-// time.
-constexpr double kFirstDelay = 1.3;
-// A first step pushes off with half of the heel's rise.
-constexpr double kFirstRoll = 0.5;
 
 GroundPoint ahead(const Stance& stance, double forward) {
   return {stance.position +
@@ -34,12 +25,12 @@ FootPlace stancePlace(const FootPlacement& p, const Stance& stance, Side side) {
 
 }  // namespace
 
-double slopeStrike(const FootPlace& place) {
-  constexpr double kFlat = 0.35;  // by trial: rise per metre on which feet land flat [1]
-  const double rise =
-      -(place.normal.x() * std::cos(place.heading) + place.normal.y() * std::sin(place.heading)) /
-      place.normal.z();
-  return std::clamp(1.0 - rise / kFlat, 0.0, 1.0);
+GroundPoint pathPoint(const RootPath& path, double arc, double z) {
+  const RootPath::Sample at = path.at(arc);
+  const double beyond = arc < 0.0 ? arc : std::max(0.0, arc - path.length());
+  return {{at.position.x() + beyond * std::cos(at.heading),
+           at.position.y() + beyond * std::sin(at.heading), z},
+          at.heading};
 }
 
 FootPlace footBeside(const GroundPoint& point, Side side, double width, double toe_out) {
@@ -86,12 +77,12 @@ double Footsteps::halfSupport(int node) const {
 }
 
 double Footsteps::strike(int placing) const {
-  if (placing == steps_ && to_.standing) return steps_ - kLastStrike;
+  if (placing == steps_ && to_.standing) return steps_ - StartAndStop::kLastStrike;
   return placing - halfSupport(placing);
 }
 
 double Footsteps::liftOff(int placing) const {
-  if (placing == -1 && from_.standing) return kFirstLift;
+  if (placing == -1 && from_.standing) return StartAndStop::kFirstLift;
   return placing + 1 + halfSupport(placing + 1);
 }
 
@@ -107,7 +98,7 @@ FootState Footsteps::stateOf(int placing, double progress) const {
   foot.strike_roll = placing <= 0 && from_.standing ? 0.0 : strike_roll(placing);
   foot.lift_roll = to_.standing && placing >= steps_ - 1 ? 0.0 : 1.0;
   const bool first = from_.standing && placing == -1;
-  if (first) foot.lift_roll = kFirstRoll * smoothstep(progress / end);
+  if (first) foot.lift_roll = StartAndStop::kFirstRoll * smoothstep(progress / end);
   if (progress <= end || placing + 2 > steps_) {
     foot.at = std::min(1.0, (progress - begin) / (end - begin));
     return foot;
@@ -116,7 +107,7 @@ FootState Footsteps::stateOf(int placing, double progress) const {
   foot.strike_roll = strike_roll(placing + 2);
   foot.swing = landings_[placing + 3].swing;
   double tau = (progress - end) / (strike(placing + 2) - end);
-  if (first) tau = std::pow(std::max(tau, 0.0), kFirstDelay);
+  if (first) tau = std::pow(std::max(tau, 0.0), StartAndStop::kFirstDelay);
   foot.at = 1.0 + std::clamp(tau, 1e-12, 1.0);
   return foot;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "animation/steps/foot_state.h"
+#include "animation/steps/root_path.h"
 #include "animation/steps/stance.h"
 
 namespace amble {
@@ -31,6 +32,9 @@ struct GroundPoint {
   Eigen::Vector3d position;
   double heading;
 };
+
+/// A point of the path, going on straight beyond its ends; at height z [m, World].
+GroundPoint pathPoint(const RootPath& path, double arc, double z);
 
 class Footsteps {
  public:
@@ -79,10 +83,6 @@ class Footsteps {
   std::vector<Landing> landings_;
   std::vector<double> half_supports_;  // by node
 };
-
-/// How much of the heel strike is kept on a foot that stands so: uphill feet land flatter
-/// (FootState::strike_roll) [0, 1].
-double slopeStrike(const FootPlace& place);
 
 /// Where a foot stands beside a point: half the width to its side, toes out.
 FootPlace footBeside(const GroundPoint& point, Side side, double width, double toe_out);

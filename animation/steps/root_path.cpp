@@ -101,16 +101,6 @@ RootPath::Sample RootPath::at(double s) const {
           speed > 0.0 ? cross / (speed * speed * speed) : 0.0};
 }
 
-double RootPath::maxCurvature() const {
-  constexpr double kSpacing = 0.02;  // [m]
-  double largest = 0.0;
-  const int count = std::max(1, static_cast<int>(std::ceil(length_ / kSpacing)));
-  for (int i = 0; i <= count; ++i) {
-    largest = std::max(largest, std::abs(at(length_ * i / count).curvature));
-  }
-  return largest;
-}
-
 void RootPath::append(const RootPath& next) {
   std::vector<Bezier> curves = curves_;
   curves.insert(curves.end(), next.curves_.begin(), next.curves_.end());

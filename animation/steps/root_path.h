@@ -32,12 +32,10 @@ class RootPath {
 
   bool empty() const { return curves_.empty(); }
   const std::vector<Bezier>& curves() const { return curves_; }
-  double length() const {
-    return length_;
-  }  ///< exact to 1e-9 relative, by Gauss-Legendre quadrature
+  /// Exact to 1e-9 relative, by Gauss-Legendre quadrature [m, >= 0].
+  double length() const { return length_; }
   /// s is held within [0, length()].
   Sample at(double s) const;
-  double maxCurvature() const;  ///< largest |curvature|, sampled every 2 cm or finer [1/m]
   void append(const RootPath& next);
 
  private:

@@ -9,28 +9,21 @@
 namespace amble {
 namespace {
 
-constexpr double kSpacing = 0.02;       // of knots [m]
-constexpr double kShortestPath = 0.05;  // [m]
-// Over this many straight steps a stretched stride fades to the plan's at a walking stance.
-constexpr double kFadeSteps = 1.2;
-
 // Speed against the wanted one when steps are `stretch` times the wanted ones. A walk whose steps
 // give way by a few percent keeps its speed and changes its cadence; steps much longer or shorter
 // change both, as short steps are slow ones.
 double pace(double stretch) {
-  constexpr double kSteady = 0.12;  // by trial: log of the stretch at which speed begins to follow
   const double u = std::log(stretch);
-  return std::exp((u < 0.0 ? 1.5 : 1.0) * u * u * u / (u * u + kSteady * kSteady));
+  return std::exp((u < 0.0 ? 1.5 : 1.0) * u * u * u /
+                  (u * u + StepFit::kSteady * StepFit::kSteady));
 }
-
-constexpr double kRounding = 1e-6;  // a step as long as the longest is walked [1]
 
 }  // namespace
 
 SpeedProfile::SpeedProfile(const RootPath& path, const SpeedLimits& limits,
                            const SpeedProfileEnds& ends)
     : limits_(limits), ends_(ends), length_(path.length()) {
-  if (!(length_ > kShortestPath)) {
+  if (!(length_ > StepFit::kShortestPath)) {
     refusal_ = Refusal::kStepLength;
     return;
   }
@@ -48,9 +41,10 @@ double SpeedProfile::allowedSpeed(double arc) const {
 
 // Wanted speed at every knot: the plan's, less in turns, with bounded changes; as step length.
 void SpeedProfile::limitSpeed(const RootPath& path) {
-  const int count = std::max(8, static_cast<int>(std::ceil(length_ / kSpacing)));
+  const int count = std::max(8, static_cast<int>(std::ceil(length_ / StepFit::kSpacing)));
   const double spacing = length_ / count;
-  const double fade = std::min(kFadeSteps * limits_.law.stepLength(limits_.speed), 0.5 * length_);
+  const double fade =
+      std::min(StepFit::kFadeSteps * limits_.law.stepLength(limits_.speed), 0.5 * length_);
   std::vector<double> speed(count + 1);
   knots_.resize(count + 1);
   for (int i = 0; i <= count; ++i) {
@@ -121,7 +115,7 @@ void SpeedProfile::chooseSteps() {
                    [&](int a, int b) { return std::abs(a - natural) < std::abs(b - natural); });
   for (const int n : candidates) {
     if (n < 2 || (ends_.parity && n % 2 != *ends_.parity)) continue;
-    double low = kLeastStretch - 1.0, high = kMostStretch - 1.0;
+    double low = StepFit::kLeastStretch - 1.0, high = StepFit::kMostStretch - 1.0;
     stretch(low);
     if (countSteps() < n) continue;
     stretch(high);
@@ -133,8 +127,9 @@ void SpeedProfile::chooseSteps() {
     }
     bool walkable = true;
     for (const Knot& k : knots_) {
-      walkable = walkable && k.step >= StrideLaw::kShortestStep * captured * (1.0 - kRounding) &&
-                 k.step <= StrideLaw::kLongestStep * captured * (1.0 + kRounding);
+      walkable = walkable &&
+                 k.step >= StrideLaw::kShortestStep * captured * (1.0 - StepFit::kRounding) &&
+                 k.step <= StrideLaw::kLongestStep * captured * (1.0 + StepFit::kRounding);
     }
     if (!walkable) continue;
     steps_ = n;

@@ -26,6 +26,22 @@ struct SpeedLimits {
   std::function<double(double)> stride = {};
 };
 
+/// How whole steps are fitted to a path.
+struct StepFit {
+  /// Steps are made no shorter and no longer than these shares of the wanted ones; by trial: a
+  /// narrower range refuses short walks, a wider one minces and leaps [1].
+  static constexpr double kLeastStretch = 0.35, kMostStretch = 1.35;
+  static constexpr double kSpacing = 0.02;       ///< of knots: a step has thirty [m]
+  static constexpr double kShortestPath = 0.05;  ///< shorter is no walk: turn on the spot [m]
+  /// Over this many straight steps a stretched stride fades to the plan's at a walking stance;
+  /// sooner, and the step before it jumps [steps].
+  static constexpr double kFadeSteps = 1.2;
+  /// Log of the stretch at which speed begins to follow; by trial. A walk whose steps give way by a
+  /// few percent keeps its speed and changes its cadence [1].
+  static constexpr double kSteady = 0.12;
+  static constexpr double kRounding = 1e-6;  ///< a step as long as the longest is walked [1]
+};
+
 struct SpeedProfileEnds {
   bool from_standing = true;
   bool to_standing = true;
@@ -35,8 +51,6 @@ struct SpeedProfileEnds {
 class SpeedProfile {
  public:
   enum class Refusal { kNone, kTurnRate, kStepLength };
-  /// Steps are made no shorter and no longer than these shares of the wanted ones; by trial.
-  static constexpr double kLeastStretch = 0.35, kMostStretch = 1.35;
 
   /// Plans the whole profile. Where it is refused, nothing else may be asked.
   SpeedProfile(const RootPath& path, const SpeedLimits& limits, const SpeedProfileEnds& ends);

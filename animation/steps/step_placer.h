@@ -10,27 +10,23 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
-#include "animation/steps/foothold.h"
 #include "animation/steps/footstep_plan.h"
-#include "animation/steps/footsteps.h"
 #include "animation/steps/gait_parameters.h"
-#include "animation/steps/speed_profile.h"
+#include "animation/steps/stance_feet.h"
+#include "animation/steps/step_settings.h"
+#include "animation/steps/step_swings.h"
 #include "animation/steps/step_timing.h"
-#include "animation/steps/stride_law.h"
-#include "animation/steps/swing_path.h"
-#include "animation/steps/walk_rule.h"
 
 namespace amble {
 
-/// The feet of a stance on its ground.
-struct StanceFeet {
-  WalkRule refused = WalkRule::kNone;
-  FootPlacement placement;        ///< steps are shorter on slopes
-  std::array<FootPlace, 2> feet;  ///< by Side
-  double height = 0.0;            ///< of the root path there [m]
-  double rise = 0.0;              ///< of a walking stance's front foot over its rear one [m]
-  bool level = true;              ///< both on level ground at the stance's own height
+/// What a walk is to do. Refers to what outlives it.
+struct WalkRequest {
+  Stance from, to;
+  const RootPath& path;
+  bool any_leading = true;  ///< either foot may lead at the end; else to.leading
+  const GaitWishes& wishes;
 };
 
 /// A walk's steps. Where refused, nothing else may be asked.
@@ -59,61 +55,31 @@ struct WalkSteps {
   }
 };
 
-/// How far people lean into a slope, or back [rad, forwards positive]; about what trunks do on
-/// treadmills that are inclined by 5 to 10 % (Leroux, Fung & Barbeau 2002), and as much in
-/// proportion on stairs. @param slope  [1, positive up]
-double slopeLean(double slope);
-
-/// Share of the level's speed that people walk on a slope [1, positive up] at: half of the slowing
-/// of Tobler's hiking function (1993), v ~ exp(-3.5 |slope + 0.05|), which is for hours of path; 1
-/// where that is faster than on the level.
-double slopePace(double slope);
-
 /// Const after construction: threads share it.
 class StepPlacer {
  public:
-  struct Settings {
-    FootPlacement placement;  ///< at the plan's speed on the level
-    SpeedLimits limits;
-    FootholdLimits footholds;
-    double scale = 1.0;       ///< of the character to the captured subject
-    double leg_length = 0.8;  ///< [m]
-    std::array<double, 2> captured_lift = {0.05, 0.05};  ///< by Side [m]
-  };
-  /// @pre what is referred to outlives it
-  StepPlacer(const Ground& ground, const std::array<FootShape, 2>& shapes, const StrideLaw& law,
-             const std::array<FootCycle, 2>& cycles, const Settings& settings);
+  /// Over what lies between prints feet are lifted at most, for a captured subject; by trial: more
+  /// is climbed with hands [m].
+  static constexpr double kHighestLift = 0.25;
 
-  StanceFeet stanceFeet(const Stance& stance) const;
-  WalkSteps plan(const Stance& from, const Stance& to, const RootPath& path, bool any_leading,
-                 const GaitWishes& wishes) const;
-  /// Puts feet on the ground from placing to placing and makes swings clear what lies in between.
-  /// @return what refused
+  /// @pre what is referred to outlives it
+  StepPlacer(const Ground& ground, const std::array<FootShape, 2>& shapes,
+             const std::array<FootCycle, 2>& cycles, const StepSettings& settings);
+
+  const FootPlacement& placement() const { return s_.placement; }
+  StanceFeet stanceFeet(const Stance& stance) const { return findStanceFeet(s_, holds_, stance); }
+  WalkSteps plan(const WalkRequest& request) const;
+  /// Puts feet on the ground from placing to placing. @return what refused
   WalkRule standOnGround(Footsteps& steps) const;
 
  private:
-  double slopeUnder(const Stance& stance) const;
-  double slopeAlong(const RootPath& path, double arc, double z) const;
-  std::function<double(double)> paceAlong(const RootPath& path, const Stance& from,
-                                          const Stance& to) const;
-  bool natural(WalkSteps& walk, const RootPath& path, bool any_leading,
-               const GaitWishes& wishes) const;
-  void adapted(WalkSteps& walk, const RootPath& path, bool any_leading, const GaitWishes& wishes,
-               const SpeedLimits& limits) const;
-  void time(WalkSteps& walk, const FootstepPlan& plan, const RootPath& path,
-            const SpeedLimits& limits) const;
-  WalkRule swing(Footsteps& steps) const;
-  void shapeSwings(WalkSteps& walk, const RootPath& path, const GaitWishes& wishes) const;
-  double askedLift(double lift, Side side) const;
-  void support(WalkSteps& walk) const;
-  void finish(WalkSteps& walk) const;
+  bool natural(WalkSteps& walk, const WalkRequest& request) const;
+  void adapted(WalkSteps& walk, const WalkRequest& request, const SpeedLimits& limits) const;
+  void swing(WalkSteps& walk, const WalkRequest& request) const;
 
-  const Ground& ground_;
-  const std::array<FootShape, 2>& shapes_;
-  const StrideLaw& law_;
-  const std::array<FootCycle, 2>& cycles_;  // by Side
-  Settings s_;
+  StepSettings s_;
   FootholdFinder holds_;
+  SwingFeet swings_;
   SwingClearance clearance_;
 };
 

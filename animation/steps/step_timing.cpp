@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/ease.h"
+
 namespace amble {
 
 StepTiming::StepTiming(const TimedSteps& steps)
@@ -33,7 +35,7 @@ SpeedProfile::Sample StepTiming::at(int frame) const {
   const double progress = progress_.at(t);
   const int last = static_cast<int>(lengths_.size()) - 1;
   const int i = std::clamp(static_cast<int>(progress), 0, last - 1);
-  const double u = std::clamp(progress - i, 0.0, 1.0), ease = u * u * (3.0 - 2.0 * u);
+  const double ease = smoothstep(progress - i);
   return {arc_.at(t), arc_.slope(t), progress,
           lengths_[i] + ease * (lengths_[i + 1] - lengths_[i])};
 }

@@ -6,49 +6,22 @@
 #include <vector>
 
 #include "animation/library/foot_cycle.h"
+#include "animation/steps/unevenness.h"
 #include "base/ease.h"
 
 namespace amble {
+
+using Search = SwingSearch;
+using Margins = SwingMargins;
+
 namespace {
 
-constexpr double kCell = 0.005;        // along the swing, for which heights are asked [m]
-constexpr double kCoarse = 0.03;       // the same for a first look [m]
-constexpr double kCoarseness = 0.001;  // less is how coarse the cells are [m]
-constexpr double kSeen = 0.1;    // so much higher than feet are lifted things are refused here [m]
-constexpr double kLowest = 0.4;  // so much below the prints what lies between is looked for [m]
-constexpr double kSame = 0.005;  // heights within so much of a print's plane are its plane [m]
-// Smooth ground leaves that plane by this times the distance squared: slopes to 15 degrees that
-// come and go over 4 m [1/m].
-constexpr double kBend = 0.25, kMostBent = 0.025;  // [m]
-constexpr double kUneven = 0.008;  // that a print's own ground may rise through its sole [m]
-// Within so much of a print margins over its own ground grow from 0; toes leave it fast [m].
-constexpr double kLeaving = 0.04, kNear = 0.12;
-constexpr double kKeep = 0.75;    // of what there is before a riser that a foot stands near
-constexpr double kBeside = 0.03;  // that a foot moves before what lay beside it is in its way [m]
-// What the captured swing clears by itself: things no higher over the line between prints [m].
-constexpr double kCleared = 0.006;
-
-// Shares of the swing that are tried; by trial, finer ones gain nothing.
-constexpr std::array<double, 4> kDelays = {0.0, 0.1, 0.2, 0.3};
-constexpr std::array<double, 4> kRamps = {0.6, 0.5, 0.4, 0.3};
-constexpr double kLiftCost = 20.0;  // of height, against accelerations; by trial
-
-// Minimum jerk from 0 to 1.
-double ramp(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * t * (10.0 + t * (-15.0 + 6.0 * t));
-}
-
 double bump(const SwingShape& shape, double tau) {
-  return ramp(tau / shape.rise) * ramp((1.0 - tau) / shape.fall);
+  return minimumJerk(tau / shape.rise) * minimumJerk((1.0 - tau) / shape.fall);
 }
 
-// Rise per metre of the plane that a foot stands in, along a direction in plan.
-double tiltAlong(const FootPlace& place, const Eigen::Vector2d& direction) {
-  return -place.normal.head<2>().dot(direction) / place.normal.z();
-}
-
-// Highest point of that plane over a strip from p to q, `half_width` wide to either side.
+// Highest point of the plane that a foot stands in over a strip from p to q, `half_width` wide to
+// either side.
 double highestOf(const FootPlace& place, const Eigen::Vector2d& p, const Eigen::Vector2d& q,
                  double half_width) {
   const Eigen::Vector2d origin = place.position.head<2>();
@@ -72,12 +45,12 @@ double swingHeight(const SwingShape& shape, const FootCycle& cycle, double tau) 
 
 // What lies along a swing: cells of it, by distance from where the foot stood.
 struct SwingClearance::Strip {
-  double length = 0.0;                    // from print to print [m]
-  double begin = 0.0;                     // of the first cell [m]
-  double keep = kAhead;                   // that the tip keeps from what stands before it [m]
-  double back = 0.0, ahead = 0.0;         // of the sole's ends from its middle [m, > 0]
-  double rise = 0.0;                      // of the second print over the first [m]
-  double uneven = 0.0;                    // kUneven where a print is not on the level [m]
+  double length = 0.0;             // from print to print [m]
+  double begin = 0.0;              // of the first cell [m]
+  double keep = Margins::kAhead;   // that the tip keeps from what stands before it [m]
+  double back = 0.0, ahead = 0.0;  // of the sole's ends from its middle [m, > 0]
+  double rise = 0.0;               // of the second print over the first [m]
+  double uneven = 0.0;             // Unevenness::kUneven where a print is not on the level [m]
   double from_side = 0.0, to_side = 0.0;  // of a sole's higher side over its middle [m]
   double from_tilt = 0.0, to_tilt = 0.0;  // of the soles along the swing [1]
   std::vector<double> height;  // crest of each cell over the first print [m]; -infinity: none
@@ -100,22 +73,25 @@ SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPla
   strip.from_side = std::abs(tiltAlong(from, left)) * foot.half_width;
   strip.to_side = std::abs(tiltAlong(to, left)) * foot.half_width;
   strip.begin = -strip.back;
-  if (from.normal.z() < 1.0 || to.normal.z() < 1.0) strip.uneven = kUneven;
-  const int cells =
-      static_cast<int>(std::ceil((strip.length + strip.back + strip.ahead + kAhead) / kCell));
-  const double low = std::min(from.position.z(), to.position.z()) - kLowest;
-  const double high = std::max(from.position.z(), to.position.z()) + highest_ + kSeen;
+  if (from.normal.z() < 1.0 || to.normal.z() < 1.0) strip.uneven = Unevenness::kUneven;
+  const int cells = static_cast<int>(
+      std::ceil((strip.length + strip.back + strip.ahead + Margins::kAhead) / Search::kCell));
+  const double low = std::min(from.position.z(), to.position.z()) - Search::kLowest;
+  const double high = std::max(from.position.z(), to.position.z()) + highest_ + Search::kSeen;
   for (int i = 0; i < cells; ++i) {
-    const double s = strip.begin + i * kCell;
-    const Eigen::Vector2d p = a + s * unit, q = p + kCell * unit;
+    const double s = strip.begin + i * Search::kCell;
+    const Eigen::Vector2d p = a + s * unit, q = p + Search::kCell * unit;
     const double z = ground_.crest(p, q, foot.half_width, low, high);
     const double own = highestOf(from, p, q, foot.half_width);
     const double next = highestOf(to, p, q, foot.half_width);
     const double from_foot = std::max(0.0, s - strip.ahead);
-    const double to_foot = std::max(0.0, strip.length - strip.back - s - kCell);
+    const double to_foot = std::max(0.0, strip.length - strip.back - s - Search::kCell);
     // On level prints nothing bends.
     const auto leeway = [&](double distance) {
-      return kSame + (strip.uneven > 0.0 ? std::min(kBend * distance * distance, kMostBent) : 0.0);
+      return Unevenness::kSame +
+             (strip.uneven > 0.0
+                  ? std::min(Margins::kBend * distance * distance, Margins::kMostBent)
+                  : 0.0);
     };
     const bool same = from_foot < to_foot ? std::abs(z - own) < leeway(from_foot)
                                           : std::abs(z - next) < leeway(to_foot);
@@ -124,10 +100,10 @@ SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPla
   }
   // A foot that stands nearer to a riser goes up nearer to it.
   for (int i = 0; i < cells; ++i) {
-    const double before = strip.begin + i * kCell - strip.ahead;
+    const double before = strip.begin + i * Search::kCell - strip.ahead;
     if (strip.own[i] || before < 0.0) continue;
-    if (strip.height[i] > strip.rise * (before / strip.length) + kOver) {
-      strip.keep = std::min(strip.keep, kKeep * before);
+    if (strip.height[i] > strip.rise * (before / strip.length) + Margins::kOver) {
+      strip.keep = std::min(strip.keep, Margins::kKeep * before);
       break;
     }
   }
@@ -144,25 +120,27 @@ SwingClearance::Needs SwingClearance::needs(const Strip& strip, const FootCycle&
     const double along = swingAlong(shape, cycle, tau), ease = smoothstep(tau);
     const double s = along * strip.length;
     // Over the ground that it stands on a foot's margin grows as it goes on.
-    const double away = std::clamp(std::min(s / kLeaving, (strip.length - s) / kNear), 0.0, 1.0);
-    const double own = away * kOver - (1.0 - away) * strip.uneven;
+    const double away =
+        std::clamp(std::min(s / Margins::kLeaving, (strip.length - s) / Margins::kNear), 0.0, 1.0);
+    const double own = away * Margins::kOver - (1.0 - away) * strip.uneven;
     const double side = strip.from_side + ease * (strip.to_side - strip.from_side);
     const double sole = along * strip.rise + swingHeight(shape, cycle, tau) + side;
     const double tilt = strip.from_tilt + ease * (strip.to_tilt - strip.from_tilt);
-    const int first = static_cast<int>(std::floor((s - strip.back - strip.begin) / kCell));
+    const int first = static_cast<int>(std::floor((s - strip.back - strip.begin) / Search::kCell));
     const int last =
-        static_cast<int>(std::floor((s + strip.ahead + strip.keep - strip.begin) / kCell));
+        static_cast<int>(std::floor((s + strip.ahead + strip.keep - strip.begin) / Search::kCell));
     for (int i = std::max(first, 0); i <= std::min(last, cells - 1); ++i) {
-      const double x = strip.begin + (i + 0.5) * kCell;
+      const double x = strip.begin + (i + 0.5) * Search::kCell;
       // Beside a print, not under it: a foot that goes up or comes down there passes it by.
-      const bool beside = (x < strip.ahead + kCell && s < kBeside) ||
-                          (x > strip.length - strip.back - kCell && strip.length - s < kBeside);
+      const bool beside =
+          (x < strip.ahead + Search::kCell && s < Margins::kBeside) ||
+          (x > strip.length - strip.back - Search::kCell && strip.length - s < Margins::kBeside);
       if (beside && !strip.own[i]) continue;
       const double at = std::clamp(x - s, -strip.back, strip.ahead);
-      const double margin = strip.own[i] ? own : kOver;
+      const double margin = strip.own[i] ? own : Margins::kOver;
       needs[k] = std::max(needs[k], strip.height[i] + margin - sole - tilt * at);
     }
-    if (needs[k] < kCoarseness) needs[k] = 0.0;
+    if (needs[k] < Search::kCoarseness) needs[k] = 0.0;
   }
   return needs;
 }
@@ -175,20 +153,21 @@ bool SwingClearance::isFree(const FootPlace& from, const FootPlace& to,
   const Eigen::Vector2d unit = line / length, left(-unit.y(), unit.x());
   const double back = foot.radius - foot.heel_x, ahead = foot.tip_x + foot.radius;
   const double z = from.position.z(), rise = to.position.z() - z, slope = rise / length;
-  const double low = std::min(z, z + rise) - kLowest,
-               high = std::max(z, z + rise) + highest_ + kSeen;
+  const double low = std::min(z, z + rise) - Search::kLowest,
+               high = std::max(z, z + rise) + highest_ + Search::kSeen;
   const auto crest = [&](double s0, double s1) {
     return ground_.crest(a + s0 * unit, a + s1 * unit, foot.half_width, low, high);
   };
   if (rise == 0.0 && from.normal.z() == 1.0 && to.normal.z() == 1.0)
-    return crest(-back, length + ahead) <= z + kCleared;
+    return crest(-back, length + ahead) <= z + Unevenness::kCleared;
   const double side =
       foot.half_width * std::min(std::abs(tiltAlong(from, left)), std::abs(tiltAlong(to, left)));
-  const int parts = static_cast<int>(std::ceil((length + back + ahead) / kCoarse));
+  const int parts = static_cast<int>(std::ceil((length + back + ahead) / Search::kCoarse));
   const double step = (length + back + ahead) / parts;
   for (int i = 0; i < parts; ++i) {
     const double s = -back + i * step, end = s + step;
-    if (crest(s, end) > z + slope * (slope > 0.0 ? end : s) + side + kCleared) return false;
+    if (crest(s, end) > z + slope * (slope > 0.0 ? end : s) + side + Unevenness::kCleared)
+      return false;
   }
   return true;
 }
@@ -196,19 +175,19 @@ bool SwingClearance::isFree(const FootPlace& from, const FootPlace& to,
 bool SwingClearance::clear(const FootPlace& from, const FootPlace& to, Side side,
                            const FootCycle& cycle, SwingShape& shape) const {
   const double length = (to.position - from.position).head<2>().norm();
-  if (length < kCell || isFree(from, to, feet_[side])) return true;
+  if (length < Search::kCell || isFree(from, to, feet_[side])) return true;
   const Strip between = strip(from, to, side);
   double least = std::numeric_limits<double>::infinity();
   SwingShape best = shape, tried = shape;
   tried.extra = 0.0;
-  for (const double delay : kDelays) {
-    for (const double early : kDelays) {
+  for (const double delay : Search::kDelays) {
+    for (const double early : Search::kDelays) {
       tried.delay = delay, tried.early = early;
       const Needs curve = needs(between, cycle, tried);
       // Accelerations, of the foot going on, and below going up and coming down.
       const double on = length / std::pow(1.0 - delay - early, 2);
-      for (const double up : kRamps) {
-        for (const double down : kRamps) {
+      for (const double up : Search::kRamps) {
+        for (const double down : Search::kRamps) {
           SwingShape shaped = tried;
           shaped.rise = up, shaped.fall = down;
           for (int k = 1; k < kSamples; ++k) {
@@ -219,7 +198,7 @@ bool SwingClearance::clear(const FootPlace& from, const FootPlace& to, Side side
           const double extra = shaped.extra;
           if (extra > highest_ + std::abs(between.rise)) continue;
           const double cost = std::pow(extra / (up * up), 2) + std::pow(extra / (down * down), 2) +
-                              on * on + std::pow(kLiftCost * extra, 2);
+                              on * on + std::pow(Search::kLiftCost * extra, 2);
           if (cost >= least) continue;
           least = cost;
           best = shaped;

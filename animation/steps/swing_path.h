@@ -14,6 +14,43 @@
 
 namespace amble {
 
+/// What a swinging foot keeps between itself and what it passes over [m].
+struct SwingMargins {
+  /// Between sole and what it passes over, and ahead of the tip of the toes: twice what QUALITY.md
+  /// asks for, since frames and cells are coarse. More, and thresholds are marched over.
+  static constexpr double kOver = 0.025, kAhead = 0.015;
+  /// Smooth ground leaves a print's plane by this times the distance squared [1/m], at most by
+  /// kMostBent [m]: slopes to 15 degrees that come and go over 4 m are no obstacles.
+  static constexpr double kBend = 0.25, kMostBent = 0.025;
+  /// Within so much of the print behind, and of the print ahead, margins over its own ground grow
+  /// from 0: toes leave it fast, and come down to it slowly.
+  static constexpr double kLeaving = 0.04, kNear = 0.12;
+  /// Of what there is before a riser that a foot stands near, the share that the tip keeps going
+  /// up; all of it would ask feet to go straight up [0 to 1].
+  static constexpr double kKeep = 0.75;
+  /// That a foot moves before what lay beside it is in its way: a foot that stands against a wall
+  /// goes up along it.
+  static constexpr double kBeside = 0.03;
+};
+
+/// How swings are searched. By trial: finer gains nothing that is seen, coarser lifts feet by
+/// centimetres more.
+struct SwingSearch {
+  static constexpr double kCell = 0.005;   ///< along the swing, for which heights are asked [m]
+  static constexpr double kCoarse = 0.03;  ///< the same for a first look [m]
+  /// Less is how coarse the cells are, and asks for no lift [m].
+  static constexpr double kCoarseness = 0.001;
+  /// So much higher than feet are lifted things are refused here, not left to the collision check;
+  /// so much below the prints what lies between is looked for [m].
+  static constexpr double kSeen = 0.1, kLowest = 0.4;
+  /// Delays and early ends, and ramps up and down, that are tried (SwingShape) [shares of the
+  /// swing].
+  static constexpr std::array<double, 4> kDelays = {0.0, 0.1, 0.2, 0.3};
+  static constexpr std::array<double, 4> kRamps = {0.6, 0.5, 0.4, 0.3};
+  /// Of height, against accelerations; higher, and feet are thrown over low things [1].
+  static constexpr double kLiftCost = 20.0;
+};
+
 /// Share of the way from print to print that is done at tau [0, 1].
 double swingAlong(const SwingShape& shape, const FootCycle& cycle, double tau);
 /// Height of the sole over the line from print to print [m].
@@ -21,10 +58,6 @@ double swingHeight(const SwingShape& shape, const FootCycle& cycle, double tau);
 /// How to swing over what is there. Const: threads share it.
 class SwingClearance {
  public:
-  /// Between sole and what it passes over, and ahead of the tip of the toes: twice what QUALITY.md
-  /// asks for is left, since frames and cells are coarse [m].
-  static constexpr double kOver = 0.025, kAhead = 0.015;
-
   /// @param highest  extra lift that is tried at most [m, > 0]
   SwingClearance(const Ground& ground, const std::array<FootShape, 2>& feet, double highest)
       : ground_(ground), feet_(feet), highest_(highest) {}

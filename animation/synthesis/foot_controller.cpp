@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "animation/body/two_link.h"
+#include "animation/synthesis/leg_reach.h"
 #include "base/ease.h"
 #include "base/rotation.h"
 
@@ -33,7 +34,7 @@ bool FootController::apply(AnimationBuffer& buffer) const {
 }
 
 bool FootController::applyUneven(AnimationBuffer& buffer) const {
-  return sinkHips(buffer) && placeLegs(buffer, kUnevenHeel);
+  return sinkHips(buffer) && placeLegs(buffer, HipDip::kUnevenHeel);
 }
 
 bool FootController::placeLegs(AnimationBuffer& buffer, double heel_share) const {
@@ -50,10 +51,10 @@ bool FootController::placeLegs(AnimationBuffer& buffer, double heel_share) const
 
 // Share of its length to which a leg behind stretches: less around lift-off.
 double FootController::heelReach(double at) {
-  constexpr double kFrom = 0.75, kTo = 1.5;  // FootState::at
-  const double rise = smoothstep(std::clamp((at - kFrom) / (1.0 - kFrom), 0.0, 1.0));
-  const double fall = smoothstep(std::clamp((kTo - at) / (kTo - 1.0), 0.0, 1.0));
-  return kHeelReach - kPreSwing * rise * fall;
+  constexpr double kFrom = LegReach::kPreSwingFrom, kTo = LegReach::kPreSwingTo;
+  const double rise = smoothstep((at - kFrom) / (1.0 - kFrom));
+  const double fall = smoothstep((kTo - at) / (kTo - 1.0));
+  return LegReach::kHeel - LegReach::kPreSwing * rise * fall;
 }
 
 FootTarget FootController::targetFor(Side side, const FrameState& state,
@@ -69,12 +70,12 @@ bool FootController::dipHips(AnimationBuffer& buffer) const {
   const int n = buffer.size();
   std::vector<JointFrame> joints(skeleton_.size());
   std::vector<double> dip(n, 0.0);
-  const int reach = std::max(1, static_cast<int>(std::lround(kDipTime / buffer.frame_time)));
+  const int reach = std::max(1, static_cast<int>(std::lround(HipDip::kTime / buffer.frame_time)));
   bool any = false;
   for (int i = 1; i + 1 < n; ++i) {
-    const double missing = missingHeight(buffer, i, kDipReach, joints);
+    const double missing = missingHeight(buffer, i, LegReach::kDip, joints);
     if (missing <= 0.0) continue;
-    if (missing > kDeepestDip) return false;
+    if (missing > HipDip::kDeepest) return false;
     any = true;
     for (int j = std::max(1, i - reach); j <= std::min(n - 2, i + reach); ++j) {
       const double away = std::abs(j - i) / static_cast<double>(reach);
@@ -85,23 +86,25 @@ bool FootController::dipHips(AnimationBuffer& buffer) const {
   for (int i = 1; i + 1 < n; ++i) {
     // Near a stance a dip of a millimetre or two may come at once, a deep one needs its time.
     const double from_end = std::min(i, n - 1 - i) * buffer.frame_time;
-    const double fade = std::max(kShortestFade, dip[i] / kDipSpeed);
-    buffer.poses.p_WR(i).z() -= dip[i] * smoothstep(std::min(1.0, from_end / fade));
+    const double fade = std::max(HipDip::kShortestFade, dip[i] / HipDip::kSpeed);
+    buffer.poses.p_WR(i).z() -= dip[i] * smoothstep(from_end / fade);
   }
   return true;
 }
 
 // Lowers the root by the least smooth curve over what is missing: the largest of what is missing
-// within kSpread, averaged over as long. The first and last frame stay: they are stances.
+// within HipDip::kUnevenTime, averaged over as long. The first and last frame stay: they are
+// stances.
 bool FootController::sinkHips(AnimationBuffer& buffer) const {
   const int n = buffer.size();
   std::vector<JointFrame> joints(skeleton_.size());
   std::vector<double> missing(n, 0.0), sunk(n, 0.0);
   for (int i = 1; i + 1 < n; ++i) {
-    missing[i] = missingHeight(buffer, i, kUnevenReach, joints, kUnevenHeel);
-    if (missing[i] > kUnevenDip) return false;
+    missing[i] = missingHeight(buffer, i, LegReach::kUneven, joints, HipDip::kUnevenHeel);
+    if (missing[i] > HipDip::kUnevenDeepest) return false;
   }
-  const int reach = std::max(1, static_cast<int>(std::lround(kSpread / buffer.frame_time)));
+  const int reach =
+      std::max(1, static_cast<int>(std::lround(HipDip::kUnevenTime / buffer.frame_time)));
   for (int i = 0; i < n; ++i) {
     const auto from = missing.begin() + std::max(0, i - reach);
     const auto to = missing.begin() + std::min(n, i + reach + 1);
@@ -110,8 +113,8 @@ bool FootController::sinkHips(AnimationBuffer& buffer) const {
   for (int pass = 0; pass < 2; ++pass) smoothed(sunk, reach / 2);
   for (int i = 1; i + 1 < n; ++i) {
     const double from_end = std::min(i, n - 1 - i) * buffer.frame_time;
-    const double fade = std::max(kShortestFade, sunk[i] / kSinkSpeed);
-    buffer.poses.p_WR(i).z() -= sunk[i] * smoothstep(std::min(1.0, from_end / fade));
+    const double fade = std::max(HipDip::kShortestFade, sunk[i] / HipDip::kUnevenSpeed);
+    buffer.poses.p_WR(i).z() -= sunk[i] * smoothstep(from_end / fade);
   }
   return true;
 }
@@ -123,7 +126,7 @@ bool FootController::placeLeg(Side side, const FootTarget& target,
   const TwoLink links{joints[leg.up_leg].p_WJ, joints[leg.leg].p_WJ, joints[leg.foot].p_WJ,
                       joints[leg.up_leg].q_WJ * knee_axes_[side]};
   const double length = (links.knee - links.hip).norm() + (links.ankle - links.knee).norm();
-  if ((target.ankle - links.hip).norm() > kLongestReach * length) return false;
+  if ((target.ankle - links.hip).norm() > LegReach::kLongest * length) return false;
   const auto solved = solveTwoLink(links, target.ankle);
   if (!solved) return false;
   // Joints between (twist joints of some rigs) turn with the link above them.

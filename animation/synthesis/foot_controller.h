@@ -17,29 +17,6 @@ namespace amble {
 
 class FootController : public SubController {
  public:
-  /// A leg stretched farther than this share of thigh and shank is refused: the knee would snap.
-  static constexpr double kLongestReach = 0.9995;
-  /// A leg behind does not stretch farther than this, its heel rises instead; and by `kPreSwing`
-  /// less before and after it lifts off: the knee flexes before the toe leaves.
-  static constexpr double kHeelReach = 0.998;
-  static constexpr double kPreSwing = 0.03;
-  /// Where a leg would stretch farther than this, the hips dip, over kDipTime before and after;
-  /// deeper than kDeepestDip is refused.
-  static constexpr double kDipReach = 0.999;
-  static constexpr double kDipTime = 0.3;        // [s]
-  static constexpr double kShortestFade = 0.03;  // of a dip towards a stance [s]
-  static constexpr double kDipSpeed = 0.03;      // by trial [m/s]
-  static constexpr double kDeepestDip = 0.04;    // [m]; by trial, deeper looks like a stumble
-  /// On uneven ground: legs stretch to kUnevenReach before the hips dip, at most to kUnevenDip, and
-  /// a dip is spread over kSpread; by trial.
-  static constexpr double kUnevenReach = 0.992;
-  static constexpr double kUnevenDip = 0.15;  // [m]
-  /// So much of a heel's further rise is used there: a foot that stands behind for longer than on
-  /// the level would go up on its toes' tips.
-  static constexpr double kUnevenHeel = 0.4;
-  static constexpr double kSpread = 0.16;     // [s]
-  static constexpr double kSinkSpeed = 0.25;  // from a stance on [m/s]
-
   /// @param knee_axes  about which knees bend, in the thighs' joint frames, by Side: kneeAxes
   FootController(const Skeleton& skeleton, const JointRoles& roles,
                  const std::array<FootShape, 2>& shapes, const GaitBlend& blend,

@@ -11,9 +11,6 @@ namespace amble {
 namespace {
 
 constexpr int kMaxHarmonics = 12;
-// The power of the law of step length is the walks' own where their speeds spread by so much.
-constexpr double kSpreadOfSpeeds = 1.3;
-constexpr double kLeastPower = 0.2, kMostPower = 0.7;  // a fit beyond is a fluke of few walks
 
 // Rotations do not scale; the root's three lengths do.
 Eigen::MatrixXd interleaved(const FourierSeries& series, int harmonics, double scale) {
@@ -65,8 +62,6 @@ Eigen::MatrixXd warped(Eigen::MatrixXd coefficients, double warp) {
   coefficients.row(2).rightCols(amplitudes) *= warp;
   return coefficients;
 }
-
-// Rates change quickly where a curve begins: shares without a kink do not show as a jerk of the
 
 FootCycle scaledFoot(FootCycle foot, double scale) {
   foot.slip *= scale;
@@ -231,6 +226,8 @@ void GaitBlend::evaluate(double phase, double turn_rate, double step_length,
   add(straight_, 1.0, step_length, basis.data(), channels);
   const std::vector<Pace>& turns = turns_[turn_rate > 0.0 ? 0 : 1];
   if (turns.empty() || turn_rate == 0.0) return;
+  // Rates change quickly where a curve begins: shares without a kink do not show as a jerk of the
+  // head.
   const double rate = std::abs(turn_rate);
   const auto rateOf = [&](size_t i) { return std::abs(turns[i].turn_rate); };
   if (rate <= rateOf(0)) {

@@ -21,17 +21,16 @@ namespace amble {
 
 class GaitBlend {
  public:
-  /// For a character `scale` times the captured subject: lengths grow with scale, speeds and turn
-  /// rates by Froude's law with its root and the inverse of it. The walker is
-  /// to walk at `speed` [m/s]. @throws std::invalid_argument without a straight walk.
+  /// For a character `scale` [> 0] times the captured subject: lengths grow with scale, speeds and
+  /// turn rates by Froude's law with its root and the inverse of it. The walker is to walk at
+  /// `speed` [m/s, > 0]. @throws std::invalid_argument without a straight walk.
   GaitBlend(const MotionLibrary& library, double scale, double speed = 1.2);
 
   const StrideLaw& law() const { return law_; }
-  /// Fastest turn of the library's walks; what there is without turns in the library is `kNoTurns`
-  /// [rad/s].
+  /// Fastest turn of the library's walks; without turns in the library kNoTurns [rad/s, > 0].
   double maxTurnRate() const { return max_turn_rate_; }
-  static constexpr double kNoTurns = 0.5;
-  double stepWidth() const { return step_width_; }      ///< of the straight walk [m]
+  static constexpr double kNoTurns = 0.5;           ///< that a straight walk may be bent to [rad/s]
+  double stepWidth() const { return step_width_; }  ///< of the straight walk [m]
   double footForward() const { return foot_forward_; }  ///< [m]
   double toeOut() const { return toe_out_; }            ///< of the left foot, left positive [rad]
   const FootCycle& foot(Side side) const { return feet_[side]; }
@@ -44,11 +43,19 @@ class GaitBlend {
   void evaluate(double phase, double turn_rate, double step_length,
                 Eigen::VectorXd& channels) const;
 
-  /// Walks whose speeds, or turn rates, differ by less than this share are one pace.
+  /// Walks whose speeds, or turn rates, differ by less than this share are one pace: two captures
+  /// of one manner differ by as much [1].
   static constexpr double kSamePace = 0.15;
   /// Harmonics of what turns add: beyond, two walks differ by what their captures shake, and a fast
   /// walk would make much of it.
   static constexpr int kTurnHarmonics = 3;
+  /// Half of the moment over which a blend changes; by trial: shorter, and the trunk jerks where
+  /// two curves join; longer, and walkers lean when the turn is over [s].
+  static constexpr double kBlendTime = 0.12;
+  /// The power of the law of step length is the walks' own where their fastest is so many times as
+  /// fast as their slowest, and within bounds beyond which a fit is a fluke of few walks [1].
+  static constexpr double kSpreadOfSpeeds = 1.3;
+  static constexpr double kLeastPower = 0.2, kMostPower = 0.7;
 
  private:
   struct Pace {

@@ -22,19 +22,6 @@ class MovementController : public SubController {
   std::vector<int> joints_;
 };
 
-/// A pose that some chains of joints hold during the walk (Pettré §4.2).
-class PostureController : public SubController {
- public:
-  /// @pre motion is a posture of the library, which outlives the controller
-  PostureController(const MotionLibrary& library, const Motion& motion);
-
-  bool apply(AnimationBuffer& buffer) const override;
-
- private:
-  const Posture& posture_;
-  std::vector<int> joints_;
-};
-
 /// The joints that a motion of these chains moves: without chains those of trunk, head and arms,
 /// since the walk has the legs. @pre the motion is of the library
 std::vector<int> movedJoints(const MotionLibrary& library, const Motion& motion);

@@ -9,6 +9,7 @@
 #include "animation/analysis/foot_plants.h"
 #include "animation/body/clip.h"
 #include "animation/body/joint_roles.h"
+#include "base/ease.h"
 #include "base/rotation.h"
 
 namespace amble {
@@ -61,7 +62,7 @@ struct Puppet {
       return {footprint(side, cycle) + aboutZ(from) * way, from};
     }
     const double u = (into - standing) / (period - standing);
-    const double progress = u * u * (3.0 - 2.0 * u);
+    const double progress = smoothstep(u);
     Eigen::Vector3d p =
         (1.0 - progress) * footprint(side, cycle) + progress * footprint(side, cycle + 1);
     p.z() = kAnkle + (lift - sink) * std::sin(kPi * u);

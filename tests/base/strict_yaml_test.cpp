@@ -124,7 +124,7 @@ TEST(StrictYaml, TakesWholeNumbersAndTruthValuesAsTheyAre) {
 }
 
 TEST(StrictYaml, CountsTheNumbersOfAVector) {
-  EXPECT_EQ(parseYaml("[1, -2, 0.5]", "").asVec3(), Eigen::Vector3d(1, -2, 0.5));
+  EXPECT_EQ(parseYaml("[1, -2, 0.5]", "").asVec(3), Eigen::Vector3d(1, -2, 0.5));
   const auto read = [](const YamlNode& root) { root.at("at").asVec2("coordinates [m]"); };
   EXPECT_EQ(errorOf("at: [1]", read),
             "a.yaml:1: at is a list of 1; expected 2 coordinates [m] in brackets");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "animation/clips/carry_over.h"
+#include "animation/synthesis/leg_reach.h"
 #include "animation/synthesis/walk_controller.h"
 #include "base/rotation.h"
 #include "tests/animation/random_clip.h"
@@ -103,7 +104,7 @@ TEST(FootController, HipsDipWhereALegIsTooShortAndNotAtTheEnds) {
   std::vector<JointFrame> scratch(s.library.skeleton.size());
   buffer.poses.p_WR(60).z() += s.feet.missingHeight(buffer, 60, 1.0, scratch);
   // Raised until the legs are a centimetre too short.
-  while (s.feet.missingHeight(buffer, 60, FootController::kDipReach, scratch) < 0.01) {
+  while (s.feet.missingHeight(buffer, 60, LegReach::kDip, scratch) < 0.01) {
     buffer.poses.p_WR(60).z() += 0.001;
   }
   const AnimationBuffer before = buffer;

@@ -1,0 +1,60 @@
+#include "animation/steps/step_swings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "animation/steps/slope_gait.h"
+#include "base/rotation.h"
+
+namespace amble {
+
+double askedLift(const SwingFeet& feet, double lift, Side side) {
+  constexpr double kNear = 0.1;  // of the captured lift: beyond, both feet are lifted alike [1]
+  const double captured = 0.5 * (feet.captured_lift[kLeft] + feet.captured_lift[kRight]);
+  const double own = feet.captured_lift[side] / captured;
+  const double keep = std::max(0.0, 1.0 - std::abs(lift / captured - 1.0) / kNear);
+  return lift * std::pow(own, keep);
+}
+
+namespace {
+
+// Thesis, eq. 6.8: the step's parts along and across the walk's plane. Left and right feet's toeing
+// out cancel.
+GaitParameters gaitOf(const FootPlace& from, const FootPlace& to, double lift) {
+  const Eigen::Vector3d step = to.position - from.position;
+  const double heading = from.heading + 0.5 * wrapAngle(to.heading - from.heading);
+  return {step.x() * std::cos(heading) + step.y() * std::sin(heading), lift, step.z()};
+}
+
+}  // namespace
+
+bool shapeSwings(const SwingFeet& body, const SwingClearance& clearance, const GaitWishes& wishes,
+                 double length, bool to_standing, Footsteps& steps,
+                 std::vector<GaitParameters>& gait) {
+  const std::vector<FootPlace>& places = steps.places();
+  gait.clear();
+  for (int i = 0; i < 2; ++i) steps.landings()[i].strike_roll = slopeStrike(places[i]);
+  for (int i = 1; i <= steps.steps(); ++i) {
+    const Side side = steps.side(i);
+    const FootCycle& cycle = body.cycles[side];
+    Footsteps::Landing& landing = steps.landings()[i + 1];
+    landing.strike_roll = slopeStrike(places[i + 1]);
+    // The last foot of a walking stance lands as every walk's.
+    if (to_standing || i < steps.steps()) {
+      const double height = stepHeight(places[i], places[i + 1]);
+      landing.strike_roll = climbStrike(landing.strike_roll, height, body.scale);
+    }
+    const auto swinging = [&] { return steps.at(i - 0.5)[side]; };
+    if (wishes.lift) {
+      const double lift = wishes.lift(length * (i - 0.5) / steps.steps());
+      landing.swing.lift =
+          liftFactor(askedLift(body, lift, side), swinging(), cycle, body.shapes[side]);
+    }
+    if (!clearance.clear(places[i - 1], places[i + 1], side, cycle, landing.swing)) return false;
+    const double lift = swingLift(swinging(), cycle, body.shapes[side]);
+    gait.push_back(gaitOf(places[i], places[i + 1], lift));
+  }
+  return true;
+}
+
+}  // namespace amble

@@ -1,0 +1,65 @@
+#include "animation/synthesis/turn_on_spot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/ease.h"
+#include "base/rotation.h"
+
+namespace amble {
+
+SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, double scale,
+                      double frame_time) {
+  constexpr double kRounding = 1e-9;  // a quarter turn is two pairs, not three
+  SpotTurn turn;
+  const int pairs =
+      std::max(1, static_cast<int>(std::ceil(std::abs(angle) / SpotTurnGait::kPair - kRounding)));
+  turn.steps = 2 * pairs;
+  turn.step_time = SpotTurnGait::kStepTime * std::sqrt(scale);
+  turn.frames =
+      std::max(2, static_cast<int>(std::lround(turn.steps * turn.step_time / frame_time)));
+  turn.first = angle > 0.0 ? kLeft : kRight;
+  turn.angle = angle;
+  turn.scale = scale;
+  turn.from = turn.end = at;
+  turn.end.heading = at.heading + angle;
+  turn.from_feet = placer.stanceFeet(at);
+  turn.end_feet = placer.stanceFeet(turn.end);
+  for (const StanceFeet* feet : {&turn.from_feet, &turn.end_feet}) {
+    turn.refused = feet->refused;
+    if (turn.refused != WalkRule::kNone) return turn;
+  }
+  const FootPlacement& placement = placer.placement();
+  turn.feet.emplace(placement, at, turn.end, turn.steps, turn.first);
+  for (int i = 1; i <= turn.steps; ++i) {
+    Stance turned = at;
+    turned.heading = at.heading + angle * ((i + 1) / 2) / pairs;
+    const Side side = i % 2 != 0 ? turn.first : other(turn.first);
+    turn.feet->places()[i + 1] = Footsteps::atStance(placement, turned)[side].from;
+  }
+  turn.feet->setStances(turn.from_feet.feet, turn.end_feet.feet);
+  turn.refused = placer.standOnGround(*turn.feet);
+  return turn;
+}
+
+FrameState spotTurnState(const SpotTurn& turn, const FrameState& standing, int frame) {
+  const double share = static_cast<double>(frame) / turn.frames, progress = turn.steps * share;
+  FrameState state = standing;
+  state.position.z() += smoothstep(share) * (turn.end_feet.height - turn.from_feet.height);
+  state.heading = turn.from.heading + turn.angle * minimumJerk(share);
+  // The slope of minimum jerk: 30 t^2 (1 - t)^2.
+  state.turn_rate =
+      turn.angle * 30.0 * std::pow(share * (1.0 - share), 2) / (turn.steps * turn.step_time);
+  state.feet = turn.feet->at(progress);
+  for (FootState& foot : state.feet) {
+    foot.strike_roll = foot.lift_roll = 0.0;  // small steps are put down flat
+  }
+  // Towards the foot that stands: to the right while the left one swings.
+  const double into = progress - std::floor(progress);
+  const bool left_swings = (static_cast<int>(progress) % 2 == 0) == (turn.first == kLeft);
+  state.sway = (left_swings ? -1.0 : 1.0) * SpotTurnGait::kSway * turn.scale *
+               std::pow(std::sin(kPi * into), 2);
+  return state;
+}
+
+}  // namespace amble
