@@ -10,6 +10,7 @@
 #include "animation/captures/bvh.h"
 #include "animation/ground/ground.h"
 #include "animation/quality/walk_quality.h"
+#include "animation/synthesis/action.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "app/command.h"
 #include "app/demo_walk.h"
@@ -87,12 +88,11 @@ int run(const Options& options) {
   settings.frame_time = 1.0 / options.fps;
   settings.actions = options.actions;
   for (const std::string& action : options.actions) {
-    const Motion* motion = library.find(action);
-    if (motion == nullptr ||
-        (motion->kind != MotionKind::kMovement && motion->kind != MotionKind::kPosture)) {
-      throw InputError("--action", 0, "'" + action + "' is no movement or posture of the library",
-                       "one that `amble library show` names");
-    }
+    if (findAction(library, action) != nullptr) continue;
+    throw InputError(
+        "--action", 0,
+        "'" + action + "' is no movement or posture of the library that is always valid",
+        "of" + listActions(library));
   }
   const WalkSynthesizer synthesizer(library, *ground, settings);
   const double fastest_deg = synthesizer.maxTurnRate() / kDegree;
@@ -153,7 +153,10 @@ void addAnimate(CLI::App& app, Command& chosen) {
       ->excludes("--turn");
   command->add_option("--height", options->height, "Stature; default: the library's own")
       ->check(number(0.5, 2.5, "m"));
-  command->add_option("--action", options->actions, "A movement or posture of the library to hold");
+  command->add_option(
+      "--action", options->actions,
+      "A movement (goes with the steps) or posture (is held) of the library, over the "
+      "whole walk; given again, the later over the earlier");
   command->add_option("--library", options->library, "Motion library: default, or a file")
       ->capture_default_str();
   command->add_option("--fps", options->fps, "Frames a second")

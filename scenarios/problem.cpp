@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "animation/synthesis/action.h"
 #include "base/error.h"
 #include "base/rotation.h"
 
@@ -44,19 +45,11 @@ Scene loadScene(const Scenario& scenario) {
 void requireActions(const Scenario& scenario, const MotionLibrary& library) {
   for (size_t i = 0; i < scenario.walk.actions.size(); ++i) {
     const std::string& action = scenario.walk.actions[i];
-    const Motion* motion = library.find(action);
-    const bool held = motion != nullptr && (motion->kind == MotionKind::kMovement ||
-                                            motion->kind == MotionKind::kPosture);
-    if (held && motion->valid.when == Validity::When::kAlways) continue;
-    std::string names;
-    for (const Motion& other : library.motions) {
-      if (other.kind != MotionKind::kMovement && other.kind != MotionKind::kPosture) continue;
-      if (other.valid.when == Validity::When::kAlways) names += " " + other.name;
-    }
+    if (findAction(library, action) != nullptr) continue;
     scenario.source.fail(
         "walk.actions[" + std::to_string(i) + "]",
         "'" + action + "' is no movement or posture of the library that is always valid",
-        "of" + names);
+        "of" + listActions(library));
   }
 }
 

@@ -6,6 +6,9 @@
 
 namespace amble {
 
+/// Most harmonics of a library's series: beyond, a cycle holds what its capture shakes [1].
+inline constexpr int kMaxHarmonics = 12;
+
 /// p(phase) = alpha_0 + sum_k alpha_k cos(2 pi k phase) + beta_k sin(2 pi k phase), k
 /// = 1..harmonics.
 struct FourierSeries {

@@ -13,8 +13,6 @@
 namespace amble {
 namespace {
 
-constexpr int kMaxHarmonics = 12;
-
 std::array<double, 2> degreePair(const YamlNode& node) {
   const Eigen::Vector2d v = node.asVec2("angles [degrees]");
   return {v[0] * kDegree, v[1] * kDegree};
@@ -149,7 +147,7 @@ Motion readLibraryMotion(const YamlNode& node, int joints) {
   Motion motion;
   motion.name = node.at("name").asString();
   motion.kind = static_cast<MotionKind>(node.at("kind").indexIn(motionKindNames()));
-  if (const YamlNode valid = node["valid"]) motion.valid = readValidity(valid);
+  if (const YamlNode valid = node["valid"]) motion.valid = readValidity(valid, motion.kind);
   if (const YamlNode which = node["joints"]) motion.chains = readChains(which);
   motion.source = readSource(node.at("source"));
   switch (motion.kind) {
@@ -204,8 +202,12 @@ const std::vector<std::string>& motionKindNames() {
   return kNames;
 }
 
-Validity readValidity(const YamlNode& node) {
+Validity readValidity(const YamlNode& node, MotionKind kind) {
   using When = Validity::When;
+  if (kind == MotionKind::kWalk && (node.isMap() || node.asString() != "always")) {
+    node.fail("a walk that is not always valid",
+              "always: every walk of a library is blended with the others");
+  }
   if (!node.isMap()) {
     constexpr std::array<When, 3> kWhen = {When::kAlways, When::kAtStart, When::kAtEnd};
     return {kWhen[node.indexIn({"always", "at_start", "at_end"})]};

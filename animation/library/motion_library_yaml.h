@@ -9,8 +9,9 @@
 
 namespace amble {
 
-/// `valid:` always | at_start | at_end | {from: , to: } | {clearance_above: }. @throws InputError
-Validity readValidity(const YamlNode& node);
+/// `valid:` always | at_start | at_end | {from: , to: } | {clearance_above: }; of a walk always,
+/// since every walk of a library is blended with the others. @throws InputError
+Validity readValidity(const YamlNode& node, MotionKind kind);
 /// `joints:` all, or a list of chains. @throws InputError
 std::vector<std::string> readChains(const YamlNode& node);
 

@@ -47,7 +47,7 @@ std::vector<MotionRequest> readRequests(const YamlNode& node, const YamlNode& ro
   if (const YamlNode turning = node["turning"]) {
     request.turning = turning.asEnum<bool>({{"straight", false}, {"turn", true}});
   }
-  if (const YamlNode valid = node["valid"]) request.valid = readValidity(valid);
+  if (const YamlNode valid = node["valid"]) request.valid = readValidity(valid, request.kind);
   if (const YamlNode joints = node["joints"]) request.chains = readChains(joints);
   request.source.clip = node.at("clip").asString();
   request.file = captures / request.source.clip;

@@ -10,8 +10,6 @@
 namespace amble {
 namespace {
 
-constexpr int kMaxHarmonics = 12;
-
 // Rotations do not scale; the root's three lengths do.
 Eigen::MatrixXd interleaved(const FourierSeries& series, int harmonics, double scale) {
   Eigen::MatrixXd m = Eigen::MatrixXd::Zero(series.channels(), 2 * harmonics + 2);

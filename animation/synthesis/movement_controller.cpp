@@ -1,26 +1,9 @@
 #include "animation/synthesis/movement_controller.h"
 
-#include <array>
-
+#include "animation/synthesis/action.h"
 #include "base/rotation.h"
 
 namespace amble {
-namespace {
-
-constexpr int kMostHarmonics = 12;  // of a library's cycles
-
-}  // namespace
-
-std::vector<int> movedJoints(const MotionLibrary& library, const Motion& motion) {
-  std::vector<std::string> chains = motion.chains;
-  if (chains.empty()) chains = {"trunk", "head", "left_arm", "right_arm"};
-  std::vector<int> joints;
-  for (const std::string& chain : chains) {
-    const std::vector<int> some = chainJoints(library.skeleton, library.roles, chain);
-    joints.insert(joints.end(), some.begin(), some.end());
-  }
-  return joints;
-}
 
 MovementController::MovementController(const MotionLibrary& library, const Motion& motion)
     : reference_(library.stand().rotations),
@@ -28,10 +11,13 @@ MovementController::MovementController(const MotionLibrary& library, const Motio
       joints_(movedJoints(library, motion)) {}
 
 bool MovementController::apply(AnimationBuffer& buffer) const {
-  std::array<double, 2 * kMostHarmonics + 2> basis;
+  std::vector<double> basis(2 * series_.harmonics() + 2);
   for (int i = 0; i < buffer.size(); ++i) {
-    fourierBasis(buffer.states[i].phase, series_.harmonics(), basis.data());
+    const FrameState& state = buffer.states[i];
+    fourierBasis(state.phase, series_.harmonics(), basis.data());
+    for (size_t k = 2; k < basis.size(); ++k) basis[k] *= 1.0 - state.standing;
     for (const int j : joints_) {
+      // Pettré eq. 2.
       Eigen::Vector3d v = Eigen::Vector3d::Zero();
       for (int k = 0; k <= series_.harmonics(); ++k) {
         v += basis[2 * k] * series_.alpha.block<3, 1>(3 + 3 * j, k) +

@@ -9,11 +9,14 @@
 
 namespace amble {
 
+/// Its swing fades with FrameState::standing, as the walk's does, to the movement's mean pose: who
+/// stands takes no steps that it could go with, and a standing stance's phase says nothing.
 class MovementController : public SubController {
  public:
   /// @pre motion is a movement of the library, which outlives the controller
   MovementController(const MotionLibrary& library, const Motion& motion);
 
+  /// Overwrites the rotations of its joints in every frame. Never refuses.
   bool apply(AnimationBuffer& buffer) const override;
 
  private:
@@ -21,9 +24,5 @@ class MovementController : public SubController {
   const FourierSeries& series_;
   std::vector<int> joints_;
 };
-
-/// The joints that a motion of these chains moves: without chains those of trunk, head and arms,
-/// since the walk has the legs. @pre the motion is of the library
-std::vector<int> movedJoints(const MotionLibrary& library, const Motion& motion);
 
 }  // namespace amble

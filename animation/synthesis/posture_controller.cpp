@@ -1,6 +1,6 @@
 #include "animation/synthesis/posture_controller.h"
 
-#include "animation/synthesis/movement_controller.h"
+#include "animation/synthesis/action.h"
 
 namespace amble {
 

@@ -8,11 +8,10 @@
 #include "animation/steps/slope_gait.h"
 #include "animation/steps/start_and_stop.h"
 #include "animation/steps/step_placer.h"
+#include "animation/synthesis/action.h"
 #include "animation/synthesis/carriage_fit.h"
 #include "animation/synthesis/foot_controller.h"
 #include "animation/synthesis/gait_blend.h"
-#include "animation/synthesis/movement_controller.h"
-#include "animation/synthesis/posture_controller.h"
 #include "animation/synthesis/turn_on_spot.h"
 #include "animation/synthesis/walk_controller.h"
 #include "base/ease.h"
@@ -35,18 +34,6 @@ void checkSettings(const CharacterSettings& s) {
   if (!(s.max_climb >= 0.0 && s.max_climb <= 1.0 && s.max_drop >= 0.0 && s.max_drop <= 1.0)) {
     throw std::invalid_argument("highest steps: 0 to 1 m");
   }
-}
-
-std::unique_ptr<const SubController> controllerOf(const MotionLibrary& library,
-                                                  const std::string& action) {
-  const Motion* motion = library.find(action);
-  if (motion != nullptr && motion->kind == MotionKind::kMovement) {
-    return std::make_unique<MovementController>(library, *motion);
-  }
-  if (motion != nullptr && motion->kind == MotionKind::kPosture) {
-    return std::make_unique<PostureController>(library, *motion);
-  }
-  throw std::invalid_argument("the library has no movement or posture " + action);
 }
 
 }  // namespace
@@ -185,7 +172,7 @@ WalkSynthesizer::WalkSynthesizer(const MotionLibrary& library, const Ground& gro
   checkSettings(settings);
   impl_ = std::make_unique<Impl>(library, ground, settings);
   for (const std::string& action : settings.actions) {
-    impl_->actions.push_back(controllerOf(library, action));
+    impl_->actions.push_back(makeAction(library, action));
   }
 }
 

@@ -23,18 +23,18 @@
 namespace amble {
 
 struct CharacterSettings {
-  double height =
-      0.0;  ///< stature [m, 0.5 to 2.5]; 0: the library's own. Limbs and stride scale with it
+  /// Stature, with which limbs and stride scale; 0: the library's own [m, 0.5 to 2.5].
+  double height = 0.0;
   double speed = 1.2;              ///< on the straight [m/s, 0.3 to 2.0]
   double frame_time = 1.0 / 60.0;  ///< [s, 1/240 to 1/24]
   /// Steepest ground, up or down: public ramps end at 1:12, 4.8 degrees (ADA), hillside paths near
   /// 20 [rad, 0 to 45 degrees].
   double max_slope = 20.0 * kDegree;
-  /// Highest step up and down: stairs of dwellings rise by 0.14 to 0.20 m (DIN 18065) [m, 0 to 1].
+  /// Highest step up: stairs of dwellings rise by 0.14 to 0.20 m (DIN 18065) [m, 0 to 1].
   double max_climb = 0.25;
-  double max_drop = 0.25;
-  /// Movements and postures of the library that are held for the whole walk, the later over the
-  /// earlier.
+  double max_drop = 0.25;  ///< highest step down [m, 0 to 1]
+  /// Movements and postures of the library that are held for the whole walk (findAction), the later
+  /// over the earlier.
   std::vector<std::string> actions = {};
 };
 
@@ -49,8 +49,8 @@ struct WalkResult {
 class WalkSynthesizer {
  public:
   /// @pre ground and, where there are actions, library outlive the synthesizer. @throws
-  /// std::invalid_argument for settings out of range and for an action that the library does not
-  /// have or that is no movement or posture.
+  /// std::invalid_argument for settings out of range and for an action that findAction does not
+  /// find.
   WalkSynthesizer(const MotionLibrary& library, const Ground& ground,
                   const CharacterSettings& settings);
   ~WalkSynthesizer();

@@ -66,6 +66,9 @@ TEST_F(BadInput, AWrongCommandLineIsRefused) {
   expectRefused("animate --stairs 0.17 -o a.bvh", {"--stairs", "'0.17'; expected"});
   expectRefused("animate --stairs 0.17,nan -o a.bvh", {"--stairs", "'0.17,nan'; expected"});
   expectRefused("animate --stairs .17,.29 --incline 5 -o a.bvh", {"--stairs", "; expected "});
+  expectRefused("animate --action nobody -o a.bvh",
+                {"--action: ", "'nobody' is no movement or posture", "; expected of", " carry"});
+  expectRefused("animate --action walk-slow -o a.bvh", {"--action: ", "'walk-slow'"});
   expectRefused("plan in/scenario.yaml -o out --threads 0", {"--threads", "'0'; expected"});
   expectRefused("plan in/scenario.yaml -o out --seed -1", {"--seed", "'-1'; expected"});
   expectRefused("plan in/scenario.yaml -o out --time-limit 0", {"--time-limit", "'0'; expected"});

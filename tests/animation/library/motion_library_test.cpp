@@ -119,6 +119,17 @@ TEST_F(MotionLibraryFile, RefusesAWalkThatIsCalledStraightAndTurns) {
   expectRefused("degrees/s is called a turn");
 }
 
+TEST_F(MotionLibraryFile, RefusesAWalkThatIsNotAlwaysValid) {
+  for (const char* valid : {"at_start", "{from: 0, to: 2}", "{clearance_above: 0.3}", "never"}) {
+    SetUp();
+    replace("valid: always", std::string("valid: ") + valid, "- name: walk-slow");
+    expectRefused("a walk that is not always valid");
+  }
+  SetUp();
+  replace("valid: always", "valid: at_start", "- name: start");
+  EXPECT_STREQ(error().what(), InputError("none", 0, "nothing was refused").what());
+}
+
 TEST_F(MotionLibraryFile, RefusesALibraryWithoutItsPosture) {
   replace("- name: stand", "- name: sit");
   EXPECT_NE(std::string(error().what()).find("no posture `stand`"), std::string::npos);
