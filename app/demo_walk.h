@@ -14,11 +14,11 @@ namespace amble {
 
 /// What `amble animate` is asked for.
 struct DemoRequest {
-  double duration = 5.0;                            ///< about [s]
+  double duration = 5.0;                            ///< about [s, > 0]
   double turn_rate = 0.0;                           ///< at the plan's speed, left positive [rad/s]
   std::optional<Ramp> stride;                       ///< along the ground [m]
-  std::optional<Ramp> lift;                         ///< [m]
-  std::optional<Ramp> incline;                      ///< [rad]
+  std::optional<Ramp> lift;                         ///< GaitParameters::lift [m]
+  std::optional<Ramp> incline;                      ///< up positive [rad]
   std::optional<std::pair<double, double>> stairs;  ///< rise, negative down, and going [m]
 };
 

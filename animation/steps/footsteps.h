@@ -20,17 +20,17 @@ struct FootPlacement {
   double walk_width = 0.1;    ///< between left and right footprints while walking [m]
   double stand_width = 0.15;  ///< the same while standing [m]
   double forward = 0.0;       ///< middle of front and rear footprint before the path's point [m]
-  double step_length = 0.65;  ///< of the straight walk at the plan's speed [m]
-  double walk_toe_out =
-      0.0;  ///< of the left foot, left positive; the right's is its mirror image [rad]
-  double stand_toe_out = 0.0;  ///< [rad]
-  double half_support = 0.1;   ///< half of a double support [steps]
+  double step_length = 0.65;  ///< of the straight walk at the plan's speed [m, > 0]
+  /// Of the left foot, left positive; the right's is its mirror image [rad].
+  double walk_toe_out = 0.0;
+  double stand_toe_out = 0.0;  ///< the same while standing [rad]
+  double half_support = 0.1;   ///< half of a double support [steps, 0 to 0.5]
 };
 
 /// A place and heading on the ground that feet are put beside.
 struct GroundPoint {
-  Eigen::Vector3d position;
-  double heading;
+  Eigen::Vector3d position;  ///< [m, World]
+  double heading;            ///< [rad]
 };
 
 /// A point of the path, going on straight beyond its ends; at height z [m, World].
@@ -56,7 +56,7 @@ class Footsteps {
   /// How a placing is come to.
   struct Landing {
     SwingShape swing;
-    double strike_roll = 1.0;  ///< FootState::strike_roll
+    double strike_roll = 1.0;  ///< FootState::strike_roll [-1, 1]
   };
   /// Of all placings, -1 first; nothing swings to placings -1 and 0.
   std::vector<Landing>& landings() { return landings_; }

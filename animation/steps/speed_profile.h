@@ -17,9 +17,9 @@ namespace amble {
 
 struct SpeedLimits {
   StrideLaw law;
-  double speed = 1.2;              ///< on the straight, and at walking stances [m/s]
-  double max_turn_rate = 1.0;      ///< [rad/s]
-  double frame_time = 1.0 / 60.0;  ///< [s]
+  double speed = 1.2;              ///< on the straight, and at walking stances [m/s, > 0]
+  double max_turn_rate = 1.0;      ///< [rad/s, > 0]
+  double frame_time = 1.0 / 60.0;  ///< [s, > 0]
   /// Share of the speed that the ground allows at an arc [0 to 1]; none: all of it, everywhere.
   std::function<double(double)> pace = {};
   /// Step length that is asked for at an arc [m], at the plan's cadence; none: the law's.
@@ -78,11 +78,13 @@ class SpeedProfile {
   Sample within(double arc_from_knot, int knot) const;
 
   struct Knot {
-    double arc, window,
-        wanted;             // [m], 0 where a walking stance fixes the step, wanted step length [m]
-    double speed;           // wanted [m/s]
-    double step, slowness;  // step length [m], [s/m]
-    double steps, time;     // integrals from the path's begin, of 1/step and of slowness
+    double arc;          // [m]
+    double window;       // how far its step may be stretched: 0 at a walking stance [0, 1]
+    double wanted;       // step length [m]
+    double speed;        // wanted [m/s]
+    double step;         // step length [m]
+    double slowness;     // [s/m]
+    double steps, time;  // integrals from the path's begin, of 1/step and of slowness
   };
   double integralAt(double arc, double Knot::*value, double Knot::*rate, bool inverse_rate) const;
   double arcWhere(double value, double Knot::*integral, double Knot::*rate,
@@ -93,9 +95,9 @@ class SpeedProfile {
   Refusal refusal_ = Refusal::kNone;
   std::vector<Knot> knots_;  // even in arc
   double length_ = 0.0;
-  double start_arc_ = 0.0,
-         stop_arc_ = 0.0;  // [m]: arc of the first and last node that is walked through
-  double start_time_ = 0.0, stop_time_ = 0.0;  // [s]: how long starting and stopping take
+  // Arc of the first and of the last node that is walked through [m].
+  double start_arc_ = 0.0, stop_arc_ = 0.0;
+  double start_time_ = 0.0, stop_time_ = 0.0;  // how long starting and stopping take [s]
   int steps_ = 0, frames_ = 0;
 };
 

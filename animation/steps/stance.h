@@ -9,12 +9,12 @@ namespace amble {
 
 /// Standing, or the middle of a double support of the straight walk at the plan's speed.
 struct Stance {
-  Eigen::Vector3d position =
-      Eigen::Vector3d::Zero();  ///< root path's point, on the ground [m, World]
-  double heading = 0.0;         ///< [rad], 0 faces +x, left positive
+  /// The root path's point, on the ground [m, World].
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  double heading = 0.0;  ///< 0 faces +x, left positive [rad]
   bool standing = true;
-  Side leading = kLeft;  ///< the foot in front; phase 0 for left, 0.5 for right; without meaning
-                         ///< while standing
+  /// The foot in front: phase 0 for left, 0.5 for right. Without meaning while standing.
+  Side leading = kLeft;
 };
 
 }  // namespace amble

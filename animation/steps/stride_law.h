@@ -11,7 +11,7 @@ namespace amble {
 class StrideLaw {
  public:
   static constexpr double kStepPower = 0.42;
-  static constexpr double kSlowestCadence = 0.7;  // by trial: slower steps look like wading
+  static constexpr double kSlowestCadence = 0.7;  ///< by trial: slower steps look like wading [1]
   /// Steps shorter or longer than this, times the captured one, are not walked: the warped cycle no
   /// longer looks like a walk.
   static constexpr double kShortestStep = 0.3;
@@ -24,9 +24,10 @@ class StrideLaw {
 
   /// How walking begins and ends: captured, or by trial.
   struct Onset {
-    double first_speed = 1.0;   ///< fastest that a first step leads to, and a last one stops from;
-                                ///< by trial [m/s]
-    double acceleration = 1.0;  ///< people speed up and slow down by about this much [m/s^2]
+    /// Fastest that a first step leads to, and a last one stops from; by trial [m/s, > 0].
+    double first_speed = 1.0;
+    /// People speed up and slow down by about this much [m/s^2, > 0].
+    double acceleration = 1.0;
   };
   const Onset& onset() const { return onset_; }
   void setOnset(const Onset& onset) { onset_ = onset; }

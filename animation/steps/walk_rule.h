@@ -7,16 +7,22 @@
 namespace amble {
 
 enum class WalkRule {
-  kNone,        ///< nothing refused
-  kStepLength,  ///< no whole number of steps within the library's stride range fits the length of
-                ///< the path
-  kTurnRate,    ///< turns faster than the library's walks, or, at a walking stance, than the plan's
-                ///< speed allows
-  kReach,       ///< a leg cannot reach its footprint
-  kNoGround,    ///< no ground under a footprint
-  kFoothold,    ///< no place within reach where a whole sole stands on one surface
-  kSlope,       ///< steeper than the character walks
-  kStepHeight,  ///< a step up, down or over that is higher than the character takes
+  /// Nothing refused.
+  kNone,
+  /// No whole number of steps within the library's stride range fits the length of the path.
+  kStepLength,
+  /// Turns faster than the library's walks, or, at a walking stance, than the plan's speed allows.
+  kTurnRate,
+  /// A leg cannot reach its footprint.
+  kReach,
+  /// No ground under a footprint.
+  kNoGround,
+  /// No place within reach where a whole sole stands on one surface.
+  kFoothold,
+  /// Steeper than the character walks.
+  kSlope,
+  /// A step up, down or over that is higher than the character takes.
+  kStepHeight,
 };
 std::string_view walkRuleName(WalkRule rule);  ///< "step_length", "turn_rate", ...; "none"
 

@@ -13,19 +13,19 @@ namespace amble {
 
 /// What is known of a frame beside its pose.
 struct FrameState {
-  Eigen::Vector3d position =
-      Eigen::Vector3d::Zero();  ///< of the root path, on the ground [m, World]
-  double arc = 0.0;        ///< distance walked along the root path since the buffer's begin [m]
+  /// Of the root path, on the ground [m, World].
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  double arc = 0.0;        ///< walked along the root path since the buffer's begin [m, >= 0]
   double heading = 0.0;    ///< of the root path [rad]
   double speed = 0.0;      ///< along the root path [m/s, >= 0]
-  double turn_rate = 0.0;  ///< [rad/s], left positive
+  double turn_rate = 0.0;  ///< left positive [rad/s]
   /// Turn rate that the cycles are blended for: turn_rate without its jumps; 0 at stances [rad/s].
   double blended_turn_rate = 0.0;
   double phase = 0.0;             ///< of the walk cycle [cycles, 0 <= . < 1]
-  double step_length = 0.0;       ///< to which the cycles are warped here [m]
+  double step_length = 0.0;       ///< to which the cycles are warped here [m, >= 0]
   double standing = 0.0;          ///< share of the standing posture, 1 at standing stances [0, 1]
   double lean = 0.0;              ///< of pelvis and trunk, forwards, beside the cycle's [rad]
-  double crouch = 0.0;            ///< of the root below its height on the level [m]
+  double crouch = 0.0;            ///< of the root below its height on the level [m, >= 0]
   double sway = 0.0;              ///< weight shift to the left beside that of the walk cycle [m]
   std::array<FootState, 2> feet;  ///< by Side
   std::array<bool, 2> planted = {true, true};  ///< by Side: the foot's sole is on the ground
@@ -34,18 +34,18 @@ struct FrameState {
 /// One placing of one foot.
 struct Footprint {
   Side side = kLeft;
-  Eigen::Vector3d position =
-      Eigen::Vector3d::Zero();  ///< middle of the sole's length, on the ground [m, World]
-  double heading = 0.0;         ///< of the foot [rad]
-  int first_frame = 0;          ///< first and last frame of the buffer in which it is planted
-  int last_frame = 0;
+  /// Middle of the sole's length, on the ground [m, World].
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  double heading = 0.0;  ///< of the foot [rad]
+  int first_frame = 0;   ///< of the buffer, in which it is planted
+  int last_frame = 0;    ///< the same, the last
   /// What the step that ends here was asked to be; of a print that the buffer begins with, all 0.
   GaitParameters gait;
 };
 
 /// Frames at a fixed rate. `poses[i]` is what is validated and exported for frame i.
 struct AnimationBuffer {
-  double frame_time = 1.0 / 60.0;  ///< [s]
+  double frame_time = 1.0 / 60.0;  ///< [s, > 0]
   PoseArray poses;
   std::vector<FrameState> states;     ///< as many as poses
   std::vector<Footprint> footprints;  ///< in order of first_frame

@@ -46,9 +46,7 @@ double WalkController::height(double phase, double step_length) const {
 }
 
 double WalkController::loweringShare(double phase) {
-  constexpr double kLeast =
-      0.5;  // by trial: less and the hips bob, more and the standing knee bends
-  return kLeast + (1.0 - kLeast) * 0.5 * (1.0 + std::cos(4.0 * kPi * phase));
+  return kLeastLowering + (1.0 - kLeastLowering) * 0.5 * (1.0 + std::cos(4.0 * kPi * phase));
 }
 
 bool WalkController::apply(AnimationBuffer& buffer) const {

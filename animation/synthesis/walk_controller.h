@@ -20,9 +20,9 @@ class WalkController : public SubController {
   /// How the root walks apart from the captured cycle.
   struct Carriage {
     double lead = 0.0;  ///< so much farther forward over the path's point [m]
-    std::vector<double>
-        lowering;          ///< so much lower, by step length: evenly from 0 to `longest` [m]
-    double longest = 1.0;  ///< [m]
+    /// So much lower, by step length: evenly from 0 to `longest` [m, >= 0].
+    std::vector<double> lowering;
+    double longest = 1.0;  ///< step length of the last lowering [m, > 0]
   };
 
   WalkController(const GaitBlend& blend, const std::vector<Eigen::Quaterniond>& reference,
@@ -36,8 +36,11 @@ class WalkController : public SubController {
   /// Of the root on the level, walking straight in steps so long, at a phase [m].
   double height(double phase, double step_length) const;
   /// Share of the lowering at a phase: whole in the double support, where the legs are spread,
-  /// least over the standing leg [0, 1].
+  /// kLeastLowering over the standing leg [0, 1].
   static double loweringShare(double phase);
+
+  /// By trial: less and the hips bob, more and the standing knee bends [0 to 1].
+  static constexpr double kLeastLowering = 0.5;
 
  private:
   const GaitBlend& blend_;

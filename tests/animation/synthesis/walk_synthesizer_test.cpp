@@ -192,14 +192,6 @@ TEST(WalkSynthesizer, APathTooShortForTwoStepsIsRefused) {
             WalkRule::kStepLength);
 }
 
-TEST(WalkSynthesizer, RulesHaveTheNamesThatReportsCount) {
-  EXPECT_EQ(walkRuleName(WalkRule::kNone), "none");
-  EXPECT_EQ(walkRuleName(WalkRule::kStepLength), "step_length");
-  EXPECT_EQ(walkRuleName(WalkRule::kTurnRate), "turn_rate");
-  EXPECT_EQ(walkRuleName(WalkRule::kReach), "reach");
-  EXPECT_EQ(walkRuleName(WalkRule::kNoGround), "no_ground");
-}
-
 TEST(WalkSynthesizer, StandingWalksBeginAndEndInTheStandingPoseToTheBit) {
   Generator generator(61);
   const WalkSynthesizer character = walker();
