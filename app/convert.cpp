@@ -106,12 +106,12 @@ int run(const Options& options) {
 void addConvert(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-      "convert", "Write a capture of any format as BVH: BVH, AMC, FBX, glTF, DAE");
+      "convert", "Write a capture of any format as BVH: BVH, AMC, FBX, glTF, VRMA, DAE");
   command->add_option("IN", options->in, "The capture; - is a BVH on standard input")->required();
   command->add_option("-o,--output", options->out, "BVH file; - is standard output")->required();
   addReadOptions(*command, options->read);
   command->add_option("--fps", options->fps, "Frames a second; default: the file's")
-      ->check(number(1, 10000, "1/s"));
+      ->check(number(1, kMostFrames, "1/s"));
   command->add_option("--trim", options->trim,
                       "A part of the file, first to last: " + std::string(kTrimForm));
   command->add_flag("--mirror", options->mirror, "Left is right");

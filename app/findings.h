@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +26,9 @@ void printFindings(const std::vector<Findings>& all, bool json);
 
 Findings inspectScene(const std::filesystem::path& file);
 Findings inspectMesh(const std::filesystem::path& file);
-Findings inspectClip(const std::filesystem::path& file, const MotionReadOptions& options);
+/// Nothing where a file that may hold meshes or motion holds no motion.
+std::optional<Findings> inspectClip(const std::filesystem::path& file,
+                                    const MotionReadOptions& options);
 Findings inspectLibrary(const std::filesystem::path& file);
 Findings inspectScenario(const ScenarioFile& file);
 

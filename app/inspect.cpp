@@ -5,7 +5,6 @@
 #include <iterator>
 #include <memory>
 
-#include "animation/captures/assimp_motion.h"
 #include "app/command.h"
 #include "app/findings.h"
 #include "app/read_options.h"
@@ -32,10 +31,13 @@ Findings inspectFile(const std::filesystem::path& file, const MotionReadOptions&
   const char* const meshes[] = {".obj", ".gltf", ".glb", ".ply", ".stl", ".dae", ".fbx", ".ifc"};
   const bool mesh = std::find(std::begin(meshes), std::end(meshes), kind) != std::end(meshes);
   // Some formats hold meshes, motion or both.
-  if (isMotionFile(file) && (!mesh || holdsAnimation(file))) return inspectClip(file, options);
+  if (isMotionFile(file)) {
+    std::optional<Findings> clip = inspectClip(file, options);
+    if (clip || !mesh) return clip.value();
+  }
   if (mesh) return inspectMesh(file);
   throw InputError(file.string(), 0, "no kind of file that Amble knows",
-                   ".yaml, .bvh, .amc, .obj, .gltf, .glb, .ply, .stl, .dae, .fbx or .ifc");
+                   ".yaml, .bvh, .amc, .obj, .gltf, .glb, .vrma, .ply, .stl, .dae, .fbx or .ifc");
 }
 
 }  // namespace

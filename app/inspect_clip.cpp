@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "animation/library/motion_library.h"
 #include "app/findings.h"
 #include "app/read_options.h"
@@ -30,6 +32,40 @@ std::string rowOf(const CapturedMotion& motion, const std::string& side,
            (joint < 0 ? std::string("-") : motion.clip.skeleton.joint(joint).name);
   }
   return row;
+}
+
+/// The order of turns of each joint, every one once.
+std::string ordersOf(const Skeleton& skeleton) {
+  std::string orders;
+  for (const Joint& joint : skeleton.joints()) {
+    const std::string order = orderText(joint.order);
+    if (orders.find(order) == std::string::npos) orders += (orders.empty() ? "" : ", ") + order;
+  }
+  return orders;
+}
+
+void describeClip(const Clip& clip, Findings& out) {
+  const Skeleton& skeleton = clip.skeleton;
+  out.facts = {{"frames", fmt::format("{} of {:.7g} s ({:.4g} a second), {:.3f} s", clip.frames(),
+                                      clip.frame_time, 1.0 / clip.frame_time, clip.duration())},
+               {"joints", fmt::format("{}, root {}", skeleton.size(), skeleton.joint(0).name)},
+               {"rotations", ordersOf(skeleton)}};
+  out.data = {{"frames", clip.frames()},
+              {"frame_time", clip.frame_time},
+              {"duration", clip.duration()},
+              {"joints", skeleton.size()}};
+}
+
+void describeJoints(const Clip& clip, Findings& out) {
+  const std::vector<Joint>& joints = clip.skeleton.joints();
+  const auto zero = std::count_if(joints.begin(), joints.end(), [](const Joint& joint) {
+    return joint.parent >= 0 && joint.offset.isZero(0.0);
+  });
+  if (zero > 0)
+    out.facts.emplace_back("zero-length", fmt::format("{} joints at their parent", zero));
+  if (!clip.joint_positions.empty()) {
+    out.warnings.push_back("joints other than the root move; a written BVH has them fixed");
+  }
 }
 
 void describeRoles(const CapturedMotion& motion, Findings& out) {
@@ -64,37 +100,19 @@ void describeMotion(const Clip& clip, Findings& out) {
 
 }  // namespace
 
-Findings inspectClip(const std::filesystem::path& file, const MotionReadOptions& options) {
+std::optional<Findings> inspectClip(const std::filesystem::path& file,
+                                    const MotionReadOptions& options) {
   MotionReadOptions any = options;
   any.person = false;
-  const CapturedMotion motion = readMotion(file, any);
-  const Clip& clip = motion.clip;
+  const std::optional<CapturedMotion> motion = readMotionIfAny(file, any);
+  if (!motion) return {};
   Findings out{file.string(), "clip", {}, {}, {}};
-  const Skeleton& skeleton = clip.skeleton;
-  int zero = 0;
-  std::string orders;
-  for (const Joint& joint : skeleton.joints()) {
-    if (joint.parent >= 0 && joint.offset.isZero(0.0)) ++zero;
-    const std::string order = orderText(joint.order);
-    if (orders.find(order) == std::string::npos) orders += (orders.empty() ? "" : ", ") + order;
-  }
-  out.facts = {{"frames", fmt::format("{} of {:.7g} s ({:.4g} a second), {:.3f} s", clip.frames(),
-                                      clip.frame_time, 1.0 / clip.frame_time, clip.duration())},
-               {"joints", fmt::format("{}, root {}", skeleton.size(), skeleton.joint(0).name)},
-               {"rotations", orders}};
-  out.data = {{"frames", clip.frames()},
-              {"frame_time", clip.frame_time},
-              {"duration", clip.duration()},
-              {"joints", skeleton.size()}};
-  addReadings(motion, out);
-  describeRoles(motion, out);
-  out.data["guessed_unit"] = motion.metres_per_unit.value;
-  describeMotion(clip, out);
-  if (zero > 0)
-    out.facts.emplace_back("zero-length", fmt::format("{} joints at their parent", zero));
-  if (!clip.joint_positions.empty()) {
-    out.warnings.push_back("joints other than the root move; a written BVH has them fixed");
-  }
+  describeClip(motion->clip, out);
+  addReadings(*motion, out);
+  describeRoles(*motion, out);
+  out.data["guessed_unit"] = motion->metres_per_unit.value;
+  describeMotion(motion->clip, out);
+  describeJoints(motion->clip, out);
   return out;
 }
 

@@ -11,6 +11,7 @@ MotionReadOptions ReadOptions::forReader() const {
   if (!up.empty()) options.up = up == "y" ? UpAxis::kY : UpAxis::kZ;
   if (has_facing) options.facing = facing_deg * kDegree;
   if (file_fps > 0.0) options.frame_time = 1.0 / file_fps;
+  options.take = take;
   options.asf = asf;
   options.roles = roles;
   return options;
@@ -35,15 +36,19 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
                      "YAML of `role: joint name`, for rigs whose names say too little");
   command
       .add_option("--file-fps", options.file_fps,
-                  "Frames a second of AMC files, which do not say; default: 120")
-      ->check(number(1, 10000, "1/s"));
+                  "Frames a second of BVH and AMC files, whatever they say; FBX, glTF and DAE are "
+                  "sampled at it")
+      ->check(number(1, kMostFrames, "1/s"));
+  command.add_option("--take", options.take,
+                     "Animation of FBX, glTF and DAE files; default: the one in which most moves");
 }
 
 void addReadings(const CapturedMotion& motion, Findings& out) {
   out.facts.emplace_back("unit", motion.metres_per_unit.text);
   out.facts.emplace_back("up", motion.up.text);
   out.facts.emplace_back("facing", motion.facing.text);
-  if (motion.frame_time.guessed) out.facts.emplace_back("frame time", motion.frame_time.text);
+  if (!motion.frame_time.text.ends_with(" s"))
+    out.facts.emplace_back("frame time", motion.frame_time.text);
   out.data["unit"] = {{"metres", motion.metres_per_unit.value},
                       {"guessed", motion.metres_per_unit.guessed},
                       {"sure", motion.metres_per_unit.sure}};

@@ -18,7 +18,7 @@ bool isFrameNumber(std::string_view word) {
 class AmcReader {
  public:
   AmcReader(std::string_view text, const std::string& name, AsfSkeleton skeleton,
-            const AsfAmcOptions& options, AsfAmcNotes& notes);
+            std::optional<double> frame_time, AsfAmcNotes& notes);
   Clip read();
 
  private:
@@ -32,7 +32,7 @@ class AmcReader {
 
   TextCursor in_;
   AsfSkeleton asf_;
-  const AsfAmcOptions& options_;
+  std::optional<double> asked_time_;  // [s]
   AsfAmcNotes& notes_;
   Clip clip_;
   bool fully_specified_ = false, degrees_ = true;
@@ -47,10 +47,10 @@ class AmcReader {
 };
 
 AmcReader::AmcReader(std::string_view text, const std::string& name, AsfSkeleton skeleton,
-                     const AsfAmcOptions& options, AsfAmcNotes& notes)
+                     std::optional<double> frame_time, AsfAmcNotes& notes)
     : in_(text, name),
       asf_(std::move(skeleton)),
-      options_(options),
+      asked_time_(frame_time),
       notes_(notes),
       degrees_(asf_.degrees) {
   const size_t joints = asf_.joints.size();
@@ -82,13 +82,8 @@ Clip AmcReader::read() {
     readFrame(frame_);
   }
   if (frame_ == 0) in_.fail("the file ends here", "a frame: its number alone on a line");
-  settleOffsets(options_.metres_per_unit, asf_.joints, clip_.joint_positions);
-  for (Joint& joint : asf_.joints) {
-    joint.offset *= options_.metres_per_unit;
-    for (Eigen::Vector3d& tip : joint.end_sites) tip *= options_.metres_per_unit;
-  }
   clip_.skeleton = Skeleton(std::move(asf_.joints));
-  clip_.frame_time = options_.frame_time.value_or(frame_time_);
+  clip_.frame_time = asked_time_.value_or(frame_time_);
   return std::move(clip_);
 }
 
@@ -103,7 +98,9 @@ void AmcReader::readHeader() {
       degrees_ = false;
     } else if (sameWord(keyword, ":samples-per-second")) {
       const double rate = in_.number(kMaxCaptureNumber);
-      if (!(rate > 1.0 / kMaxCaptureNumber)) in_.fail("no rate of frames", "more than 0 a second");
+      if (!(rate > 0.0) || !isFrameTime(1.0 / rate)) {
+        in_.fail("no rate of frames", "1 to 10000 a second");
+      }
       frame_time_ = 1.0 / rate;
       notes_.frame_time_said = true;
     } else {
@@ -167,12 +164,9 @@ void AmcReader::requireAll(int frame_line) const {
 void AmcReader::setPose(int frame) {
   const std::span<Eigen::Quaterniond> q = clip_.poses.rotations(frame);
   for (size_t j = 0; j < q.size(); ++j) setJoint(static_cast<int>(j), q[j]);
-  if (options_.up == UpAxis::kY) q[0] = yUpToWorld() * q[0];
-  clip_.poses.p_WR(frame) = fileToWorld(options_.metres_per_unit * positions_[0], options_.up);
+  clip_.poses.p_WR(frame) = positions_[0];
   if (!moving_joints_) return;
-  for (const Eigen::Vector3d& p : positions_) {
-    clip_.joint_positions.push_back(options_.metres_per_unit * p);
-  }
+  clip_.joint_positions.insert(clip_.joint_positions.end(), positions_.begin(), positions_.end());
   clip_.joint_positions[frame * q.size()].setZero();
 }
 
@@ -208,19 +202,29 @@ void AmcReader::setJoint(int joint, Eigen::Quaterniond& q) {
 
 }  // namespace
 
+Clip parseAsfAmcAsWritten(const NamedText& asf, const NamedText& amc,
+                          std::optional<double> frame_time, AsfAmcNotes& notes) {
+  notes = {};
+  AsfSkeleton skeleton = parseAsf(asf, notes);
+  std::string mended;
+  const std::string text =
+      withoutAcclaimComments(plainText(amc.text, amc.name, mended, notes.warnings));
+  return AmcReader(text, amc.name, std::move(skeleton), frame_time, notes).read();
+}
+
 Clip parseAsfAmc(const NamedText& asf, const NamedText& amc, const AsfAmcOptions& options,
                  AsfAmcNotes* notes) {
   AsfAmcNotes ignored;
-  AsfAmcNotes& kept = notes != nullptr ? *notes : ignored;
-  AsfSkeleton skeleton = parseAsf(asf, kept);
-  const std::string text = withoutAcclaimComments(amc.text);
-  return AmcReader(text, amc.name, std::move(skeleton), options, kept).read();
+  Clip clip = parseAsfAmcAsWritten(asf, amc, options.frame_time, notes ? *notes : ignored);
+  turnUpright(options.up, clip);
+  scaleToMetres(options.metres_per_unit, clip);
+  return clip;
 }
 
 Clip readAsfAmc(const std::filesystem::path& asf, const std::filesystem::path& amc,
                 const AsfAmcOptions& options, AsfAmcNotes* notes) {
-  const std::string skeleton = readText(asf, "an ASF file");
-  const std::string motion = readText(amc, "an AMC file");
+  const std::string skeleton = readWholeFile(asf, kAsfFile);
+  const std::string motion = readWholeFile(amc, kAmcFile);
   return parseAsfAmc({skeleton, asf.string()}, {motion, amc.string()}, options, notes);
 }
 

@@ -52,5 +52,9 @@ struct NamedText {
 /// The same from the texts of files.
 Clip parseAsfAmc(const NamedText& asf, const NamedText& amc, const AsfAmcOptions& options = {},
                  AsfAmcNotes* notes = nullptr);
+/// The same in file units and axes, its offsets not settled: turnUpright() and scaleToMetres() make
+/// it a clip.
+Clip parseAsfAmcAsWritten(const NamedText& asf, const NamedText& amc,
+                          std::optional<double> frame_time, AsfAmcNotes& notes);
 
 }  // namespace amble

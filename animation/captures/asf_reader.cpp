@@ -359,7 +359,9 @@ std::string withoutAcclaimComments(std::string_view text) {
 }
 
 AsfSkeleton parseAsf(const NamedText& asf, AsfAmcNotes& notes) {
-  const std::string text = withoutAcclaimComments(asf.text);
+  std::string mended;
+  const std::string text =
+      withoutAcclaimComments(plainText(asf.text, asf.name, mended, notes.warnings));
   return AsfReader(text, asf.name, notes).read();
 }
 

@@ -6,9 +6,11 @@
 
 #include <filesystem>
 #include <istream>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "animation/body/clip.h"
 #include "animation/captures/capture_file.h"
@@ -18,16 +20,33 @@ namespace amble {
 struct BvhReadOptions {
   double metres_per_unit = 1.0;  ///< length of a file's unit [m, > 0]
   UpAxis up = UpAxis::kY;
+  std::optional<double> frame_time = {};  ///< instead of the file's [s, > 0]
 };
 
+/// What reading found besides the clip.
+struct BvhNotes {
+  std::vector<std::string> warnings;  ///< of what is wrong and was read all the same
+  bool frame_time_guessed = false;    ///< the file's cannot be one
+};
+
+/// All frames are read where there are more than the file says. A frame time that can only be a
+/// rate is taken as one (30 is 1/30 s).
 /// @param file  `-` is standard input. @throws InputError with file and line: not a BVH, unknown
-/// channel, wrong count of numbers, a number that is not finite, frame time not > 0, more than
-/// 10,000 joints, nesting deeper than 1,000. Uses memory in proportion to the file's size.
-Clip readBvh(const std::filesystem::path& file, const BvhReadOptions& options = {});
+/// channel, wrong count of numbers, fewer frames than it says, a number that is not finite, frame
+/// time outside kMinFrameTime to kMaxFrameTime, more than 10,000 joints, nesting deeper than 1,000.
+/// Uses memory in proportion to the file's size.
+Clip readBvh(const std::filesystem::path& file, const BvhReadOptions& options = {},
+             BvhNotes* notes = nullptr);
 /// The same from a stream; `name` stands for the file in messages.
-Clip readBvh(std::istream& in, const std::string& name, const BvhReadOptions& options = {});
+Clip readBvh(std::istream& in, const std::string& name, const BvhReadOptions& options = {},
+             BvhNotes* notes = nullptr);
 /// The same from the text of a file.
-Clip parseBvh(std::string_view text, const std::string& name, const BvhReadOptions& options = {});
+Clip parseBvh(std::string_view text, const std::string& name, const BvhReadOptions& options = {},
+              BvhNotes* notes = nullptr);
+/// The same in file units and axes, its offsets not settled: turnUpright() and scaleToMetres() make
+/// it a clip.
+Clip parseBvhAsWritten(std::string_view text, const std::string& name,
+                       std::optional<double> frame_time, BvhNotes& notes);
 
 struct BvhWriteOptions {
   double metres_per_unit = 1.0;  ///< 1 writes metres, 0.01 centimetres [m, > 0]

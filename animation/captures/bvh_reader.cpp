@@ -1,5 +1,7 @@
 /// BVH reader: the hierarchy by a stack (no recursion), then one line a frame. No count in the file
 /// is trusted: memory grows with what is really there.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,6 +22,9 @@ struct Column {
   int axis;  // 0 x, 1 y, 2 z; of a rotation: place in the joint's order
 };
 
+// Frames a second that some exporters write in place of a frame time [1/s].
+constexpr double kMinRate = 10.0, kMaxRate = 480.0;
+
 struct Hierarchy {
   std::vector<Joint> joints;  // offsets in file units
   std::vector<Column> columns;
@@ -28,8 +33,9 @@ struct Hierarchy {
 
 class BvhReader {
  public:
-  BvhReader(std::string_view text, const std::string& name, const BvhReadOptions& options)
-      : in_(text, name), options_(options) {}
+  BvhReader(std::string_view text, const std::string& name, std::optional<double> frame_time,
+            BvhNotes& notes)
+      : in_(text, name), frame_time_(frame_time), notes_(notes) {}
 
   Clip read();
 
@@ -44,11 +50,13 @@ class BvhReader {
   void readMotion(Clip& clip);
   int readFrameCount();
   double readFrameTime();
+  void makeRoom(Clip& clip, size_t frames) const;
   void readFrame(Clip& clip, int frame);
   void setPose(Clip& clip, int frame) const;
 
   TextCursor in_;
-  BvhReadOptions options_;
+  std::optional<double> frame_time_;
+  BvhNotes& notes_;
   Hierarchy tree_;
   std::vector<Eigen::Vector3d> positions_;  // of the frame being read, by joint, file units
   std::vector<Eigen::Vector3d> angles_;     // the same, in each joint's order [rad]
@@ -62,11 +70,6 @@ Clip BvhReader::read() {
   clip.name = in_.name();
   clip.poses = PoseArray(static_cast<int>(tree_.joints.size()));
   readMotion(clip);
-  settleOffsets(options_.metres_per_unit, tree_.joints, clip.joint_positions);
-  for (Joint& joint : tree_.joints) {
-    joint.offset *= options_.metres_per_unit;
-    for (Eigen::Vector3d& tip : joint.end_sites) tip *= options_.metres_per_unit;
-  }
   tree_.joints[0].offset.setZero();
   clip.skeleton = Skeleton(std::move(tree_.joints));
   return clip;
@@ -195,22 +198,28 @@ void BvhReader::readMotion(Clip& clip) {
     in_.fail("frames of joints without a channel", "a channel");
   // A number takes two bytes at least, so this is room enough whatever the file says.
   const size_t room = in_.remaining() / (2 * std::max<size_t>(1, tree_.columns.size())) + 1;
-  const size_t expected = std::min<size_t>(frames, room);
-  if (expected * tree_.joints.size() > kMaxJointPosesPerByte * in_.size()) {
-    in_.fail("too many joints without channels for so many frames", "channels on most joints");
-  }
-  clip.poses.resize(static_cast<int>(expected));
+  makeRoom(clip, std::min<size_t>(frames, room));
   positions_.resize(tree_.joints.size());
   angles_.assign(tree_.joints.size(), Eigen::Vector3d::Zero());
   for (size_t j = 0; j < tree_.joints.size(); ++j) positions_[j] = tree_.joints[j].offset;
   const std::string promised =
       std::to_string(frames) + " as line " + std::to_string(count_line) + " says";
-  for (int frame = 0; frame < frames; ++frame) {
-    if (!in_.skipBlankLines())
-      in_.fail("the file ends after frame " + std::to_string(frame), promised);
+  int frame = 0;
+  for (; in_.skipBlankLines(); ++frame) {
+    if (frame >= clip.frames()) makeRoom(clip, frame + 1);
     readFrame(clip, frame);
   }
-  if (in_.skipBlankLines()) in_.fail("more lines than frames", promised);
+  if (frame < frames) in_.fail("the file ends after frame " + std::to_string(frame), promised);
+  if (frame > frames) {
+    notes_.warnings.push_back(fmt::format("holds {} frames, not {}", frame, promised));
+  }
+}
+
+void BvhReader::makeRoom(Clip& clip, size_t frames) const {
+  if (frames * tree_.joints.size() > kMaxJointPosesPerByte * in_.size()) {
+    in_.fail("too many joints without channels for so many frames", "channels on most joints");
+  }
+  clip.poses.resize(static_cast<int>(frames));
 }
 
 int BvhReader::readFrameCount() {
@@ -221,9 +230,21 @@ int BvhReader::readFrameCount() {
 double BvhReader::readFrameTime() {
   in_.expectLabel("Frame Time");
   const double seconds = in_.number(kMaxCaptureNumber);
-  if (!(seconds > 0.0)) in_.fail("frame time " + std::to_string(seconds), "seconds above 0");
+  if (!(seconds > 0.0)) in_.fail(fmt::format("frame time {:g}", seconds), "seconds above 0");
+  const int line = in_.line();
   in_.expectLineEnd();
-  return seconds;
+  if (frame_time_) return *frame_time_;
+  if (isFrameTime(seconds)) return seconds;
+  if (!(seconds >= kMinRate && seconds <= kMaxRate)) {
+    in_.fail(
+        fmt::format("frame time {:g} s", seconds),
+        fmt::format("{:g} to {:g} s, or a rate given by --file-fps", kMinFrameTime, kMaxFrameTime));
+  }
+  notes_.frame_time_guessed = true;
+  notes_.warnings.push_back(
+      fmt::format("line {}: frame time {:g} s is taken as {:g} frames a second; --file-fps sets it",
+                  line, seconds, seconds));
+  return 1.0 / seconds;
 }
 
 void BvhReader::readFrame(Clip& clip, int frame) {
@@ -249,27 +270,37 @@ void BvhReader::readFrame(Clip& clip, int frame) {
 void BvhReader::setPose(Clip& clip, int frame) const {
   const std::span<Eigen::Quaterniond> q = clip.poses.rotations(frame);
   for (size_t j = 0; j < q.size(); ++j) q[j] = fromEuler(angles_[j], tree_.joints[j].order);
-  if (options_.up == UpAxis::kY) q[0] = yUpToWorld() * q[0];
-  clip.poses.p_WR(frame) = fileToWorld(options_.metres_per_unit * positions_[0], options_.up);
+  clip.poses.p_WR(frame) = positions_[0];
   if (!moving_joints_) return;
-  for (const Eigen::Vector3d& p : positions_) {
-    clip.joint_positions.push_back(options_.metres_per_unit * p);
-  }
+  clip.joint_positions.insert(clip.joint_positions.end(), positions_.begin(), positions_.end());
   clip.joint_positions[frame * q.size()].setZero();
 }
 
 }  // namespace
 
-Clip parseBvh(std::string_view text, const std::string& name, const BvhReadOptions& options) {
-  return BvhReader(text, name, options).read();
+Clip parseBvhAsWritten(std::string_view text, const std::string& name,
+                       std::optional<double> frame_time, BvhNotes& notes) {
+  notes = {};
+  std::string mended;
+  return BvhReader(plainText(text, name, mended, notes.warnings), name, frame_time, notes).read();
 }
 
-Clip readBvh(std::istream& in, const std::string& name, const BvhReadOptions& options) {
-  return parseBvh(readText(in, name, "a BVH file"), name, options);
+Clip parseBvh(std::string_view text, const std::string& name, const BvhReadOptions& options,
+              BvhNotes* notes) {
+  BvhNotes ignored;
+  Clip clip = parseBvhAsWritten(text, name, options.frame_time, notes ? *notes : ignored);
+  turnUpright(options.up, clip);
+  scaleToMetres(options.metres_per_unit, clip);
+  return clip;
 }
 
-Clip readBvh(const std::filesystem::path& file, const BvhReadOptions& options) {
-  return parseBvh(readText(file, "a BVH file"), file.string(), options);
+Clip readBvh(std::istream& in, const std::string& name, const BvhReadOptions& options,
+             BvhNotes* notes) {
+  return parseBvh(readWholeStream(in, name, kBvhFile), name, options, notes);
+}
+
+Clip readBvh(const std::filesystem::path& file, const BvhReadOptions& options, BvhNotes* notes) {
+  return parseBvh(readWholeFile(file, kBvhFile), file.string(), options, notes);
 }
 
 }  // namespace amble

@@ -45,17 +45,43 @@ int64_t toTicks(double value, double ticks_per_unit) {
   return std::llround(value * ticks_per_unit);
 }
 
-/// Fixed point, never in an exponent, never "-0.000000", the same in every locale.
-void appendFixed(std::string& out, int64_t ticks, int decimals) {
-  char digits[24];
-  uint64_t magnitude = ticks < 0 ? static_cast<uint64_t>(-ticks) : static_cast<uint64_t>(ticks);
-  char* const end = digits + sizeof digits;
-  char* at = end;
-  for (int i = 0; i <= decimals || magnitude != 0; ++i) {
-    if (i == decimals) *--at = '.';
-    *--at = static_cast<char>('0' + magnitude % 10);
-    magnitude /= 10;
+// Two digits at a time: "00" to "99".
+constexpr std::array<char, 200> kPairs = [] {
+  std::array<char, 200> pairs{};
+  for (int i = 0; i < 100; ++i) {
+    pairs[2 * i] = static_cast<char>('0' + i / 10);
+    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
   }
+  return pairs;
+}();
+
+/// `count` digits of a number, the last ones, before `end`; where they begin.
+char* putDigits(uint64_t number, int count, char* end) {
+  for (; count >= 2; count -= 2, number /= 100) {
+    end -= 2;
+    std::copy_n(kPairs.data() + 2 * (number % 100), 2, end);
+  }
+  if (count > 0) *--end = static_cast<char>('0' + number % 10);
+  return end;
+}
+
+/// Fixed point, never in an exponent, never "-0.000000", the same in every locale.
+template <int kPlaces>
+void appendFixed(std::string& out, int64_t ticks) {
+  constexpr uint64_t kWhole = [] {
+    uint64_t power = 1;
+    for (int i = 0; i < kPlaces; ++i) power *= 10;
+    return power;
+  }();
+  char digits[32];
+  const uint64_t magnitude =
+      ticks < 0 ? static_cast<uint64_t>(-ticks) : static_cast<uint64_t>(ticks);
+  char* const end = digits + sizeof digits;
+  char* at = putDigits(magnitude % kWhole, kPlaces, end);
+  *--at = '.';
+  uint64_t whole = magnitude / kWhole;
+  for (; whole >= 100; whole /= 100) at = putDigits(whole, 2, at);
+  at = putDigits(whole, whole >= 10 ? 2 : 1, at);
   if (ticks < 0) *--at = '-';
   out.append(at, static_cast<size_t>(end - at));
 }
@@ -63,6 +89,7 @@ void appendFixed(std::string& out, int64_t ticks, int decimals) {
 int64_t nearestTurn(int64_t angle, int64_t target) {
   // Floor division of (target - angle) by a turn, rounded to the nearest.
   const int64_t turn = 2 * kHalfTurn, difference = target - angle + kHalfTurn;
+  if (difference >= 0 && difference < turn) return angle;
   const int64_t turns = difference / turn - (difference % turn < 0 ? 1 : 0);
   return angle + turns * turn;
 }
@@ -153,7 +180,7 @@ BvhWriter::BvhWriter(const Clip& clip, const BvhWriteOptions& options)
 void BvhWriter::write(std::ostream& out) {
   appendHierarchy();
   text_ += "MOTION\nFrames: " + std::to_string(clip_.frames()) + "\nFrame Time: ";
-  appendFixed(text_, std::max<int64_t>(1, toTicks(clip_.frame_time, kTimeTicks)), kTimeDecimals);
+  appendFixed<kTimeDecimals>(text_, std::max<int64_t>(1, toTicks(clip_.frame_time, kTimeTicks)));
   text_ += '\n';
   for (int frame = 0; frame < clip_.frames(); ++frame) {
     appendFrame(frame);
@@ -223,7 +250,7 @@ void BvhWriter::appendOffset(const Eigen::Vector3d& p) {
   text_ += "OFFSET";
   for (int i = 0; i < 3; ++i) {
     text_ += ' ';
-    appendFixed(text_, toTicks(p[i] * units_per_metre_, kTicks), kDecimals);
+    appendFixed<kDecimals>(text_, toTicks(p[i] * units_per_metre_, kTicks));
   }
   text_ += '\n';
 }
@@ -233,7 +260,7 @@ void BvhWriter::appendFrame(int frame) {
   const Eigen::Vector3d p_file = units_per_metre_ * Eigen::Vector3d(p_WR.x(), p_WR.z(), -p_WR.y());
   for (int i = 0; i < 3; ++i) {
     if (i > 0) text_ += ' ';
-    appendFixed(text_, toTicks(p_file[i], kTicks), kDecimals);
+    appendFixed<kDecimals>(text_, toTicks(p_file[i], kTicks));
   }
   const std::span<const Eigen::Quaterniond> rotations = clip_.poses.rotations(frame);
   for (const int j : order_) {
@@ -241,7 +268,7 @@ void BvhWriter::appendFrame(int frame) {
     angles_[j] = continuedAngles(q, angles_[j]);
     for (const int64_t angle : angles_[j]) {
       text_ += ' ';
-      appendFixed(text_, angle, kDecimals);
+      appendFixed<kDecimals>(text_, angle);
     }
   }
   text_ += '\n';

@@ -2,12 +2,23 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iostream>
+#include <utility>
 
 #include "base/error.h"
+#include "base/rotation.h"
 
 namespace amble {
+namespace {
+
+/// What the first bytes say of the encoding; null where it is text in bytes.
+const char* wideEncoding(std::string_view text) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "UTF-16";
+  const bool wide = text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');
+  return wide ? "UTF-16 without its mark" : nullptr;
+}
+
+}  // namespace
+
 std::string lowerEnding(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -15,33 +26,52 @@ std::string lowerEnding(const std::filesystem::path& file) {
   return ending;
 }
 
-std::string readText(std::istream& in, const std::string& name, const std::string& expected) {
-  std::string text;
-  // Pieces grow with the text, so that a small file costs little and a large one is not copied
-  // often.
-  for (size_t piece = 1 << 14; in; piece *= 2) {
-    const size_t begin = text.size();
-    text.resize(begin + piece);
-    in.read(text.data() + begin, static_cast<std::streamsize>(piece));
-    text.resize(begin + static_cast<size_t>(in.gcount()));
+std::string_view plainText(std::string_view text, const std::string& name, std::string& mended,
+                           std::vector<std::string>& warnings) {
+  if (const char* const encoding = wideEncoding(text)) {
+    throw InputError(name, 1, std::string("the text is ") + encoding, "ASCII or UTF-8");
   }
-  if (in.bad()) throw InputError(name, 0, "cannot be read", expected);
-  return text;
-}
-
-std::string readText(const std::filesystem::path& file, const std::string& expected) {
-  if (file == "-") return readText(std::cin, "-", expected);
-  std::error_code unknown;
-  if (std::filesystem::is_directory(file, unknown)) {
-    throw InputError(file.string(), 0, "is a folder", expected);
+  const size_t last = text.find_last_not_of(std::string_view("\0\x1A\r\n", 4));
+  const size_t begin = last == text.npos ? 0 : last + 1;
+  size_t end = text.size();
+  for (const auto& [byte, what] : {std::pair{'\0', "a NUL"}, std::pair{'\x1A', "a Ctrl-Z"}}) {
+    const size_t at = text.find(byte, begin);
+    if (at == text.npos) continue;
+    end = std::min(end, at);
+    warnings.push_back(std::string(what) + " behind the last line is passed over");
   }
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string(), 0, "cannot be opened", expected);
-  return readText(in, file.string(), expected);
+  text = text.substr(0, end);
+  const size_t first_end = text.find_first_of("\r\n");
+  if (first_end == text.npos || text.find('\n', first_end) != text.npos) return text;
+  mended = text;
+  std::replace(mended.begin(), mended.end(), '\r', '\n');
+  warnings.push_back("lines end in CR alone, as on old Macs");
+  return mended;
 }
 
 Eigen::Vector3d fileToWorld(const Eigen::Vector3d& p_file, UpAxis up) {
   return up == UpAxis::kY ? Eigen::Vector3d(p_file.x(), -p_file.z(), p_file.y()) : p_file;
+}
+
+void turnUpright(UpAxis up, Clip& clip) {
+  if (up == UpAxis::kZ) return;
+  for (int i = 0; i < clip.frames(); ++i) {
+    clip.poses.p_WR(i) = fileToWorld(clip.poses.p_WR(i), up);
+    Eigen::Quaterniond& q_WR = clip.poses.rotations(i)[0];
+    q_WR = yUpToWorld() * q_WR;
+  }
+}
+
+void scaleToMetres(double metres_per_unit, Clip& clip) {
+  for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i) *= metres_per_unit;
+  for (Eigen::Vector3d& p : clip.joint_positions) p *= metres_per_unit;
+  std::vector<Joint> joints = clip.skeleton.joints();
+  settleOffsets(metres_per_unit, joints, clip.joint_positions);
+  for (Joint& joint : joints) {
+    joint.offset *= metres_per_unit;
+    for (Eigen::Vector3d& tip : joint.end_sites) tip *= metres_per_unit;
+  }
+  clip.skeleton = Skeleton(std::move(joints));
 }
 
 void settleOffsets(double metres_per_unit, std::vector<Joint>& joints_in_file_units,

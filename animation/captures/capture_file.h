@@ -1,14 +1,14 @@
-/// What the readers of capture files share: a file's text, its vertical axis, and how much of it is
+/// What the readers of capture files share: a file's text, its axes and unit, and how much of it is
 /// taken for true.
 #pragma once
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <istream>
 #include <string>
 #include <vector>
 
-#include "animation/body/skeleton.h"
+#include "animation/body/clip.h"
+#include "base/files.h"
 
 namespace amble {
 
@@ -29,14 +29,30 @@ inline constexpr size_t kMaxJointPosesPerByte = 4;
 /// `.bvh` of `Walk.BVH`.
 std::string lowerEnding(const std::filesystem::path& file);
 
-/// The whole of a file; `-` is standard input. @throws InputError if it is missing, a folder or
-/// unreadable; `expected` says what it should have been ("a BVH file").
-std::string readText(const std::filesystem::path& file, const std::string& expected);
-/// The same of a stream; `name` stands for the file in messages.
-std::string readText(std::istream& in, const std::string& name, const std::string& expected);
+/// Captures as text: an hour of a whole body at 60 Hz.
+inline constexpr FileKind kBvhFile{"a BVH file", size_t{400} << 20};
+inline constexpr FileKind kAmcFile{"an AMC file", size_t{400} << 20};
+inline constexpr FileKind kAsfFile{"an ASF file", size_t{16} << 20};
+
+/// The text as TextCursor reads it, without the NUL or Ctrl-Z that old programs put behind it, each
+/// with a warning. @param mended  keeps the text where lines end in CR alone, as on old Macs
+/// @throws InputError naming the encoding where it is UTF-16.
+std::string_view plainText(std::string_view text, const std::string& name, std::string& mended,
+                           std::vector<std::string>& warnings);
+
+/// Frame times of captures: from 1 to 10,000 frames a second [s].
+inline constexpr double kMinFrameTime = 1e-4, kMaxFrameTime = 1.0;
+inline bool isFrameTime(double seconds) {
+  return seconds >= kMinFrameTime && seconds <= kMaxFrameTime;
+}
 
 /// A point of a file in World: of a y-up file (x, y, z) is (x, -z, y).
 Eigen::Vector3d fileToWorld(const Eigen::Vector3d& p_file, UpAxis up);
+
+/// Turns a clip that is as its file has it, axes and all, to z up.
+void turnUpright(UpAxis up, Clip& clip);
+/// Takes such a clip from file units to metres and settles its offsets.
+void scaleToMetres(double metres_per_unit, Clip& clip);
 
 /// Where exporters recompute a joint's place for each frame and round: it has not moved. A
 /// micrometre is what we write [m].

@@ -1,9 +1,10 @@
-/// Which skeleton an AMC goes with: file names tell, by custom.
+#include "animation/captures/find_asf.h"
+
 #include <algorithm>
 #include <cctype>
 #include <vector>
 
-#include "animation/captures/motion_reader.h"
+#include "animation/captures/capture_file.h"
 #include "base/error.h"
 
 namespace amble {

@@ -2,7 +2,10 @@
 /// the person faces.
 #pragma once
 
-#include "animation/captures/motion_reader.h"
+#include "animation/body/clip.h"
+#include "animation/body/joint_roles.h"
+#include "animation/captures/capture_file.h"
+#include "animation/captures/reading.h"
 
 namespace amble {
 

@@ -3,85 +3,92 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
-#include <memory>
 
 #include "animation/captures/asf_amc.h"
-#include "animation/captures/assimp_motion.h"
 #include "animation/captures/bvh.h"
+#include "animation/captures/capture_checks.h"
+#include "animation/captures/find_asf.h"
 #include "animation/captures/motion_guesses.h"
+#include "animation/captures/node_file.h"
 #include "animation/captures/role_guess.h"
+#include "animation/captures/root_at_hips.h"
+#include "animation/captures/unit_guess.h"
 #include "base/error.h"
 #include "base/rotation.h"
 
 namespace amble {
 namespace {
 
-/// A capture whose unit and vertical axis are not settled yet.
-struct OpenMotion {
-  std::function<Clip(double metres_per_unit, UpAxis up)> read;
-  std::shared_ptr<AsfAmcNotes> notes;  // of what was read last; null for other formats
+/// A capture as its file has it, in its unit and axes.
+struct WrittenMotion {
+  Clip clip;
+  Reading<double> frame_time;  // [s]
+  std::vector<std::string> warnings;
 };
 
-OpenMotion openAmc(const std::filesystem::path& amc, const MotionReadOptions& options) {
-  const std::filesystem::path asf = options.asf.empty() ? findAsf(amc) : options.asf;
-  const auto notes = std::make_shared<AsfAmcNotes>();
-  const auto read = [=, skeleton = readText(asf, "an ASF file"),
-                     motion = readText(amc, "an AMC file"),
-                     frame_time = options.frame_time](double unit, UpAxis up) {
-    *notes = {};
-    return parseAsfAmc({skeleton, asf.string()}, {motion, amc.string()},
-                       {.metres_per_unit = unit, .up = up, .frame_time = frame_time}, notes.get());
-  };
-  return {read, notes};
+Reading<double> timeReading(double seconds, bool asked, bool guessed, const char* how) {
+  return {seconds, guessed, true,
+          fmt::format("{:.7g} s{}", seconds,
+                      asked     ? ", as asked"
+                      : guessed ? how
+                                : "")};
 }
 
-OpenMotion openMotion(const std::filesystem::path& file, const MotionReadOptions& options) {
+WrittenMotion readAmc(const std::filesystem::path& amc, const MotionReadOptions& options) {
+  const std::filesystem::path asf = options.asf.empty() ? findAsf(amc) : options.asf;
+  const std::string skeleton = readWholeFile(asf, kAsfFile), motion = readWholeFile(amc, kAmcFile);
+  AsfAmcNotes notes;
+  WrittenMotion written;
+  written.clip = parseAsfAmcAsWritten({skeleton, asf.string()}, {motion, amc.string()},
+                                      options.frame_time, notes);
+  const bool asked = options.frame_time.has_value();
+  written.frame_time = timeReading(written.clip.frame_time, asked, !asked && !notes.frame_time_said,
+                                   ", guessed: the usual one of its format");
+  written.warnings = std::move(notes.warnings);
+  return written;
+}
+
+WrittenMotion readAsWritten(const std::filesystem::path& file, const MotionReadOptions& options) {
   const std::string ending = lowerEnding(file);
   if (file == "-" || ending == ".bvh") {
-    const auto read = [name = file.string(), text = readText(file, "a BVH file")](double unit,
-                                                                                  UpAxis up) {
-      return parseBvh(text, name, {.metres_per_unit = unit, .up = up});
-    };
-    return {read, nullptr};
+    BvhNotes notes;
+    WrittenMotion written;
+    written.clip =
+        parseBvhAsWritten(readWholeFile(file, kBvhFile), file.string(), options.frame_time, notes);
+    written.frame_time =
+        timeReading(written.clip.frame_time, options.frame_time.has_value(),
+                    notes.frame_time_guessed, ", guessed: the file's can only be a rate");
+    written.warnings = std::move(notes.warnings);
+    return written;
   }
-  if (ending == ".amc") return openAmc(file, options);
+  if (ending == ".amc") return readAmc(file, options);
   if (ending == ".asf") {
     throw InputError(file.string(), 0, "a skeleton without a motion", "the .amc that goes with it");
   }
   throw InputError(file.string(), 0, "no kind of capture that Amble knows",
-                   ".bvh, .amc, .fbx, .gltf, .glb or .dae");
+                   ".bvh, .amc, .fbx, .gltf, .glb, .vrma or .dae");
 }
 
 const char* axisName(UpAxis up) { return up == UpAxis::kY ? "y" : "z"; }
 
-Reading<double> settleUnit(const CapturedMotion& motion, const std::optional<double>& said) {
-  const Clip& raw = motion.clip;
-  const JointRoles& roles = motion.roles;
+bool isPerson(const CapturedMotion& motion) { return motion.no_person.empty(); }
+
+double meanLeg(const Clip& clip, const JointRoles& roles) {
+  return 0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
+}
+
+Reading<double> settleUnit(const CapturedMotion& motion, const Clip& seen, const StepRhythm& rhythm,
+                           const std::optional<double>& said) {
   if (said) return {*said, false, true, fmt::format("{:g} m, as asked", *said)};
-  if (!motion.no_person.empty()) return {1.0, true, false, "1 m, guessed: there are no legs"};
-  const double leg =
-      0.5 * (roles.legLength(raw.skeleton, kLeft) + roles.legLength(raw.skeleton, kRight));
-  Reading<double> unit{guessUnit(raw.skeleton, roles), true, leg > 0.0, ""};
-  unit.text = leg > 0.0
-                  ? fmt::format("{:g} m, guessed: legs of {:.2f} m", unit.value, leg * unit.value)
-                  : "1 m, guessed: the legs have no length";
-  return unit;
+  if (!isPerson(motion)) return {1.0, true, false, "1 m, guessed: there are no legs"};
+  return guessUnit(meanLeg(seen, motion.roles), rhythm);
 }
 
-Reading<UpAxis> settleUp(const CapturedMotion& motion, const std::optional<UpAxis>& said) {
+Reading<UpAxis> settleUp(const CapturedMotion& motion, const Clip& seen,
+                         const std::optional<UpAxis>& said) {
   if (said) return {*said, false, true, fmt::format("{}, as asked", axisName(*said))};
-  if (!motion.no_person.empty()) return {UpAxis::kY, true, false, "y, guessed: the usual one"};
-  return guessUp(motion.clip, motion.roles);
-}
-
-Reading<double> settleFrameTime(const Clip& clip, const AsfAmcNotes* notes,
-                                const std::optional<double>& said) {
-  Reading<double> time{clip.frame_time, false, true, fmt::format("{:.7g} s", clip.frame_time)};
-  if (notes == nullptr) return time;
-  time.guessed = !said && !notes->frame_time_said;
-  time.text += time.guessed ? ", guessed: the usual one of its format" : said ? ", as asked" : "";
-  return time;
+  if (!isPerson(motion)) return {UpAxis::kY, true, false, "y, guessed: the usual one"};
+  return guessUp(seen, motion.roles);
 }
 
 void turnTo(double heading, double target, Clip& clip) {
@@ -103,10 +110,10 @@ Reading<double> settleFacing(const JointRoles& roles, const std::optional<double
   return facing;
 }
 
-/// Whose joint is whose, or nobody's.
-void settleRoles(const std::string& file, const MotionReadOptions& options,
+/// Whose joint is whose in `clip`, or nobody's.
+void settleRoles(const Clip& clip, const std::string& file, const MotionReadOptions& options,
                  CapturedMotion& motion) {
-  const RoleGuess guess = guessRoles(motion.clip, file, options.roles);
+  const RoleGuess guess = guessRoles(clip, file, options.roles);
   motion.roles = guess.roles;
   motion.no_person = guess.missing;
   if (guess.missing.empty()) {
@@ -120,62 +127,79 @@ void settleRoles(const std::string& file, const MotionReadOptions& options,
   motion.warnings.push_back("no person: no joint looks like " + guess.missing);
 }
 
-bool isNodeFile(const std::filesystem::path& file) {
-  const std::string ending = lowerEnding(file);
-  return ending == ".fbx" || ending == ".gltf" || ending == ".glb" || ending == ".dae";
+void append(const std::vector<std::string>& warnings, CapturedMotion& motion) {
+  motion.warnings.insert(motion.warnings.end(), warnings.begin(), warnings.end());
 }
 
-/// A unit that the file says and its legs contradict is kept, and told.
-Reading<double> saidUnit(const CapturedMotion& motion, double unit, bool asked) {
-  Reading<double> reading{unit, false, true,
-                          fmt::format("{:g} m, {}", unit, asked ? "as asked" : "as the file says")};
-  const double likely = guessUnit(motion.clip.skeleton, motion.roles);
-  if (asked || !motion.no_person.empty() || likely == 1.0) return reading;
-  reading.sure = false;
-  reading.text += fmt::format(", but the legs look like {:g} m", unit * likely);
-  return reading;
-}
-
-/// FBX, glTF and Collada say their unit and axes.
-CapturedMotion readNodes(const std::filesystem::path& file, const MotionReadOptions& options) {
+/// FBX, glTF and Collada say their unit and axes; nothing without an animation.
+std::optional<CapturedMotion> readNodes(const std::filesystem::path& file,
+                                        const MotionReadOptions& options) {
   CapturedMotion motion;
-  AssimpMotionNotes notes;
-  motion.clip = readAssimpMotion(file,
-                                 {.metres_per_unit = options.metres_per_unit,
-                                  .up = options.up,
-                                  .frame_time = options.frame_time},
-                                 &notes);
-  settleRoles(file.string(), options, motion);
-  motion.metres_per_unit =
-      saidUnit(motion, notes.metres_per_unit, options.metres_per_unit.has_value());
+  NodeFileNotes notes;
+  std::optional<Clip> clip = readNodeFileIfAny(file,
+                                               {.metres_per_unit = options.metres_per_unit,
+                                                .up = options.up,
+                                                .frame_time = options.frame_time,
+                                                .take = options.take},
+                                               &notes);
+  if (!clip) return {};
+  motion.clip = std::move(*clip);
+  settleRoles(motion.clip, file.string(), options, motion);
+  if (isPerson(motion) && rootAtHips(motion.clip, motion.roles)) scaleToMetres(1.0, motion.clip);
+  if (options.metres_per_unit || !isPerson(motion)) {
+    motion.metres_per_unit = {notes.metres_per_unit, false, true,
+                              fmt::format("{:g} m, as {}", notes.metres_per_unit,
+                                          options.metres_per_unit ? "asked" : "the file says")};
+  } else {
+    motion.metres_per_unit =
+        checkSaidUnit(notes.metres_per_unit, meanLeg(motion.clip, motion.roles));
+  }
   motion.up = {
       notes.up, false, true,
       fmt::format("{}, as {}", axisName(notes.up), options.up ? "asked" : "the file says")};
-  motion.frame_time = {
-      motion.clip.frame_time, false, true,
-      fmt::format("{:.7g} s{}", motion.clip.frame_time, options.frame_time ? ", as asked" : "")};
-  motion.warnings.insert(motion.warnings.end(), notes.warnings.begin(), notes.warnings.end());
+  motion.frame_time =
+      timeReading(motion.clip.frame_time, options.frame_time.has_value(), false, "");
+  append(notes.warnings, motion);
   return motion;
+}
+
+/// A clip as written, to be looked at: with its offsets settled, in `copy` where that changes it.
+const Clip& settled(const Clip& written, Clip& copy) {
+  if (written.joint_positions.empty()) return written;
+  copy = written;
+  scaleToMetres(1.0, copy);
+  return copy;
 }
 
 /// Text formats leave their unit and vertical axis open.
 CapturedMotion readTexts(const std::filesystem::path& file, const MotionReadOptions& options) {
-  const OpenMotion open = openMotion(file, options);
+  WrittenMotion written = readAsWritten(file, options);
   CapturedMotion motion;
-  const UpAxis as_written = UpAxis::kZ;
-  motion.clip = open.read(1.0, as_written);
-  settleRoles(file.string(), options, motion);
-  motion.metres_per_unit = settleUnit(motion, options.metres_per_unit);
-  motion.up = settleUp(motion, options.up);
-  // Read again rather than converted: what a micrometre is depends on the unit.
-  if (motion.metres_per_unit.value != 1.0 || motion.up.value != as_written) {
-    motion.clip = open.read(motion.metres_per_unit.value, motion.up.value);
+  motion.clip = std::move(written.clip);
+  motion.frame_time = std::move(written.frame_time);
+  Clip copy;
+  settleRoles(settled(motion.clip, copy), file.string(), options, motion);
+  if (isPerson(motion)) rootAtHips(motion.clip, motion.roles);
+  motion.up = settleUp(motion, settled(motion.clip, copy), options.up);
+  turnUpright(motion.up.value, motion.clip);
+  const Clip& seen = settled(motion.clip, copy);
+  const StepRhythm rhythm = isPerson(motion) ? stepRhythm(seen, motion.roles) : StepRhythm();
+  motion.metres_per_unit = settleUnit(motion, seen, rhythm, options.metres_per_unit);
+  scaleToMetres(motion.metres_per_unit.value, motion.clip);
+  append(written.warnings, motion);
+  return motion;
+}
+
+/// What is left once a clip is in World.
+CapturedMotion finished(CapturedMotion motion, const MotionReadOptions& options) {
+  motion.facing = {0.0, true, true, "unknown: no person"};
+  if (isPerson(motion)) motion.facing = settleFacing(motion.roles, options.facing, motion.clip);
+  if (!motion.metres_per_unit.sure) {
+    motion.warnings.push_back("unit " + motion.metres_per_unit.text);
   }
-  motion.frame_time = settleFrameTime(motion.clip, open.notes.get(), options.frame_time);
-  if (open.notes) {
-    const std::vector<std::string>& warnings = open.notes->warnings;
-    motion.warnings.insert(motion.warnings.end(), warnings.begin(), warnings.end());
-  }
+  if (!motion.up.sure) motion.warnings.push_back("vertical axis " + motion.up.text);
+  if (!motion.facing.sure) motion.warnings.push_back("facing " + motion.facing.text);
+  if (isPerson(motion)) append(captureWarnings(motion.clip, motion.roles), motion);
   return motion;
 }
 
@@ -186,19 +210,21 @@ bool isMotionFile(const std::filesystem::path& file) {
   return file == "-" || ending == ".bvh" || ending == ".amc" || isNodeFile(file);
 }
 
+std::optional<CapturedMotion> readMotionIfAny(const std::filesystem::path& file,
+                                              const MotionReadOptions& options) {
+  if (!isNodeFile(file)) return finished(readTexts(file, options), options);
+  std::optional<CapturedMotion> motion = readNodes(file, options);
+  if (!motion) return {};
+  return finished(std::move(*motion), options);
+}
+
 CapturedMotion readMotion(const std::filesystem::path& file, const MotionReadOptions& options) {
-  CapturedMotion motion = isNodeFile(file) ? readNodes(file, options) : readTexts(file, options);
-  if (motion.no_person.empty()) {
-    motion.facing = settleFacing(motion.roles, options.facing, motion.clip);
-  } else {
-    motion.facing = {0.0, true, true, "unknown: no person"};
+  std::optional<CapturedMotion> motion = readMotionIfAny(file, options);
+  if (!motion) {
+    throw InputError(file.string(), 0, "holds no animation",
+                     "animation of a skeleton as FBX, glTF, GLB, VRMA or DAE");
   }
-  if (!motion.metres_per_unit.sure) {
-    motion.warnings.push_back("unit " + motion.metres_per_unit.text);
-  }
-  if (!motion.up.sure) motion.warnings.push_back("vertical axis " + motion.up.text);
-  if (!motion.facing.sure) motion.warnings.push_back("facing " + motion.facing.text);
-  return motion;
+  return std::move(*motion);
 }
 
 }  // namespace amble

@@ -1,8 +1,8 @@
 /// One entry for every capture format: a clip in World and metres, whose joint is whose in it, and
 /// what of that was guessed.
 ///
-/// Formats by the name's end: .bvh; .amc with its .asf; .fbx, .gltf, .glb and .dae, which say their
-/// unit and axes. Every guess is said with its reason and can be set in the options.
+/// Formats by the name's end: .bvh; .amc with its .asf; .fbx, .gltf, .glb, .vrma and .dae, which
+/// say their unit and axes. Every guess is said with its reason and can be set in the options.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +13,7 @@
 #include "animation/body/clip.h"
 #include "animation/body/joint_roles.h"
 #include "animation/captures/capture_file.h"
+#include "animation/captures/reading.h"
 
 namespace amble {
 
@@ -24,21 +25,14 @@ struct MotionReadOptions {
   /// Heading that the pelvis shall have in the first frame: the clip is turned about World z. None:
   /// as it is [rad].
   std::optional<double> facing = {};
-  /// Of an AMC, which mostly does not say; none: its own, else kAmcFrameTime. FBX, glTF and Collada
-  /// are sampled at it; none: the file's. A BVH has its own [s, > 0].
+  /// Of a BVH or an AMC instead of its own; none: the file's, of an AMC that does not say it
+  /// kAmcFrameTime. FBX, glTF and Collada are sampled at it; none: the file's, and at least 30 a
+  /// second [s, kMinFrameTime to kMaxFrameTime].
   std::optional<double> frame_time = {};
+  std::string take = {};             ///< animation of an FBX, glTF or Collada file; "": what moves
   std::filesystem::path asf = {};    ///< skeleton of an AMC; empty: as findAsf() has it
   std::filesystem::path roles = {};  ///< YAML map of role to joint name that overrides the guess
   bool person = true;                ///< a skeleton in which no person is found is refused
-};
-
-/// A thing that a capture's file may leave open.
-template <typename T>
-struct Reading {
-  T value{};
-  bool guessed = false;  ///< neither the caller nor the file said it
-  bool sure = true;      ///< nothing speaks against it
-  std::string text;      ///< for people: the value and where it is from
 };
 
 struct CapturedMotion {
@@ -55,11 +49,9 @@ struct CapturedMotion {
 /// @param file  `-` is a BVH on standard input. @throws InputError with file and line: as the
 /// reader of its format has it, no format that Amble knows, no person's skeleton.
 CapturedMotion readMotion(const std::filesystem::path& file, const MotionReadOptions& options = {});
-
-/// The ASF beside an AMC: that of the same name; else the one whose name the AMC's begins with, the
-/// longest; else the only one of the same subject (what stands before the first `_` or `-`); else
-/// the only one. @throws InputError where none or several are left.
-std::filesystem::path findAsf(const std::filesystem::path& amc);
+/// The same; nothing where the file holds meshes without an animation.
+std::optional<CapturedMotion> readMotionIfAny(const std::filesystem::path& file,
+                                              const MotionReadOptions& options = {});
 
 /// Whether the name ends as one of a format that readMotion() reads.
 bool isMotionFile(const std::filesystem::path& file);

@@ -24,11 +24,12 @@ constexpr int kLimb = 3;
 // Keys that lie evenly to that share of their distance are a file's frames [1].
 constexpr double kEven = 0.02;
 
-constexpr double kUsualFrameTime = 1.0 / 30.0;  // of uneven keys [s]
+constexpr double kUsualFrameTime = 1.0 / 30.0;  // of uneven or sparse keys [s]
 
-// A key time beyond that, or keys closer than a microsecond, are no animation's [s].
-constexpr double kMaxTime = 1e6;
-constexpr double kMinFrameTime = 1e-6;
+// Keys farther apart are not frames, but what movement goes on between [s].
+constexpr double kSparse = 1.0 / 20.0;
+
+constexpr double kMaxTime = 1e6;  // a key beyond that is no animation's [s]
 
 /// Index of the key before `t`, and how far between it and the next `t` is [0, 1].
 std::pair<size_t, double> placeIn(const std::vector<double>& times, double t) {
@@ -40,18 +41,40 @@ std::pair<size_t, double> placeIn(const std::vector<double>& times, double t) {
   return {i, span > 0.0 ? (t - times[i]) / span : 0.0};
 }
 
+/// Hermite's spline from one value to the next, `part` of the time between them, with the slopes
+/// there times that time.
+template <typename V>
+V hermite(const V& from, const V& out, const V& to, const V& in, double part) {
+  const double p2 = part * part, p3 = p2 * part;
+  return (2.0 * p3 - 3.0 * p2 + 1.0) * from + (p3 - 2.0 * p2 + part) * out +
+         (3.0 * p2 - 2.0 * p3) * to + (p3 - p2) * in;
+}
+
 Eigen::Vector3d valueAt(const KeyTrack<Eigen::Vector3d>& track, double t,
                         const Eigen::Vector3d& otherwise) {
   if (track.times.empty()) return otherwise;
   const auto [i, part] = placeIn(track.times, t);
-  if (part == 0.0) return track.values[i];
+  if (part == 0.0 || track.shape == KeyShape::kStep) return track.values[i];
+  const double span = track.times[i + 1] - track.times[i];
+  if (track.shape == KeyShape::kCubic) {
+    return hermite<Eigen::Vector3d>(track.values[i], span * track.out[i], track.values[i + 1],
+                                    span * track.in[i + 1], part);
+  }
   return (1.0 - part) * track.values[i] + part * track.values[i + 1];
 }
 
 Eigen::Quaterniond valueAt(const KeyTrack<Eigen::Quaterniond>& track, double t) {
   if (track.times.empty()) return Eigen::Quaterniond::Identity();
   const auto [i, part] = placeIn(track.times, t);
-  if (part == 0.0) return track.values[i];
+  if (part == 0.0 || track.shape == KeyShape::kStep) return track.values[i].normalized();
+  const double span = track.times[i + 1] - track.times[i];
+  if (track.shape == KeyShape::kCubic) {
+    return Eigen::Quaterniond(hermite<Eigen::Vector4d>(track.values[i].coeffs(),
+                                                       span * track.out[i].coeffs(),
+                                                       track.values[i + 1].coeffs(),
+                                                       span * track.in[i + 1].coeffs(), part))
+        .normalized();
+  }
   return track.values[i].slerp(part, track.values[i + 1]);
 }
 
@@ -70,6 +93,13 @@ Eigen::Quaterniond rotationOf(const Eigen::Affine3d& X) {
   return Eigen::Quaterniond(R).normalized();
 }
 
+bool finiteSlope(const Eigen::Vector3d& slope) {
+  return slope.allFinite() && slope.cwiseAbs().maxCoeff() <= kMaxCaptureNumber;
+}
+bool finiteSlope(const Eigen::Quaterniond& slope) {
+  return slope.coeffs().allFinite() && slope.coeffs().cwiseAbs().maxCoeff() <= kMaxCaptureNumber;
+}
+
 class NodeSampler {
  public:
   NodeSampler(const AnimatedNodes& scene, const std::string& file) : scene_(scene), file_(file) {}
@@ -86,6 +116,7 @@ class NodeSampler {
   int frameCount(double begin, double end, double frame_time) const;
   std::vector<Joint> restJoints();
   std::pair<double, double> timeSpan() const;
+  double keyDistance() const;
   double ownFrameTime() const;
   template <typename Visit>
   void visitTimes(Visit visit) const;
@@ -112,7 +143,10 @@ void NodeSampler::requireGoodTrack(const KeyTrack<T>& track, const std::string& 
       good = good && track.values[i].allFinite() &&
              track.values[i].cwiseAbs().maxCoeff() <= kMaxCaptureNumber;
     } else {
-      good = good && track.values[i].coeffs().allFinite();
+      good = good && track.values[i].coeffs().allFinite() && track.values[i].norm() > 0.5;
+    }
+    if (good && track.shape == KeyShape::kCubic) {
+      good = finiteSlope(track.in[i]) && finiteSlope(track.out[i]);
     }
     if (!good) {
       throw InputError(file_, 0, "key " + std::to_string(i) + " of '" + node + "' is none",
@@ -270,19 +304,25 @@ std::pair<double, double> NodeSampler::timeSpan() const {
   throw InputError(file_, 0, "holds no animation", "animated nodes of a skeleton");
 }
 
-/// The distance of the keys where most of them lie, if that is even.
-double NodeSampler::ownFrameTime() const {
-  if (scene_.frame_time > 0.0) return scene_.frame_time;
+/// The distance of the keys where most of them lie, if that is even; 0 where it is not.
+double NodeSampler::keyDistance() const {
   const std::vector<double>* most = nullptr;
   visitTimes([&most](const std::vector<double>& times) {
     if (most == nullptr || times.size() > most->size()) most = &times;
   });
-  if (most == nullptr || most->size() < 3) return kUsualFrameTime;
+  if (most == nullptr || most->size() < 3) return 0.0;
   const double mean = (most->back() - most->front()) / static_cast<double>(most->size() - 1);
   for (size_t i = 1; i < most->size(); ++i) {
-    if (std::abs((*most)[i] - (*most)[i - 1] - mean) > kEven * mean) return kUsualFrameTime;
+    if (std::abs((*most)[i] - (*most)[i - 1] - mean) > kEven * mean) return 0.0;
   }
-  return mean > kMinFrameTime ? mean : kUsualFrameTime;
+  return mean;
+}
+
+/// The file's frames, or its keys; between sparse keys so many more that every key is a frame.
+double NodeSampler::ownFrameTime() const {
+  const double own = scene_.frame_time > 0.0 ? scene_.frame_time : keyDistance();
+  if (!(own >= kMinFrameTime)) return kUsualFrameTime;
+  return own > kSparse ? own / std::ceil(own / kUsualFrameTime - kEven) : own;
 }
 
 /// Good numbers may still multiply to none.
@@ -345,7 +385,33 @@ Clip NodeSampler::sample(std::optional<double> frame_time) {
   return clip;
 }
 
+/// Largest distance of a track's values from its first.
+double turnOf(const KeyTrack<Eigen::Quaterniond>& track) {
+  double most = 0.0;
+  for (const Eigen::Quaterniond& q : track.values) {
+    most = std::max(most, track.values[0].angularDistance(q));
+  }
+  return most;
+}
+double wayOf(const KeyTrack<Eigen::Vector3d>& track) {
+  double most = 0.0;
+  for (const Eigen::Vector3d& p : track.values) most = std::max(most, (track.values[0] - p).norm());
+  return most;
+}
+
 }  // namespace
+
+double movementIn(const NodeTake& take) {
+  double turns = 0.0, ways = 0.0, longest = 0.0;
+  for (const NodeTracks& tracks : take.tracks) {
+    turns += turnOf(tracks.rotations);
+    ways += wayOf(tracks.translations);
+    for (const Eigen::Vector3d& p : tracks.translations.values) {
+      longest = std::max(longest, p.norm());
+    }
+  }
+  return turns + (longest > 0.0 ? ways / longest : 0.0);
+}
 
 Clip clipOfNodes(const AnimatedNodes& scene, const std::string& file,
                  std::optional<double> frame_time) {

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "base/error.h"
@@ -12,6 +13,45 @@ namespace {
 constexpr size_t kMaxQuoted = 40;  // longest piece of a file that a message shows [bytes]
 
 bool isBlank(char c) { return c != '\n' && isSpace(c); }
+
+/// A piece of a file as a message may show it: its control bytes and what is no ASCII are dots.
+std::string quoted(std::string_view text) {
+  std::string shown(text.substr(0, kMaxQuoted));
+  for (char& c : shown) {
+    if (c < ' ' || c == '\x7F') c = '.';
+  }
+  return "'" + shown + (text.size() > kMaxQuoted ? "..." : "") + "'";
+}
+
+// Whole numbers up to 10^15 and powers of ten up to 10^15 are doubles without rounding, so that
+// their quotient is the nearest double (Clinger 1990).
+constexpr int kExactDigits = 15;
+constexpr double kPowers[kExactDigits + 1] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                              1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+
+/// A number as captures have them, `-12.345678` with a blank behind it, and where it ends; null for
+/// any other.
+const char* parsePlain(const char* at, const char* end, double& value) {
+  const bool negative = at != end && *at == '-';
+  at += negative;
+  int64_t digits = 0;
+  int count = 0, point = -1;
+  for (; at != end && count <= kExactDigits; ++at) {
+    if (*at >= '0' && *at <= '9') {
+      digits = 10 * digits + (*at - '0');
+      ++count;
+    } else if (*at == '.' && point < 0) {
+      point = count;
+    } else {
+      break;
+    }
+  }
+  if (count == 0 || count > kExactDigits || at == end || !isSpace(*at)) return nullptr;
+  value = static_cast<double>(digits);
+  if (point >= 0) value /= kPowers[count - point];
+  if (negative) value = -value;
+  return at;
+}
 
 }  // namespace
 
@@ -74,6 +114,16 @@ void TextCursor::expectLabel(std::string_view label) {
 }
 
 double TextCursor::parseNumber(double max) {
+  double plain = 0.0;
+  const char* const after = parsePlain(at_, end_, plain);
+  if (after != nullptr && std::abs(plain) <= max) {
+    at_ = after;
+    return plain;
+  }
+  return parseAnyNumber(max);
+}
+
+double TextCursor::parseAnyNumber(double max) {
   const char* begin = at_;
   // from_chars knows no plus sign.
   const bool plus = *at_ == '+' && remaining() > 1 && at_[1] != '-';
@@ -139,8 +189,7 @@ void TextCursor::fail(const std::string& problem, const std::string& expected) c
 }
 
 void TextCursor::failAt(std::string_view word, const std::string& expected) const {
-  const std::string quoted(word.substr(0, kMaxQuoted));
-  fail("'" + quoted + (word.size() > kMaxQuoted ? "..." : "") + "'", expected);
+  fail(quoted(word), expected);
 }
 
 }  // namespace amble

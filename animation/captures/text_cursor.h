@@ -52,6 +52,7 @@ class TextCursor {
   void skipBlanks();
   void skipSpace();
   double parseNumber(double max);
+  double parseAnyNumber(double max);
 
   const char* at_;
   const char* end_;

@@ -210,10 +210,44 @@ inline std::string colladaOf(const Clip& clip, double metres_per_unit, bool z_up
          "url=\"#s\"/></scene></COLLADA>\n";
 }
 
+/// What Maya and Mixamo put around a bone's own turn (Autodesk's FBX SDK, "Computing transformation
+/// matrices"): X = T Roff Rp Rpre R Rpost^-1 Rp^-1.
+struct FbxPivot {
+  Eigen::Vector3d pre = Eigen::Vector3d::Zero(), post = Eigen::Vector3d::Zero();  // [rad], x y z
+  Eigen::Vector3d pivot = Eigen::Vector3d::Zero(), offset = Eigen::Vector3d::Zero();
+
+  static Eigen::Quaterniond turn(const Eigen::Vector3d& xyz) {
+    return fromEuler({xyz[2], xyz[1], xyz[0]}, {'Z', 'Y', 'X'});
+  }
+  Eigen::Quaterniond R(const Eigen::Quaterniond& whole) const {
+    return turn(pre).conjugate() * whole * turn(post);
+  }
+  Eigen::Vector3d T(const Eigen::Vector3d& place, const Eigen::Quaterniond& whole) const {
+    return place - offset - pivot + whole * pivot;
+  }
+  std::string properties() const {
+    const auto line = [](const std::string& name, const Eigen::Vector3d& v) {
+      return "P: \"" + name + "\", \"Vector3D\", \"Vector\", \"\"," + digits(v.x()) + "," +
+             digits(v.y()) + "," + digits(v.z()) + "\n";
+    };
+    return "P: \"RotationActive\", \"bool\", \"\", \"\",1\n" + line("PreRotation", pre / kDegree) +
+           line("PostRotation", post / kDegree) + line("RotationPivot", pivot) +
+           line("RotationOffset", offset);
+  }
+};
+
+struct FbxMake {
+  double metres_per_unit = 0.01;
+  bool z_up = false;
+  bool animated = true;  ///< without it the file has its joints and no animation
+  std::function<FbxPivot(int joint)> pivot = {};
+};
+
 /// X, Y and Z curves of a joint's places or turns, and what they hang on. Identities: of a
 /// joint's model 1000 + j, of its curve nodes 2000 and 3000 + j, of their curves 10 times that
 /// and the axis.
-inline std::string fbxCurves(const NodeFrames& file, int joint, bool turns, std::string& links) {
+inline std::string fbxCurves(const NodeFrames& file, int joint, const FbxPivot& pivot, bool turns,
+                             std::string& links) {
   constexpr double kTicks = 46186158000.0;  // a second of FBX
   const int node = (turns ? 3000 : 2000) + joint;
   std::vector<Eigen::Vector3d> values;
@@ -222,10 +256,10 @@ inline std::string fbxCurves(const NodeFrames& file, int joint, bool turns, std:
     if (turns) {
       // R = Rz Ry Rx, x first about fixed axes; Lcl Rotation is x, y, z.
       const RotationOrder order = {'Z', 'Y', 'X'};
-      last = unwrapEuler(toEuler(file.rotation(i, joint), order), last);
+      last = unwrapEuler(toEuler(pivot.R(file.rotation(i, joint)), order), last);
       values.push_back(Eigen::Vector3d(last[2], last[1], last[0]) / kDegree);
     } else {
-      values.push_back(file.translation(i, joint));
+      values.push_back(pivot.T(file.translation(i, joint), file.rotation(i, joint)));
     }
   }
   const std::string count = std::to_string(file.frames());
@@ -251,9 +285,10 @@ inline std::string fbxCurves(const NodeFrames& file, int joint, bool turns, std:
   return text;
 }
 
-/// ASCII FBX 7.4. @param animated  without it the file has its joints and no animation.
-inline std::string fbxOf(const Clip& clip, double metres_per_unit, bool z_up,
-                         bool animated = true) {
+/// ASCII FBX 7.4.
+inline std::string fbxOf(const Clip& clip, const FbxMake& make) {
+  const double metres_per_unit = make.metres_per_unit;
+  const bool z_up = make.z_up, animated = make.animated;
   const NodeFrames file{clip, z_up ? Eigen::Quaterniond::Identity() : yUpToWorld().conjugate(),
                         1.0 / metres_per_unit};
   const auto setting = [](const std::string& name, const std::string& type, double value) {
@@ -261,19 +296,21 @@ inline std::string fbxOf(const Clip& clip, double metres_per_unit, bool z_up,
   };
   std::string objects, links;
   for (int j = 0; j < file.joints(); ++j) {
-    const Eigen::Vector3d p = file.translation(0, j);
-    const Eigen::Vector3d turn = toEuler(file.restRotation(j), {'Z', 'Y', 'X'}) / kDegree;
+    const FbxPivot pivot = make.pivot ? make.pivot(j) : FbxPivot{};
+    const Eigen::Vector3d p = pivot.T(file.translation(0, j), file.restRotation(j));
+    const Eigen::Vector3d turn = toEuler(pivot.R(file.restRotation(j)), {'Z', 'Y', 'X'}) / kDegree;
     const int parent = clip.skeleton.joint(j).parent;
     objects += "Model: " + std::to_string(1000 + j) + ", \"Model::" + file.name(j) +
                "\", \"LimbNode\" {\nVersion: 232\nProperties70: {\nP: \"Lcl Translation\", \"Lcl "
                "Translation\", \"\", \"A\"," +
                digits(p.x()) + "," + digits(p.y()) + "," + digits(p.z()) +
                "\nP: \"Lcl Rotation\", \"Lcl Rotation\", \"\", \"A\"," + digits(turn[2]) + "," +
-               digits(turn[1]) + "," + digits(turn[0]) + "\n}\n}\n";
+               digits(turn[1]) + "," + digits(turn[0]) + "\n" +
+               (make.pivot ? pivot.properties() : "") + "}\n}\n";
     links += "C: \"OO\"," + std::to_string(1000 + j) + "," +
              (parent < 0 ? "0" : std::to_string(1000 + parent)) + "\n";
     if (!animated) continue;
-    objects += fbxCurves(file, j, false, links) + fbxCurves(file, j, true, links);
+    objects += fbxCurves(file, j, pivot, false, links) + fbxCurves(file, j, pivot, true, links);
   }
   if (animated) {
     objects +=

@@ -98,7 +98,7 @@ TEST_F(Convert, IsAFilter) {
 TEST_F(Convert, EveryFormatGivesTheSameMotion) {
   write("in/walk.gltf", gltfOf(walk_));
   write("in/walk.dae", colladaOf(walk_, 0.0254, true));
-  write("in/walk.fbx", fbxOf(walk_, 0.01, false));
+  write("in/walk.fbx", fbxOf(walk_, {0.01, false}));
   for (const char* const format : {"gltf", "dae", "fbx"}) {
     const std::string name = format;
     const Ran ran = run("convert in/walk." + name + " -o " + name + ".bvh");

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -82,17 +83,71 @@ TEST(BvhReader, RefusesUnknownAndDoubledChannels) {
       refusal(replaced(kSmall, "CHANNELS 3", "CHANNELS 2")).starts_with("test.bvh:9: 'Yrotation'"));
 }
 
-TEST(BvhReader, RefusesFrameCountsThatDisagreeWithTheData) {
+TEST(BvhReader, RefusesFewerFramesThanTheFileSays) {
   EXPECT_EQ(refusal(replaced(kSmall, "Frames: 2", "Frames: 3")),
             "test.bvh:21: the file ends after frame 2; expected 3 as line 17 says");
-  EXPECT_EQ(refusal(replaced(kSmall, "Frames: 2", "Frames: 1")),
-            "test.bvh:20: more lines than frames; expected 1 as line 17 says");
   EXPECT_EQ(refusal(replaced(kSmall, "4 5 6 11", "4 5 6")),
             "test.bvh:20: 8 numbers in a frame; expected 9");
-  EXPECT_EQ(refusal(kSmall + "\n\nrubbish\n"),
-            "test.bvh:23: more lines than frames; expected 2 as line 17 says");
+  EXPECT_EQ(refusal(kSmall + "\n\nrubbish\n"), "test.bvh:23: 'rubbish'; expected a finite number");
   EXPECT_EQ(refusal(replaced(kSmall, "4 5 6", "4 5 6 7")),
             "test.bvh:20: too many numbers in a frame; expected 9");
+}
+
+TEST(BvhReader, ReadsAllFramesWhereThereAreMoreThanTheFileSays) {
+  for (const char* const says : {"Frames: 1", "Frames: 0"}) {
+    BvhNotes notes;
+    EXPECT_EQ(parseBvh(replaced(kSmall, "Frames: 2", says), "test.bvh", {}, &notes).frames(), 2);
+    ASSERT_EQ(notes.warnings.size(), 1u);
+    EXPECT_EQ(notes.warnings[0],
+              "holds 2 frames, not " + std::string(says).substr(8) + " as line 17 says");
+  }
+}
+
+TEST(BvhReader, FrameTimesThatCannotBeAreRefusedWithWhatWouldDo) {
+  for (const char* const bad : {"1e9", "1e-12", "1e-300", "1000", "5", "0.00009"}) {
+    const std::string error = refusal(replaced(kSmall, "0.0333333", bad));
+    EXPECT_TRUE(error.starts_with("test.bvh:18: frame time ")) << error;
+    EXPECT_NE(error.find("expected 0.0001 to 1 s, or a rate given by --file-fps"), error.npos);
+    const Clip clip = read(replaced(kSmall, "0.0333333", bad), {.frame_time = 0.01});
+    EXPECT_EQ(clip.frame_time, 0.01) << "the caller's holds whatever the file says";
+  }
+}
+
+TEST(BvhReader, ARateInPlaceOfAFrameTimeIsTakenAsOneAndTold) {
+  BvhNotes notes;
+  const Clip clip = parseBvh(replaced(kSmall, "0.0333333", "30"), "test.bvh", {}, &notes);
+  EXPECT_EQ(clip.frame_time, 1.0 / 30.0);
+  EXPECT_TRUE(notes.frame_time_guessed);
+  ASSERT_EQ(notes.warnings.size(), 1u);
+  EXPECT_NE(notes.warnings[0].find("line 18: frame time 30 s is taken as 30 frames a second"),
+            std::string::npos);
+}
+
+TEST(BvhReader, WhatOldProgramsPutBehindTheLastLineIsPassedOver) {
+  for (const std::string& behind :
+       {std::string(1, '\0'), std::string("\x1A"), std::string("\x1A\0\0", 3)}) {
+    BvhNotes notes;
+    EXPECT_EQ(parseBvh(kSmall + behind, "test.bvh", {}, &notes).frames(), 2);
+    EXPECT_EQ(notes.warnings.size(), behind.size() == 1 ? 1u : 2u);
+  }
+}
+
+TEST(BvhReader, LinesThatEndInCrAloneAreRead) {
+  std::string mac = kSmall;
+  std::replace(mac.begin(), mac.end(), '\n', '\r');
+  BvhNotes notes;
+  const Clip clip = parseBvh(mac, "test.bvh", {}, &notes), unix = read(kSmall);
+  EXPECT_EQ(clip.poses.p_WR(1), unix.poses.p_WR(1));
+  ASSERT_EQ(notes.warnings.size(), 1u);
+  EXPECT_NE(notes.warnings[0].find("CR alone"), std::string::npos);
+}
+
+TEST(BvhReader, Utf16IsRefusedByName) {
+  std::string wide = "\xFF\xFE";
+  for (const char c : kSmall) wide += {c, '\0'};
+  EXPECT_EQ(refusal(wide), "test.bvh:1: the text is UTF-16; expected ASCII or UTF-8");
+  EXPECT_EQ(refusal(wide.substr(2)),
+            "test.bvh:1: the text is UTF-16 without its mark; expected ASCII or UTF-8");
 }
 
 TEST(BvhReader, RefusesNumbersThatAreNoneOrNotFinite) {

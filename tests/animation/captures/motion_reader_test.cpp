@@ -7,6 +7,7 @@
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
 #include "animation/captures/bvh.h"
+#include "animation/captures/find_asf.h"
 #include "base/error.h"
 #include "base/rotation.h"
 #include "tests/animation/captures.h"

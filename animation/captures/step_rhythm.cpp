@@ -1,0 +1,109 @@
+#include "animation/captures/step_rhythm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "animation/body/pelvis.h"
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+// A foot has passed the other when it is so far in front of where it was behind: far above what
+// noise does, far below a step. By trial. [leg lengths]
+constexpr double kPassed = 0.12;
+
+// Of a shuffle, or a sway from foot to foot, cadence says nothing. [leg lengths/s]
+constexpr double kWalking = 0.4;
+
+constexpr double kAdultLeg = 0.83;  // thigh + shank at a stature of 1.7 m (Winter) [m]
+
+/// What the rhythm needs of a clip, by frame.
+struct FeetTrack {
+  std::vector<double> ahead;  // left foot before the right along the pelvis' heading
+  std::vector<double> lower;  // the lower foot before the pelvis
+  std::vector<int> side;      // which foot is the lower one
+  std::vector<Eigen::Vector3d> pelvis;
+};
+
+FeetTrack trackFeet(const Clip& clip, const JointRoles& roles) {
+  FeetTrack track;
+  std::vector<JointFrame> joints(clip.skeleton.size());
+  for (int i = 0; i < clip.frames(); ++i) {
+    forwardKinematics(clip, i, joints);
+    const double heading = pelvisHeading(joints, roles);
+    const Eigen::Vector3d forward(std::cos(heading), std::sin(heading), 0.0);
+    const Eigen::Vector3d pelvis =
+        0.5 * (joints[roles.legs[kLeft].up_leg].p_WJ + joints[roles.legs[kRight].up_leg].p_WJ);
+    const Eigen::Vector3d left = joints[roles.legs[kLeft].foot].p_WJ;
+    const Eigen::Vector3d right = joints[roles.legs[kRight].foot].p_WJ;
+    const bool left_is_lower = left.z() < right.z();
+    track.ahead.push_back(forward.dot(left - right));
+    track.lower.push_back(forward.dot((left_is_lower ? left : right) - pelvis));
+    track.side.push_back(left_is_lower ? kLeft : kRight);
+    track.pelvis.push_back(pelvis);
+  }
+  return track;
+}
+
+/// Frames at which the feet pass one another: `ahead` goes through its mean, by at least `least` on
+/// both sides.
+std::vector<int> passings(const std::vector<double>& ahead, double least) {
+  double mean = 0.0;
+  for (const double x : ahead) mean += x / static_cast<double>(ahead.size());
+  std::vector<int> frames;
+  int last = 0;
+  for (size_t i = 0; i < ahead.size(); ++i) {
+    const double x = ahead[i] - mean;
+    const int side = x > least ? 1 : x < -least ? -1 : 0;
+    if (side == 0 || side == last) continue;
+    if (last != 0) frames.push_back(static_cast<int>(i));
+    last = side;
+  }
+  return frames;
+}
+
+/// Median speed at which the lower foot goes back under the pelvis [file units/frame].
+double groundSpeed(const FeetTrack& track, int first, int last) {
+  std::vector<double> speeds;
+  for (int i = first; i < last; ++i) {
+    if (track.side[i] == track.side[i + 1]) speeds.push_back(track.lower[i] - track.lower[i + 1]);
+  }
+  if (speeds.empty()) return 0.0;
+  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), middle, speeds.end());
+  return *middle;
+}
+
+}  // namespace
+
+StepRhythm stepRhythm(const Clip& clip, const JointRoles& roles) {
+  const double leg =
+      0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
+  StepRhythm rhythm;
+  if (clip.frames() < 2 || !(leg > 0.0)) return rhythm;
+  const FeetTrack track = trackFeet(clip, roles);
+  const std::vector<int> passed = passings(track.ahead, kPassed * leg);
+  rhythm.steps = static_cast<int>(passed.size());
+  if (passed.size() < 2) return rhythm;
+  const int first = passed.front(), last = passed.back();
+  const double time = (last - first) * clip.frame_time;
+  rhythm.cadence = static_cast<double>(passed.size() - 1) / time;
+  // From step to step: what sways in between is no way.
+  double way = 0.0;
+  for (size_t i = 1; i < passed.size(); ++i) {
+    way += (track.pelvis[passed[i]] - track.pelvis[passed[i - 1]]).head<2>().norm();
+  }
+  rhythm.speed = way / (time * leg);
+  rhythm.ground_speed = groundSpeed(track, first, last) / (clip.frame_time * leg);
+  return rhythm;
+}
+
+double cadenceOverUsual(const StepRhythm& rhythm, double leg) {
+  if (rhythm.speed < kWalking) return 0.0;
+  const double usual = 0.743 * std::sqrt(rhythm.speed) * std::pow(kAdultLeg / leg, 0.25);
+  return 0.5 * rhythm.cadence / usual;
+}
+
+}  // namespace amble
