@@ -11,8 +11,9 @@ namespace amble {
 namespace {
 
 /// What the joint of a limb is called in the common rigs, without its side, lower case. Earlier
-/// names win: where a rig has both a `Shoulder` and an `Arm` the first is the clavicle, where it
-/// has a `Collar` and a `Shoulder` the second is the arm.
+/// names win: longer ones before those that they end in (`lowerleg` before `leg`), and where a rig
+/// has both a `Shoulder` and an `Arm` the first is the clavicle, where it has a `Collar` and a
+/// `Shoulder` the second is the arm.
 struct LimbNames {
   const char* role;
   std::vector<const char*> names;
@@ -20,15 +21,15 @@ struct LimbNames {
 
 const std::array<LimbNames, 8>& limbNames() {
   static const std::array<LimbNames, 8> kNames = {{
-      {"up_leg", {"upleg", "thigh", "femur", "upperleg", "hip"}},
-      {"leg", {"leg", "shin", "calf", "tibia", "lowerleg", "knee"}},
+      {"up_leg", {"upperleg", "upleg", "thigh", "femur", "hip"}},
+      {"leg", {"lowerleg", "lowleg", "loleg", "shin", "calf", "tibia", "knee", "leg"}},
       {"foot", {"foot", "ankle", "talocrural"}},
       {"toe",
        {"toebase", "toes", "toe0", "toe", "ball", "metatarsophalangeal", "metatarsal",
         "midtarsal"}},
-      {"arm", {"arm", "shldr", "humerus", "upperarm", "shoulder"}},
+      {"fore_arm", {"forearm", "lowerarm", "lowarm", "loarm", "radius", "elbow"}},
+      {"arm", {"upperarm", "uparm", "shldr", "humerus", "arm", "shoulder"}},
       {"shoulder", {"collar", "clavicle", "sternoclavicular", "shoulder"}},
-      {"fore_arm", {"forearm", "radius", "lowerarm", "elbow"}},
       {"hand", {"wrist", "hand", "radiocarpal"}},
   }};
   return kNames;
@@ -60,23 +61,45 @@ std::vector<std::string> wordsOf(const std::string& name) {
   return words;
 }
 
+/// The words without the numbers that programs put behind names which are there already:
+/// `LeftFoot.001`, `L_Foot_2`, `LeftFoot1`.
+std::vector<std::string> withoutNumber(std::vector<std::string> words) {
+  const auto digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  while (!words.empty()) {
+    std::string& last = words.back();
+    while (!last.empty() && digit(last.back())) last.pop_back();
+    if (!last.empty()) break;
+    words.pop_back();
+  }
+  return words;
+}
+
+/// The words of each joint's name.
+using JointWords = std::vector<std::vector<std::string>>;
+
 class RoleGuess {
  public:
-  explicit RoleGuess(const Skeleton& skeleton) : skeleton_(skeleton) {
-    for (const Joint& joint : skeleton.joints()) words_.push_back(wordsOf(joint.name));
+  explicit RoleGuess(const Skeleton& skeleton)
+      : skeleton_(skeleton), taken_(skeleton.size(), false) {
+    for (const Joint& joint : skeleton.joints()) {
+      words_.push_back(wordsOf(joint.name));
+      bare_words_.push_back(withoutNumber(words_.back()));
+    }
   }
   JointRoles guess();
 
  private:
   int named(const std::string& name) const;
-  int limbJoint(Side side, const LimbNames& limb, int except) const;
+  std::vector<int> endingIn(const std::string& name, const JointWords& words) const;
+  int limbJoint(Side side, const LimbNames& limb) const;
   void guessLimbs(Side side);
   void guessTrunk();
   int commonAncestor(int a, int b) const;
   int childTowards(int ancestor, int joint) const;
 
   const Skeleton& skeleton_;
-  std::vector<std::vector<std::string>> words_;  // by joint
+  JointWords words_, bare_words_;
+  std::vector<bool> taken_;  // by joint: it has a role in a limb
   JointRoles roles_;
 };
 
@@ -88,41 +111,48 @@ JointRoles RoleGuess::guess() {
   return roles_;
 }
 
-/// The joint whose last words are `name`, with the fewest words before them; -1 for none.
-int RoleGuess::named(const std::string& name) const {
-  int best = -1;
+/// Joints without a role whose last words are `name`, with the fewest words before them.
+std::vector<int> RoleGuess::endingIn(const std::string& name, const JointWords& words) const {
+  std::vector<int> joints;
   size_t best_left = std::numeric_limits<size_t>::max();
   for (int j = 0; j < skeleton_.size(); ++j) {
     std::string tail;
-    for (size_t left = words_[j].size(); left-- > 0 && tail.size() < name.size();) {
-      tail.insert(0, words_[j][left]);
-      if (tail == name && left < best_left) {
-        best = j;
-        best_left = left;
-      }
+    for (size_t left = words[j].size(); left-- > 0 && tail.size() < name.size();) {
+      tail.insert(0, words[j][left]);
+      if (tail != name || left > best_left || taken_[j]) continue;
+      if (left < best_left) joints.clear();
+      best_left = left;
+      joints.push_back(j);
     }
   }
-  return best;
+  return joints;
 }
 
-int RoleGuess::limbJoint(Side side, const LimbNames& limb, int except) const {
+/// The first joint of that name; else the only one that has it with a number behind. -1 for none.
+int RoleGuess::named(const std::string& name) const {
+  const std::vector<int> exact = endingIn(name, words_);
+  if (!exact.empty()) return exact[0];
+  const std::vector<int> numbered = endingIn(name, bare_words_);
+  return numbered.size() == 1 ? numbered[0] : -1;
+}
+
+int RoleGuess::limbJoint(Side side, const LimbNames& limb) const {
   const std::string whole = kSideNames[side];
   const std::string letter = whole.substr(0, 1);
   for (const char* const name : limb.names) {
     for (const std::string& full : {whole + name, letter + name, name + whole, name + letter}) {
       const int joint = named(full);
-      if (joint >= 0 && joint != except) return joint;
+      if (joint >= 0) return joint;
     }
   }
   return -1;
 }
 
 void RoleGuess::guessLimbs(Side side) {
-  int arm = -1;
   for (const LimbNames& limb : limbNames()) {
-    const int joint = limbJoint(side, limb, arm);
+    const int joint = limbJoint(side, limb);
     setRole(roles_, std::string(kSideNames[side]) + "_" + limb.role, joint);
-    if (std::string_view(limb.role) == "arm") arm = joint;
+    if (joint >= 0) taken_[joint] = true;
   }
 }
 

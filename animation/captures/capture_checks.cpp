@@ -126,7 +126,9 @@ std::vector<std::string> captureWarnings(const Clip& clip, const JointRoles& rol
   const double jitter = jointJitter(clip);
   if (jitter > kNoisy) {
     warnings.push_back(
-        fmt::format("noisy: joints shake by {:.1f} degrees from frame to frame", jitter / kDegree));
+        fmt::format("noisy: joints shake by {:.1f} degrees from frame to frame; "
+                    "what is measured is smoothed",
+                    jitter / kDegree));
   }
   const StepRhythm rhythm = stepRhythm(clip, roles);
   const double leg = meanLeg(clip, roles);

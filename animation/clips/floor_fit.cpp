@@ -1,7 +1,10 @@
 #include "animation/clips/floor_fit.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "animation/body/foot_shape.h"
@@ -17,16 +20,27 @@ constexpr double kStandingSpeed = 0.3;
 // across says nothing.
 constexpr double kLevelSpread = 0.2;
 
+// A capture's floor is not tilted by more [rad].
+constexpr double kMostTilt = 3.0 * kDegree;
+// Fewer places where a foot stood span no plane; what tilt they show is not the floor's, from this
+// on [1], [rad].
+constexpr int kFewestPlants = 3;
+constexpr double kTiltOfFew = 1.5 * kDegree;
+
 std::vector<Eigen::Vector3d> standingAnkles(const FootPaths& paths,
-                                            const std::array<double, 2>& legs, double frame_time) {
+                                            const std::array<double, 2>& legs, double frame_time,
+                                            int& plants) {
   std::vector<Eigen::Vector3d> standing;
   for (const Side side : {kLeft, kRight}) {
     const Eigen::MatrixXd& path = paths[side];
+    Eigen::Index last = -2;  // the frame in which it last stood
     const double slow = kStandingSpeed * legs[side] * 2.0 * frame_time, limit = slow * slow;
     for (Eigen::Index i = 1; i + 1 < path.rows(); ++i) {
       const auto way = path.row(i + 1) - path.row(i - 1);
       if (way.head<3>().squaredNorm() < limit && way.tail<3>().squaredNorm() < limit) {
         standing.emplace_back(path.row(i).head<3>().transpose());
+        plants += i != last + 1;
+        last = i;
       }
     }
   }
@@ -40,12 +54,13 @@ FloorFit fitFloor(const Clip& clip, const JointRoles& roles) {
 }
 
 FloorFit fitFloor(const FootPaths& paths, const std::array<double, 2>& legs, double frame_time) {
-  const std::vector<Eigen::Vector3d> standing = standingAnkles(paths, legs, frame_time);
   FloorFit fit;
+  const std::vector<Eigen::Vector3d> standing = standingAnkles(paths, legs, frame_time, fit.plants);
   fit.samples = static_cast<int>(standing.size());
   if (standing.empty()) {
     if (paths[kLeft].rows() == 0) return fit;
     fit.height = std::min(paths[kLeft].col(2).minCoeff(), paths[kRight].col(2).minCoeff());
+    fit.ankle_mean = fit.height;
     return fit;
   }
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -61,10 +76,33 @@ FloorFit fitFloor(const FootPaths& paths, const std::array<double, 2>& legs, dou
   const Eigen::Vector2d slope = moments.ldlt().solve(rise);
   fit.normal = Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
   fit.height = fit.normal.dot(mean);
+  fit.ankle_mean = mean.z();
   double squares = 0.0;
   for (const auto& p : standing) squares += std::pow(fit.normal.dot(p) - fit.height, 2);
   fit.residual = std::sqrt(squares / static_cast<double>(standing.size()));
   return fit;
+}
+
+double FloorFit::tilt() const { return std::acos(std::clamp(normal.z(), 0.0, 1.0)); }
+
+std::string doubtOf(const FloorFit& floor) {
+  const double degrees = floor.tilt() / kDegree;
+  if (floor.tilt() > kMostTilt) {
+    return fmt::format("is tilted by {:.1f} degrees, as a ramp: it is left as it is", degrees);
+  }
+  if (floor.plants < kFewestPlants && floor.tilt() > kTiltOfFew) {
+    return fmt::format(
+        "looks tilted by {:.1f} degrees from {} places where a foot stood: it is left as it is",
+        degrees, floor.plants);
+  }
+  return "";
+}
+
+FloorFit levelPlane(const FloorFit& floor) {
+  FloorFit level = floor;
+  level.normal = Eigen::Vector3d::UnitZ();
+  level.height = floor.ankle_mean;
+  return level;
 }
 
 Clip levelClip(const Clip& clip, const FloorFit& floor, double ankle_height) {

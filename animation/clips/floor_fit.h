@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <string>
 
 #include "animation/body/clip.h"
 #include "animation/body/joint_roles.h"
@@ -13,10 +14,21 @@ namespace amble {
 /// The plane on which the ankles of standing feet lie, in World.
 struct FloorFit {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, up
-  double height = 0.0;    ///< of the ankles' plane above the origin, along the normal [m]
-  double residual = 0.0;  ///< rms distance of the ankles from it [m]
-  int samples = 0;        ///< standing feet that were found: frames, both feet counted
+  double height = 0.0;      ///< of the ankles' plane above the origin, along the normal [m]
+  double residual = 0.0;    ///< rms distance of the ankles from it [m]
+  int samples = 0;          ///< standing feet that were found: frames, both feet counted
+  int plants = 0;           ///< times that a foot stood
+  double ankle_mean = 0.0;  ///< mean height of the standing ankles, whatever the tilt [m]
+
+  double tilt() const;  ///< from level [rad, 0 to pi/2]
 };
+
+/// Why a clip should not be turned by a fit: a tilt of more than 3 degrees is a ramp's rather than
+/// a capture's (QUALITY.md: 1.2 at most), and one or two places where a foot stood span no floor.
+/// "" to trust it.
+std::string doubtOf(const FloorFit& floor);
+/// The level plane through the same ankles.
+FloorFit levelPlane(const FloorFit& floor);
 
 /// Least squares over frames in which a foot stands (ankle and toe slower than 0.3 leg lengths a
 /// second). The tilt is held towards level where the feet do not spread: a straight walk says

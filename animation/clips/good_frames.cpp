@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "animation/captures/capture_checks.h"
+
 namespace amble {
 namespace {
 
@@ -32,9 +34,8 @@ double quantile(std::vector<double> values, double share) {
   return *at;
 }
 
-}  // namespace
-
-GoodFrames goodFrames(const Clip& clip) {
+/// Where the clip begins to be motion.
+GoodFrames afterBadStart(const Clip& clip) {
   GoodFrames good{0, clip.frames() - 1};
   const int start = std::max(kFewestFrames, static_cast<int>(kStart / clip.frame_time));
   if (clip.frames() < 3 * start) return good;  // too short to say what is usual in it
@@ -51,6 +52,25 @@ GoodFrames goodFrames(const Clip& clip) {
   }
   return good;
 }
+
+/// The longest stretch without a jump of the root, the earliest of several.
+GoodFrames longestWithoutJump(const Clip& clip, const GoodFrames& all) {
+  GoodFrames longest{all.first, all.first};
+  int first = all.first;
+  const auto end = [&](int last) {
+    if (last - first > longest.last - longest.first) longest = {first, last};
+    first = last + 1;
+  };
+  for (const RootJump& jump : rootJumps(clip)) {
+    if (jump.frame >= all.first && jump.frame < all.last) end(jump.frame);
+  }
+  end(all.last);
+  return longest;
+}
+
+}  // namespace
+
+GoodFrames goodFrames(const Clip& clip) { return longestWithoutJump(clip, afterBadStart(clip)); }
 
 Clip trimmed(const Clip& clip, int first, int last) {
   Clip part{clip.name, clip.skeleton, clip.frame_time, PoseArray(clip.poses.joints()), {}};

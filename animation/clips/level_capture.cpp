@@ -1,7 +1,9 @@
 #include "animation/clips/level_capture.h"
 
 #include "animation/body/foot_shape.h"
+#include "animation/captures/capture_checks.h"
 #include "animation/clips/good_frames.h"
+#include "animation/clips/steady_clip.h"
 #include "base/error.h"
 
 namespace amble {
@@ -12,13 +14,16 @@ constexpr double kAnkleOfStature = 0.039;  // for rigs without a toe: Drillis & 
 }  // namespace
 
 Clip levelled(const Clip& clip, const JointRoles& roles, FloorFit* floor) {
-  const FloorFit fit = fitFloor(clip, roles);
+  const bool noisy = jointJitter(clip) > kNoisy;
+  const Clip steady = noisy ? steadied(clip) : Clip();
+  const Clip& seen = noisy ? steady : clip;
+  const FloorFit fit = fitFloor(seen, roles);
   if (floor != nullptr) *floor = fit;
   const double stature = statureOf(clip.skeleton, roles);
   const bool toes = roles.legs[kLeft].toe >= 0 && roles.legs[kRight].toe >= 0;
   const double ankle = toes ? makeFootShape(clip.skeleton, roles, kLeft, stature).ankle_height
                             : kAnkleOfStature * stature;
-  return levelClip(clip, fit, ankle);
+  return levelClip(seen, doubtOf(fit).empty() ? fit : levelPlane(fit), ankle);
 }
 
 LevelCapture readLevelCapture(const std::filesystem::path& file, const MotionReadOptions& options) {
@@ -29,6 +34,8 @@ LevelCapture readLevelCapture(const std::filesystem::path& file, const MotionRea
   const GoodFrames good = goodFrames(clip);
   capture.first_frame = good.first;
   clip = levelled(trimmed(clip, good.first, good.last), capture.motion.roles, &capture.floor);
+  const std::string doubt = doubtOf(capture.floor);
+  if (!doubt.empty()) capture.motion.warnings.push_back("the floor " + doubt);
   return capture;
 }
 

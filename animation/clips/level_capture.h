@@ -18,7 +18,8 @@ struct LevelCapture {
 LevelCapture readLevelCapture(const std::filesystem::path& file,
                               const MotionReadOptions& options = {});
 
-/// A clip, level on its fitted floor. @param floor  if not null, what was fitted
+/// A clip, level on its fitted floor, or where that is in doubt (floor_fit.h) only lifted onto it;
+/// a noisy one (capture_checks.h) is steadied before. @param floor  if not null, what was fitted
 Clip levelled(const Clip& clip, const JointRoles& roles, FloorFit* floor = nullptr);
 
 }  // namespace amble
