@@ -24,7 +24,7 @@ Clip steadied(const Clip& clip, double width) {
   const int reach = static_cast<int>(weights.size()) - 1;
   Clip steady = clip;
   for (int i = 0; i < clip.frames(); ++i) {
-    const auto here = clip.poses.rotations(i), out = steady.poses.rotations(i);
+    const std::span<const Eigen::Quaterniond> here = clip.poses.rotations(i);
     for (size_t j = 0; j < here.size(); ++j) {
       Eigen::Vector4d sum = Eigen::Vector4d::Zero();
       for (int k = std::max(0, i - reach); k <= std::min(clip.frames() - 1, i + reach); ++k) {
