@@ -26,6 +26,7 @@ struct Options {
   std::string junit;
   bool update = false, judge_times = false, json = false;
   int threads = 0;
+  size_t memory = GuardLimits{}.memory;  // [bytes]
 };
 
 void printRow(const CheckRow& row, int width) {
@@ -90,6 +91,7 @@ int run(const Options& options) {
   how.update = options.update;
   how.judge_times = options.judge_times;
   how.run.threads = options.threads;
+  how.run.memory = options.memory;
   how.run.stop = &stopFlag();
   how.run.progress = [&](const SearchProgress& at) {
     const double done = at.total > 0 ? static_cast<double>(at.done) / at.total : -1.0;
@@ -134,6 +136,7 @@ void addCheck(CLI::App& app, Command& chosen) {
   command->add_flag("--judge-times", options->judge_times, "Judge max_planning_time too");
   command->add_option("--threads", options->threads, "Threads; changes no result")
       ->check(wholeNumber(1, 64));
+  addMemoryOption(*command, options->memory);
   command->add_flag("--json", options->json, "Print results for machines");
   addExamples(*command, {"amble check scenarios/narrow-gap-070.yaml",
                          "amble check scenarios/narrow-gap-070.yaml --junit check.xml"});

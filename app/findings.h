@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "animation/captures/motion_reader.h"
+#include "environments/scene/scene.h"
 #include "scenarios/scenario.h"
 
 namespace amble {
@@ -24,8 +25,8 @@ struct Findings {
 /// To standard output: as text, or as one JSON list.
 void printFindings(const std::vector<Findings>& all, bool json);
 
-Findings inspectScene(const std::filesystem::path& file);
-Findings inspectMesh(const std::filesystem::path& file);
+Findings inspectScene(const std::filesystem::path& file, const LoadLimits& limits);
+Findings inspectMesh(const std::filesystem::path& file, const LoadLimits& limits);
 /// Nothing where a file that may hold meshes or motion holds no motion.
 std::optional<Findings> inspectClip(const std::filesystem::path& file,
                                     const MotionReadOptions& options);

@@ -8,26 +8,28 @@
 #include "app/command.h"
 #include "app/findings.h"
 #include "app/read_options.h"
+#include "app/stop.h"
 #include "base/strict_yaml.h"
 
 namespace amble {
 namespace {
 
-Findings inspectYaml(const std::filesystem::path& file) {
+Findings inspectYaml(const std::filesystem::path& file, const LoadLimits& limits) {
   const std::string text = readWholeFile(file, kAnyYaml);
   const YamlNode root = parseYaml(text, file.string());
   if (root.isMap()) {
     if (root.has("scene") || root.has("start")) return inspectScenario({file, text});
     if (root.has("motions")) return inspectLibrary(file);
-    if (root.has("objects")) return inspectScene(file);
+    if (root.has("objects")) return inspectScene(file, limits);
   }
   root.fail("no kind of file that Amble knows",
             "'objects:' of a scene, 'scene:' of a scenario or 'motions:' of a library");
 }
 
-Findings inspectFile(const std::filesystem::path& file, const MotionReadOptions& options) {
+Findings inspectFile(const std::filesystem::path& file, const MotionReadOptions& options,
+                     const LoadLimits& limits) {
   const std::string kind = lowerEnding(file);
-  if (kind == ".yaml" || kind == ".yml") return inspectYaml(file);
+  if (kind == ".yaml" || kind == ".yml") return inspectYaml(file, limits);
   const char* const meshes[] = {".obj", ".gltf", ".glb", ".ply", ".stl", ".dae", ".fbx", ".ifc"};
   const bool mesh = std::find(std::begin(meshes), std::end(meshes), kind) != std::end(meshes);
   // Some formats hold meshes, motion or both.
@@ -35,7 +37,7 @@ Findings inspectFile(const std::filesystem::path& file, const MotionReadOptions&
     std::optional<Findings> clip = inspectClip(file, options);
     if (clip || !mesh) return clip.value();
   }
-  if (mesh) return inspectMesh(file);
+  if (mesh) return inspectMesh(file, limits);
   throw InputError(file.string(), 0, "no kind of file that Amble knows",
                    ".yaml, .bvh, .amc, .obj, .gltf, .glb, .vrma, .ply, .stl, .dae, .fbx or .ifc");
 }
@@ -46,6 +48,7 @@ void addInspect(CLI::App& app, Command& chosen) {
   struct Options {
     std::vector<std::string> files;
     ReadOptions read;
+    LoadLimits limits;
     bool json = false;
   };
   const auto options = std::make_shared<Options>();
@@ -56,14 +59,16 @@ void addInspect(CLI::App& app, Command& chosen) {
                    "YAML, captures or mesh files; - is a BVH on standard input")
       ->required();
   addReadOptions(*command, options->read);
+  addMemoryOption(*command, options->limits.memory);
   command->add_flag("--json", options->json, "Print results for machines");
   addExamples(*command, {"amble inspect scenarios/living-room.yaml",
                          "amble inspect environments/scenes/living-room/scene.yaml --json"});
   command->callback([options, &chosen] {
     chosen = [options] {
+      options->limits.stop.flag = &stopFlag();
       std::vector<Findings> all;
       for (const std::string& file : options->files) {
-        all.push_back(inspectFile(file, options->read.forReader()));
+        all.push_back(inspectFile(file, options->read.forReader(), options->limits));
       }
       printFindings(all, options->json);
       return kExitDone;

@@ -4,7 +4,8 @@
 
 #include "app/findings.h"
 #include "base/rotation.h"
-#include "environments/ground/scene_ground.h"
+#include "environments/ground/ground_warnings.h"
+#include "environments/scene/mesh_reader.h"
 #include "environments/scene/scene.h"
 #include "scenarios/scenario.h"
 
@@ -59,7 +60,7 @@ int openComponents(const TriangleMesh& mesh) {
 void describeObject(const SceneObject& object, Findings& out) {
   const TriangleMesh world = worldMesh(object);
   const Eigen::AlignedBox3d box = boundsOf(world);
-  const std::string name = object.part.empty() ? object.name : object.name + " / " + object.part;
+  const std::string name = objectName(object);
   std::string text =
       fmt::format("{}, {}, {} m", shapeName(object.shape), roleName(object.role), sizeText(box));
   Json entry = {{"name", object.name},
@@ -83,8 +84,7 @@ void describeObject(const SceneObject& object, Findings& out) {
 }
 
 // Heights that can be stood on at the points of a grid, lowest first, those within kLevel as one.
-std::vector<double> floorHeights(const Scene& scene, const Eigen::AlignedBox3d& box) {
-  const SceneGround ground(scene);
+std::vector<double> floorHeights(const SceneGround& ground, const Eigen::AlignedBox3d& box) {
   std::vector<double> heights;
   for (int i = 0; i < kFloorSamples * kFloorSamples; ++i) {
     const Eigen::Vector2d share((i % kFloorSamples + 0.5) / kFloorSamples,
@@ -111,11 +111,12 @@ std::string placeText(const Place& place) {
 
 }  // namespace
 
-Findings inspectScene(const std::filesystem::path& file) {
-  const Scene scene = readScene(file);
+Findings inspectScene(const std::filesystem::path& file, const LoadLimits& limits) {
+  const Scene scene = readScene(file, limits);
   Findings out{file.string(), "scene", {}, {}, {}};
   const Eigen::AlignedBox3d box = scene.bounds();
-  const std::vector<double> heights = floorHeights(scene, box);
+  const SceneGround ground(scene, {}, limits.stop);
+  const std::vector<double> heights = floorHeights(ground, box);
   std::string text;
   for (const double height : heights)
     text += fmt::format("{}{:.2f}", text.empty() ? "" : ", ", height);
@@ -129,13 +130,17 @@ Findings inspectScene(const std::filesystem::path& file) {
               {"triangles", scene.triangleCount()},
               {"levels", heights},
               {"objects", Json::array()}};
+  out.warnings = scene.warnings;
+  for (std::string& warning : groundWarnings(scene, ground))
+    out.warnings.push_back(std::move(warning));
   if (heights.empty()) out.warnings.push_back("there is nothing to stand on");
   for (const SceneObject& object : scene.objects) describeObject(object, out);
   return out;
 }
 
-Findings inspectMesh(const std::filesystem::path& file) {
-  const MeshFile mesh = readMesh(file);
+Findings inspectMesh(const std::filesystem::path& file, const LoadLimits& limits) {
+  const auto stopped = [&limits] { return limits.stop.asked(); };
+  const MeshFile mesh = readMesh(file, limits.memory, stopped);
   Findings out{file.string(), "mesh", {}, {}, {}};
   const char* unit = mesh.has_axes ? "m" : "of the file's unit";
   Eigen::AlignedBox3d box;

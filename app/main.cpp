@@ -12,6 +12,7 @@
 #include "app/standard_streams.h"
 #include "app/stop.h"
 #include "base/error.h"
+#include "base/stop_request.h"
 #include "base/version.h"
 
 namespace amble {
@@ -63,6 +64,9 @@ int main(int argc, char** argv) {
     return std::cout ? status : amble::complain("-: cannot be written; expected an open output");
   } catch (const amble::InputError& error) {
     return amble::complain(error.what());
+  } catch (const amble::Stopped& stopped) {
+    amble::complain(fmt::format("amble: {}", stopped.what()));
+    return stopped.byTime() ? amble::kExitNone : amble::kExitStopped;
   } catch (const std::bad_alloc&) {
     return amble::complain("amble: out of memory; expected a smaller input");
   } catch (const std::exception& error) {

@@ -15,6 +15,7 @@
 #include "app/view_of.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "environments/ground/ground_warnings.h"
 #include "scenarios/run_scenario.h"
 #include "scenarios/write_results.h"
 #include "viz/plan_view.h"
@@ -39,6 +40,7 @@ struct Options {
   int threads = 1;
   double time_limit = 0.0;  // [s]; 0: the scenario's
   double fps = 60.0;
+  size_t memory = GuardLimits{}.memory;  // [bytes]
   std::string bvh_units = "m";
   std::vector<std::string> formats = formatNames();
   bool json = false, list_planners = false;
@@ -147,6 +149,7 @@ int run(const Options& options) {
   how.threads = options.threads;
   how.frame_time = 1.0 / options.fps;
   how.bvh_unit = options.bvh_units == "cm" ? 0.01 : 1.0;
+  how.memory = options.memory;
   how.stop = &stopFlag();
   how.progress = [&](const SearchProgress& at) {
     const double done =
@@ -161,6 +164,11 @@ int run(const Options& options) {
     fmt::print(stderr, "amble plan: stopped; nothing was written to {}\n", folder.string());
     return kExitStopped;
   }
+  std::vector<std::string> warnings = result.problem->scene.warnings;
+  for (std::string& warning : groundWarnings(result.problem->scene, result.problem->ground))
+    warnings.push_back(std::move(warning));
+  for (const std::string& warning : warnings)
+    fmt::print(stderr, "{}: warning: {}\n", scenario.scene.string(), warning);
   writeAll(options, result, folder);
   if (options.json) {
     writeJson(std::cout, result.report);
@@ -197,6 +205,7 @@ void addPlan(CLI::App& app, Command& chosen) {
                    fmt::format("What to write: {}", fmt::join(formatNames(), ",")))
       ->delimiter(',')
       ->check(CLI::IsMember(formatNames()));
+  addMemoryOption(*command, options->memory);
   command->add_flag("--json", options->json, "Print the report");
   command->add_flag("--list-planners", options->list_planners, "Explain each planner");
   addExamples(*command,

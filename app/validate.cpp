@@ -103,6 +103,7 @@ void addValidate(CLI::App& app, Command& chosen) {
       ->check(number(0.5, 2.5, "m"));
   command->add_option("--fps", options->validate.fps, "Check between the frames too, at this rate")
       ->check(number(1, 10000, "1/s"));
+  addMemoryOption(*command, options->validate.load.memory);
   command->add_option("--floor", options->floor, "Height of the floor; default: below the feet")
       ->check(number(-1e5, 1e5, "m"))
       ->each([options](const std::string&) { options->has_floor = true; });

@@ -102,7 +102,7 @@ void exportAndCheck(const RunOptions& options, RunResult& result) {
       exportWalk(problem.scenario.name, problem.synthesizer.skeleton(), walk, options.bvh_unit);
   const auto scratch = problem.world.makeScratch();
   report.poses_checked += walk.size();
-  if (const auto contact = problem.world.check(exported.poses, walk.states, false, *scratch)) {
+  if (const auto contact = problem.world.check(exported.poses, walk.soles, false, *scratch)) {
     report.status = PlanStatus::kNoWalk;
     report.why = "contact: " + problem.body.parts.at(contact->part).name + " and " +
                  objectName(problem.scene.objects.at(contact->object)) +
@@ -121,14 +121,16 @@ RunResult runScenario(const Scenario& scenario, const RunOptions& options) {
   requireKnownPlanner(scenario);
   RunResult result;
   auto begin = Clock::now();
-  result.problem = std::make_unique<const Problem>(scenario, options.frame_time);
+  const auto time_limit = std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(scenario.planner.time_limit));
+  const LoadLimits limits{options.memory, {options.stop, begin + time_limit}};
+  result.problem = std::make_unique<const Problem>(scenario, options.frame_time, limits);
   PlanRequest request = requestOf(*result.problem, options);
   result.report.inputs = inputDigests(*result.problem);
   result.report.times.load = secondsSince(begin);
 
   begin = Clock::now();
-  request.limits.deadline = begin + std::chrono::duration_cast<Clock::duration>(
-                                        std::chrono::duration<double>(scenario.planner.time_limit));
+  request.limits.deadline = begin + time_limit;
   result.outcome = planWalk(request);
   Report& report = result.report;
   reportSearch(result, report);

@@ -19,7 +19,8 @@ struct ValidateOptions {
   double fps = 0.0;  ///< checked at this rate too, in between as a player shows it [1/s]; 0: at the
                      ///< frames only
   std::optional<double>
-      floor;  ///< height of the floor [m]; none: the one below the first frame's feet
+      floor;             ///< height of the floor [m]; none: the one below the first frame's feet
+  LoadLimits load = {};  ///< of the scene
   double clearance_limit = 2.0;  ///< how far clearances are looked for [m, > 0]
 };
 

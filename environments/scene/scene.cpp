@@ -9,6 +9,8 @@
 #include "base/error.h"
 #include "base/rotation.h"
 #include "base/strict_yaml.h"
+#include "environments/scene/mesh_reader.h"
+#include "environments/scene/mesh_warnings.h"
 
 namespace amble {
 namespace {
@@ -16,7 +18,9 @@ namespace {
 constexpr double kSmallestScene = 0.5;    // [m] smaller is a unit that was not said
 constexpr double kLargestScene = 1000.0;  // [m]
 constexpr double kUsualScene = 10.0;      // [m] what a suggested scale aims at
-constexpr double kLargestLength = 1e5;    // [m] of a size, a place or a radius
+constexpr double kLargestLength = 1e5;    // [m] of a size or a radius
+constexpr double kFarthestPlace = 1e8;    // [m] what brings a mesh back from a map's coordinates
+constexpr FileKind kSceneFile = {"a scene (YAML)", size_t{16} << 20};
 
 Role readRole(const YamlNode& node) {
   return node.asEnum<Role>({{"auto", Role::kAuto},
@@ -43,10 +47,11 @@ std::string shortNumber(double value) {
 // What is read of a scene file so far; mesh files are read once each.
 class SceneReader {
  public:
-  explicit SceneReader(const std::filesystem::path& file) : file_(file) {}
+  SceneReader(const std::filesystem::path& file, const LoadLimits& limits)
+      : file_(file), limits_(limits) {}
 
   Scene read() {
-    const YamlNode root = readYaml(file_);
+    const YamlNode root = readYaml(file_, kSceneFile);
     root.requireKeys({"name", "objects"});
     scene_.file = file_;
     scene_.inputs.push_back(file_);
@@ -59,6 +64,7 @@ class SceneReader {
 
  private:
   void readObject(const YamlNode& node) {
+    limits_.stop.check();
     node.requireKeys({"name", "box", "mesh", "cylinder", "sphere", "capsule", "up", "scale", "at",
                       "turn", "rotate", "role", "parts"});
     SceneObject object;
@@ -102,7 +108,7 @@ class SceneReader {
       X.linear() =
           fromEuler({angles.z(), angles.y(), angles.x()}, {'Z', 'Y', 'X'}).toRotationMatrix();
     }
-    if (at) X.translation() = at.asVec(3, "place [m]", -kLargestLength, kLargestLength);
+    if (at) X.translation() = at.asVec(3, "place [m]", -kFarthestPlace, kFarthestPlace);
     return X;
   }
 
@@ -136,13 +142,17 @@ class SceneReader {
     const MeshFile& file = meshFile(path, mesh);
     const YamlNode up = node["up"];
     if (file.has_axes && up)
-      up.fail("'up' for " + path.filename().string(), "no `up`: this format says its axes itself");
+      up.fail("'up' for " + path.filename().string(),
+              "no `up`: this format says its axes itself; a file that is z up all the same is "
+              "righted by `rotate: [-90, 0, 0]`");
     if (!file.has_axes && !up)
       mesh.fail("'up' is missing for " + path.filename().string(), "`up: y` or `up: z`");
     const bool y_up = up && up.indexIn({"y", "z"}) == 0;
     const YamlNode scale_node = node["scale"];
     const double scale = scale_node ? scale_node.asPositive("scale", 1e9) : 1.0;
     std::vector<PartRule> rules = readRules(node);
+    for (std::string& warning : meshWarnings(object.name, file, scale, !scale_node, y_up))
+      scene_.warnings.push_back(std::move(warning));
     for (const MeshPart& part : file.parts) {
       SceneObject piece = object;
       if (file.parts.size() > 1 && !part.names.empty()) piece.part = part.names.front();
@@ -199,7 +209,13 @@ class SceneReader {
     if (!std::filesystem::exists(path, error))
       node.fail("no such file: " + path.string(), "a mesh beside the scene file");
     scene_.inputs.push_back(path);
-    return meshes_.emplace(path, readMesh(path)).first->second;
+    const auto stopped = [this] { return limits_.stop.asked(); };
+    try {
+      return meshes_.emplace(path, readMesh(path, limits_.memory, stopped)).first->second;
+    } catch (const InputError&) {
+      limits_.stop.check();
+      throw;
+    }
   }
 
   void addObject(SceneObject object, const YamlNode& node) {
@@ -232,6 +248,7 @@ class SceneReader {
   }
 
   std::filesystem::path file_;
+  const LoadLimits& limits_;
   Scene scene_;
   std::map<std::string, int> line_of_;  // of objects by name
   std::map<std::filesystem::path, MeshFile> meshes_;
@@ -261,7 +278,13 @@ int Scene::triangleCount() const {
   return static_cast<int>(count);
 }
 
-Scene readScene(const std::filesystem::path& file) { return SceneReader(file).read(); }
+Scene readScene(const std::filesystem::path& file, const LoadLimits& limits) {
+  return SceneReader(file, limits).read();
+}
+
+std::string objectName(const SceneObject& object) {
+  return object.part.empty() ? object.name : object.name + ": " + object.part;
+}
 
 bool matchesPattern(std::string_view pattern, std::string_view name) {
   // Greedy with one point to come back to: the last `*`.

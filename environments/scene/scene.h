@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/guarded_run.h"
+#include "base/stop_request.h"
 #include "environments/scene/mesh.h"
 
 namespace amble {
@@ -45,15 +47,26 @@ struct Scene {
   std::filesystem::path file;
   std::vector<SceneObject> objects;           ///< `ignore` ones are kept: pictures show them
   std::vector<std::filesystem::path> inputs;  ///< every file that was read, the scene's first
+  std::vector<std::string> warnings;          ///< what is likely not meant, a line each
 
   Eigen::AlignedBox3d bounds() const;  ///< of all objects but the ignored [m]
   int triangleCount() const;           ///< of meshes; primitives count 0
 };
 
+/// What bounds the loading of a scene, beside what its files say.
+struct LoadLimits {
+  size_t memory = GuardLimits{}.memory;  ///< that reading a mesh file may fill [bytes, > 0]
+  StopRequest stop;                      ///< ends the loading, with Stopped
+};
+
 /// @throws InputError as DESIGN.md, section 5 asks (unknown and doubled keys, ranges, doubled
 /// names, `up` missing or not wanted, a scene under 0.5 m or over 1 km with the `scale` it would
-/// need).
-Scene readScene(const std::filesystem::path& file);
+/// need); Stopped.
+Scene readScene(const std::filesystem::path& file, const LoadLimits& limits = {});
+
+/// An object as messages and reports name it: its name in the scene, with that of its part of a
+/// mesh file where it is one.
+std::string objectName(const SceneObject& object);
 
 /// Pattern of `parts: match:`: `*` stands for any characters, `?` for one; upper and lower case are
 /// the same (ASCII).

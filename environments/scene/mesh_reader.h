@@ -1,0 +1,45 @@
+/// Reading meshes through Assimp, in a process of its own: its parsers recurse as deep as a file
+/// nests, and files may claim more memory than there is.
+///
+/// What a file says of itself is read first (the schema of an IFC, the extensions that a glTF
+/// requires, the lengths of a GLB). Only regular files are read, and of those that a mesh file
+/// names only such as lie in its folder or below it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/files.h"
+#include "base/guarded_run.h"
+#include "environments/scene/mesh.h"
+
+namespace amble {
+
+/// An object inside a mesh file.
+struct MeshPart {
+  std::vector<std::string>
+      names;          ///< its own name first, then those of what it hangs under in the file
+  TriangleMesh mesh;  ///< file's node transforms applied, in the file's axes and unit
+};
+
+/// What Assimp reads, as parts by name; node transforms applied, degenerate triangles dropped,
+/// equal vertices joined. FBX, Collada, glTF and IFC say their axes and unit, and are turned to z
+/// up, metres; others are left as they are.
+struct MeshFile {
+  std::vector<MeshPart> parts;
+  bool has_axes = false;  ///< the file says its axes and unit itself: `up:` may not be given
+};
+
+/// Assimp needs about thirty times a text's size.
+inline constexpr FileKind kMeshFile = {"a mesh", size_t{512} << 20};
+
+/// @param memory  that reading may fill, beside that of this program [bytes, > 0]
+/// @param stopped  asked ten times a second, where given; true ends the reading
+/// @throws InputError if the file is missing, no regular file, too large, broken, empty of
+/// triangles, or holds a number that is not finite; or if reading it takes more than `memory`, or
+/// more time than its size explains.
+MeshFile readMesh(const std::filesystem::path& file, size_t memory = GuardLimits{}.memory,
+                  const std::function<bool()>& stopped = {});
+
+}  // namespace amble
