@@ -7,6 +7,7 @@
 #include "animation/synthesis/action.h"
 #include "base/error.h"
 #include "base/rotation.h"
+#include "environments/ground/ground_warnings.h"
 
 namespace amble {
 namespace {
@@ -33,12 +34,12 @@ std::string listed(const std::vector<double>& heights) {
   return text;
 }
 
-Scene loadScene(const Scenario& scenario) {
+Scene loadScene(const Scenario& scenario, const LoadLimits& limits) {
   if (!std::filesystem::exists(scenario.scene)) {
     scenario.source.fail("scene", "the scene '" + scenario.scene.string() + "' is not there",
                          "the path of a scene file, relative to this one");
   }
-  return readScene(scenario.scene);
+  return readScene(scenario.scene, limits);
 }
 
 // Actions are held for the whole walk: what is valid for a part of it only cannot be one.
@@ -87,8 +88,9 @@ GroundSettings groundSettings(const Scenario& scenario, const MotionLibrary& lib
   settings.headroom = kHeadroomOfStature * stature;
   settings.foot_length = kFootRoomOfStature * stature;
   settings.foot_breadth = kFootBreadthOfStature * stature;
-  settings.places = {scenario.start.at, scenario.goal.at};
-  for (const Place& place : scenario.via) settings.places.push_back(place.at);
+  for (const Place& place : {scenario.start, scenario.goal})
+    settings.places.push_back({place.at, place.z});
+  for (const Place& place : scenario.via) settings.places.push_back({place.at, place.z});
   return settings;
 }
 
@@ -111,14 +113,18 @@ std::string degrees(double angle) {
 }
 
 // Without ground nobody stands anywhere; what is wrong then is the scene, not a place in it.
-SceneGround makeGround(const Scene& scene, const Scenario& scenario, const MotionLibrary& library) {
+SceneGround makeGround(const Scene& scene, const Scenario& scenario, const MotionLibrary& library,
+                       const StopRequest& stop) {
   const GroundSettings settings = groundSettings(scenario, library);
-  SceneGround ground(scene, settings);
+  SceneGround ground(scene, settings, stop);
   if (ground.extent().isEmpty()) {
-    scenario.source.fail(
-        "scene", "the scene '" + scenario.scene.string() + "' holds nothing that can be walked on",
-        "a floor that faces up, no steeper than " + degrees(settings.max_slope) +
-            " degrees, with " + metres(settings.headroom) + " m of room above it");
+    const std::vector<std::string> hints = groundWarnings(scene, ground);
+    scenario.source.fail("scene",
+                         "the scene '" + scenario.scene.string() +
+                             "' holds nothing that can be walked on" +
+                             (hints.empty() ? "" : " (" + hints.front() + ")"),
+                         "a floor that faces up, no steeper than " + degrees(settings.max_slope) +
+                             " degrees, with " + metres(settings.headroom) + " m of room above it");
   }
   return ground;
 }
@@ -131,15 +137,18 @@ double chooseFloor(const Scene& scene, const SceneGround& ground, const Scenario
   const auto fail = [&](const std::string& problem, const std::string& expected) {
     scenario.source.fail(key + ".at", "'" + key + ".at' " + problem, expected);
   };
-  const std::vector<double> heights = ground.floors(place.at.x(), place.at.y());
+  const std::vector<double> heights = place.z ? ground.floors(place.at.x(), place.at.y())
+                                              : ground.mainFloors(place.at.x(), place.at.y());
   if (heights.empty()) {
     const Eigen::AlignedBox3d box = scene.bounds();
-    fail("has no floor under it", "a place on the scene's floor; the scene has " +
-                                      range("x", box.min().x(), box.max().x()) + " and " +
-                                      range("y", box.min().y(), box.max().y()));
+    const std::vector<std::string> hints = groundWarnings(scene, ground);
+    fail("has no floor under it" + (hints.empty() ? "" : " (" + hints.front() + ")"),
+         "a place on the scene's floor; the scene has " + range("x", box.min().x(), box.max().x()) +
+             " and " + range("y", box.min().y(), box.max().y()));
   }
   if (!place.z && heights.size() > 1) {
-    fail("has several floors over one another", "[x, y, z] with z near one of " + listed(heights));
+    fail("has several floors over one another that steps join",
+         "[x, y, z] with z near one of " + listed(heights));
   }
   if (!place.z) return heights.front();
   const double nearest = *std::min_element(heights.begin(), heights.end(), [&](double a, double b) {
@@ -152,20 +161,16 @@ double chooseFloor(const Scene& scene, const SceneGround& ground, const Scenario
   return nearest;
 }
 
-std::string objectName(const SceneObject& object) {
-  return object.part.empty() ? object.name : object.name + ": " + object.part;
-}
-
-Problem::Problem(const Scenario& problem, double frame_time)
+Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& limits)
     : scenario(problem),
-      scene(loadScene(scenario)),
+      scene(loadScene(scenario, limits)),
       library(loadLibrary(scenario)),
-      ground(makeGround(scene, scenario, library)),
+      ground(makeGround(scene, scenario, library, limits.stop)),
       floor(chooseFloor(scene, ground, scenario, scenario.start, "start")),
       synthesizer(library, ground, settingsOf(scenario, frame_time)),
       body(makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
                     {synthesizer.ankleHeight(), synthesizer.toeHeight()})),
-      world(scene, ground, synthesizer.skeleton(), body) {}
+      world(scene, ground, synthesizer.skeleton(), body, limits.stop) {}
 
 Eigen::Vector3d Problem::stand(const Place& place, const std::string& key) const {
   return {place.at.x(), place.at.y(), chooseFloor(scene, ground, scenario, place, key)};

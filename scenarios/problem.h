@@ -17,8 +17,8 @@ namespace amble {
 struct Problem {
   /// @param frame_time  of the animation [s, 1/240 to 1/24].
   /// @throws InputError: what is not there or broken; a place outside of the bounds or where no
-  /// floor is, or several without a z that says which; an unknown planner.
-  Problem(const Scenario& scenario, double frame_time);
+  /// floor is, or several without a z that says which; an unknown planner. @throws Stopped
+  Problem(const Scenario& scenario, double frame_time, const LoadLimits& limits = {});
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 
@@ -42,9 +42,5 @@ struct Problem {
 /// "via[0]". @throws InputError
 double chooseFloor(const Scene& scene, const SceneGround& ground, const Scenario& scenario,
                    const Place& place, const std::string& key);
-
-/// An object as reports name it: its name in the scene, with that of its part of a mesh file where
-/// it is one.
-std::string objectName(const SceneObject& object);
 
 }  // namespace amble

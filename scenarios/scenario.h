@@ -24,9 +24,6 @@ struct Place {
   std::optional<double> heading;  ///< [rad]; none: any
 };
 
-/// How far from a place's z its floor may lie [m].
-inline constexpr double kFloorReach = 0.3;
-
 struct CharacterSpec {
   double height = 0.0;                ///< stature [m, 0.5 to 2.5]; 0: the library's own
   std::string library = "default";    ///< `default`, or a path that stands on its own

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -41,13 +42,20 @@ struct GroundCells::Builder {
   const std::vector<bool>& up;
   const GroundSettings& settings;
   GroundCells& cells;
+  const StopRequest& stop;
+  Eigen::Vector2d extent;  // of what could be ground [m]
   std::vector<Hit> hits = {};
-  std::vector<int> inside = {};              // closed pieces that the line is in
-  std::vector<bool> said = {};               // of each span: of an object that is said to be ground
-  std::vector<int> parent = {};              // of each span, union-find
-  std::vector<Eigen::Vector2i> square = {};  // of each span
+  std::vector<int> inside = {};  // closed pieces that the line is in
+  std::vector<bool> said = {};   // of each span: of an object that is said to be ground
+  std::vector<int> parent = {};  // of each span, union-find
+
+  using Open = std::vector<std::pair<int, Eigen::Vector2i>>;  // spans, squares
 
   void build();
+  void makeTiles();
+  bool isPlain(int i, int j);
+  void fillTile(int i, int j);
+  bool isSolid() const;
   void collect(const Eigen::Vector2d& p);
   void addSpans(int column, int row);
   bool hasRoom(const Eigen::Vector3d& p) const;
@@ -55,9 +63,17 @@ struct GroundCells::Builder {
   bool isStraight(const Eigen::Vector3d& p, const Eigen::Vector2d& offset) const;
   void joinSteps();
   template <typename Visit>
-  void eachNeighbour(int span, const Eigen::Vector2i& step, double most, Visit visit_one) const;
+  void eachSpan(Visit visit_one) const;
+  template <typename Visit>
+  void eachNeighbour(int span, const Eigen::Vector2i& other, double most, Visit visit_one) const;
+  void join(int a, int b);
   void choose();
+  void choosePlaces();
   void goOn();
+  void addOpen(int span, const Eigen::Vector2i& square, Open& open) const;
+  template <typename Visit>
+  void eachColumn(Visit visit_one) const;
+  void measure();
 };
 
 // Surfaces over p, lowest first, each once: a line through an edge meets the triangles on both
@@ -76,6 +92,19 @@ void GroundCells::Builder::collect(const Eigen::Vector2d& p) {
     return a.piece == b.piece && a.faces_up == b.faces_up && b.height - a.height < kTouching;
   };
   hits.erase(std::unique(hits.begin(), hits.end(), doubled), hits.end());
+}
+
+// Whether the line is in more solids of an object than in hollows of solids: in something.
+bool GroundCells::Builder::isSolid() const {
+  for (const int piece : inside) {
+    int solid = 0;
+    for (const int other : inside) {
+      if (pieces.pieces[other].object == pieces.pieces[piece].object)
+        solid += pieces.pieces[other].hollow ? -1 : 1;
+    }
+    if (solid > 0) return true;
+  }
+  return false;
 }
 
 void GroundCells::Builder::addSpans(int column, int row) {
@@ -99,10 +128,9 @@ void GroundCells::Builder::addSpans(int column, int row) {
     Span span;
     span.height = hits[end - 1].height;
     const bool open = end == hits.size() || hits[end].height - span.height >= settings.headroom;
-    span.standable = inside.empty() && open && hasRoom({p.x(), p.y(), span.height});
+    span.standable = !isSolid() && open && hasRoom({p.x(), p.y(), span.height});
     cells.spans_.push_back(span);
     said.push_back(is_said);
-    square.emplace_back(column, row);
   }
 }
 
@@ -140,61 +168,99 @@ bool GroundCells::Builder::hasRoom(const Eigen::Vector3d& p) const {
   return false;
 }
 
-// Calls visit_one(other) for the spans over a neighbouring square that are no farther up or down
-// than `most`.
+// Calls visit_one(span, square) for every span; for those of a plain tile at squares of its border
+// only, since the others have no neighbours but their like.
 template <typename Visit>
-void GroundCells::Builder::eachNeighbour(int span, const Eigen::Vector2i& step, double most,
-                                         Visit visit_one) const {
-  const Eigen::Vector2i other = square[span] + step;
-  if ((other.array() < 0).any() || (other.array() >= cells.count_.array()).any()) return;
-  const size_t cell = static_cast<size_t>(other.y()) * cells.count_.x() + other.x();
-  for (int k = cells.start_[cell]; k < cells.start_[cell + 1]; ++k) {
-    if (std::abs(cells.spans_[k].height - cells.spans_[span].height) <= most) visit_one(k);
+void GroundCells::Builder::eachSpan(Visit visit_one) const {
+  for (int row = 0; row < cells.count_.y(); ++row) {
+    for (int column = 0; column < cells.count_.x(); ++column) {
+      const auto within = [](int k) {
+        return k % kTile >= kStepReach && k % kTile < kTile - kStepReach;
+      };
+      if (within(column) && within(row) && cells.tileAt(column, row).plain >= 0) {
+        column += kTile - 2 * kStepReach - 1;
+        continue;
+      }
+      const auto here = cells.spans(column, row);
+      const int first = static_cast<int>(here.data() - cells.spans_.data());
+      for (int k = 0; k < static_cast<int>(here.size()); ++k)
+        visit_one(first + k, Eigen::Vector2i(column, row));
+    }
   }
+}
+
+// Calls visit_one(other) for the spans over another square that are no farther up or down than
+// `most`.
+template <typename Visit>
+void GroundCells::Builder::eachNeighbour(int span, const Eigen::Vector2i& other, double most,
+                                         Visit visit_one) const {
+  const auto there = cells.spans(other.x(), other.y());
+  const int first = static_cast<int>(there.data() - cells.spans_.data());
+  for (int k = 0; k < static_cast<int>(there.size()); ++k)
+    if (std::abs(there[k].height - cells.spans_[span].height) <= most) visit_one(first + k);
+}
+
+void GroundCells::Builder::join(int a, int b) {
+  a = rootOf(parent, a);
+  b = rootOf(parent, b);
+  parent[std::max(a, b)] = std::min(a, b);
 }
 
 void GroundCells::Builder::joinSteps() {
   parent.resize(cells.spans_.size());
   std::iota(parent.begin(), parent.end(), 0);
   const double step = std::max({settings.max_climb, settings.max_drop, kLevel});
-  for (int span = 0; span < static_cast<int>(parent.size()); ++span) {
-    if (!cells.spans_[span].standable) continue;
+  eachSpan([&](int span, const Eigen::Vector2i& square) {
+    if (!cells.spans_[span].standable) return;
     for (int far = 1; far <= kStepReach; ++far) {
       for (const Eigen::Vector2i& way : {Eigen::Vector2i(far, 0), Eigen::Vector2i(0, far)}) {
-        eachNeighbour(span, way, step, [&](int other) {
-          if (!cells.spans_[other].standable) return;
-          const int a = rootOf(parent, span), b = rootOf(parent, other);
-          parent[std::max(a, b)] = std::min(a, b);
+        eachNeighbour(span, square + way, step, [&](int other) {
+          if (cells.spans_[other].standable) join(span, other);
         });
       }
     }
-  }
+  });
   for (size_t span = 0; span < parent.size(); ++span)
     if (cells.spans_[span].standable)
       cells.spans_[span].part = rootOf(parent, static_cast<int>(span));
 }
 
-// Parts that are ground: large, said to be, or stood on by the problem.
+// Parts that are ground: large, or said to be.
 void GroundCells::Builder::choose() {
-  std::vector<int> size(parent.size(), 0);
+  std::vector<long long> size(parent.size(), 0);
+  eachColumn([&](int begin, int end, int squares) {
+    for (int k = begin; k < end; ++k)
+      if (cells.spans_[k].part >= 0) size[cells.spans_[k].part] += squares;
+  });
   std::vector<bool> chosen(parent.size(), false);
-  for (const Span& span : cells.spans_)
-    if (span.part >= 0) ++size[span.part];
   for (size_t i = 0; i < parent.size(); ++i) {
     Span& span = cells.spans_[i];
     const bool at_level = settings.level && std::abs(span.height - *settings.level) <= kLevel;
-    if (span.part >= 0 &&
-        (size[span.part] * cells.cell_ * cells.cell_ >= kFloorArea || said[i] || at_level))
-      chosen[span.part] = true;
+    const auto area = [&] {
+      return static_cast<double>(size[span.part]) * cells.cell_ * cells.cell_;
+    };
+    if (span.part >= 0 && (area() >= kFloorArea || said[i] || at_level)) chosen[span.part] = true;
     span.ground = said[i] || at_level;
   }
-  for (const Eigen::Vector2d& place : settings.places) {
-    const Eigen::Vector2i at = cells.squareAt(place);
+  for (Span& span : cells.spans_)
+    span.ground = span.ground || (span.part >= 0 && chosen[span.part]);
+}
+
+// What places name is ground, and where none is and none is named whatever can be stood on.
+void GroundCells::Builder::choosePlaces() {
+  std::vector<bool> chosen(parent.size(), false);
+  for (const GroundPlace& place : settings.places) {
+    const Eigen::Vector2i at = cells.squareAt(place.at);
     const auto here = cells.spans(at.x(), at.y());
-    const auto large = [&](const Span& span) { return span.part >= 0 && chosen[span.part]; };
-    if (std::any_of(here.begin(), here.end(), large)) continue;
+    const auto off = [&](const Span& span) {
+      return place.z ? std::abs(span.height - *place.z) : 0.0;
+    };
+    const auto is_ground = [&](const Span& span) {
+      return span.ground && off(span) <= kFloorReach;
+    };
+    if (std::any_of(here.begin(), here.end(), is_ground)) continue;
     for (const Span& span : here)
-      if (span.part >= 0) chosen[span.part] = true;
+      if (span.part >= 0 && off(span) <= kFloorReach) chosen[span.part] = true;
   }
   for (Span& span : cells.spans_)
     span.ground = span.ground || (span.part >= 0 && chosen[span.part]);
@@ -202,43 +268,149 @@ void GroundCells::Builder::choose() {
 
 // Ground goes on level where nobody stands.
 void GroundCells::Builder::goOn() {
-  std::vector<int> open;
-  for (size_t i = 0; i < cells.spans_.size(); ++i)
-    if (cells.spans_[i].ground) open.push_back(static_cast<int>(i));
+  Open open;
+  eachSpan([&](int i, const Eigen::Vector2i& square) {
+    Span& span = cells.spans_[i];
+    if (!span.ground) return;
+    if (span.floor < 0) span.floor = span.part;
+    open.emplace_back(i, square);
+  });
   const double most = std::max(kLevel, cells.slope_ * cells.cell_);
   for (size_t next = 0; next < open.size(); ++next) {
-    const int from = open[next];
+    const auto [from, square] = open[next];
     for (const Eigen::Vector2i& way : {Eigen::Vector2i(1, 0), Eigen::Vector2i(-1, 0),
                                        Eigen::Vector2i(0, 1), Eigen::Vector2i(0, -1)}) {
-      eachNeighbour(from, way, most, [&](int other) {
-        if (std::exchange(cells.spans_[other].ground, true)) return;
-        open.push_back(other);
+      eachNeighbour(from, square + way, most, [&, here = square](int other) {
+        Span& span = cells.spans_[other];
+        if (span.floor < 0) span.floor = cells.spans_[from].floor;
+        if (!std::exchange(span.ground, true)) addOpen(other, here + way, open);
       });
     }
   }
 }
 
-void GroundCells::Builder::build() {
-  for (int row = 0; row < cells.count_.y(); ++row) {
-    for (int column = 0; column < cells.count_.x(); ++column) {
-      cells.start_.push_back(static_cast<int>(cells.spans_.size()));
-      addSpans(column, row);
-    }
+// Squares from which ground goes on: of a plain tile all of its border.
+void GroundCells::Builder::addOpen(int span, const Eigen::Vector2i& square, Open& open) const {
+  if (cells.tileAt(square.x(), square.y()).plain < 0) {
+    open.emplace_back(span, square);
+    return;
   }
-  cells.start_.push_back(static_cast<int>(cells.spans_.size()));
-  joinSteps();
-  choose();
-  goOn();
-  for (size_t c = 0; c + 1 < cells.start_.size(); ++c) {
-    const auto begin = cells.spans_.begin() + cells.start_[c];
-    const auto end = cells.spans_.begin() + cells.start_[c + 1];
-    const auto standing = [](const Span& span) { return span.ground && span.standable; };
-    cells.layers_ = std::max(cells.layers_, static_cast<int>(std::count_if(begin, end, standing)));
+  const Eigen::Vector2i corner = square / kTile * kTile;
+  for (int k = 0; k < kTile; ++k) {
+    for (const Eigen::Vector2i& at : {Eigen::Vector2i(k, 0), Eigen::Vector2i(k, kTile - 1),
+                                      Eigen::Vector2i(0, k), Eigen::Vector2i(kTile - 1, k)})
+      open.emplace_back(span, corner + at);
   }
 }
 
+// Calls visit_one(spans, squares) for each square, a plain tile's all at once.
+template <typename Visit>
+void GroundCells::Builder::eachColumn(Visit visit_one) const {
+  for (const Tile& tile : cells.tiles_) {
+    if (tile.plain >= 0) {
+      visit_one(tile.first, tile.first + tile.plain, kTile * kTile);
+      continue;
+    }
+    for (int k = tile.first; k < tile.first + kTile * kTile; ++k)
+      visit_one(cells.start_[k], cells.start_[k + 1], 1);
+  }
+}
+
+void GroundCells::Builder::measure() {
+  cells.counts_.assign(cells.spans_.size(), 0);
+  eachColumn([&](int begin, int end, int squares) {
+    int layers = 0;
+    for (int k = begin; k < end; ++k) {
+      const Span& span = cells.spans_[k];
+      if (!span.ground || !span.standable) continue;
+      if (layers++ == 0) cells.counts_[span.part] += squares;
+    }
+    cells.layers_ = std::max(cells.layers_, layers);
+  });
+}
+
+// Whether over a tile, and a foot's length beyond, there are level surfaces only, each over all of
+// it.
+bool GroundCells::Builder::isPlain(int i, int j) {
+  const double side = kTile * cells.cell_;
+  const Eigen::Vector2d low = cells.min_ + side * Eigen::Vector2d(i, j);
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(
+      0.5 * std::max(settings.foot_length, settings.foot_breadth) + 2.0 * kSeam);
+  const Eigen::AlignedBox2d box(low - reach, low + Eigen::Vector2d::Constant(side) + reach);
+  std::vector<int> near;
+  all.visitBox(box, [&](int t) { near.push_back(t); });
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  std::map<std::tuple<int, double, bool>, double> areas;  // of piece, height, facing [m^2]
+  for (const int t : near) {
+    const Triangle3& corners = all.triangles()[t];
+    const bool level = corners[0].z() == corners[1].z() && corners[1].z() == corners[2].z();
+    if (!level && heightsWithin(corners, box)) return false;
+    const double area = level ? areaWithin(corners, box) : 0.0;
+    if (area > 0.0) areas[{pieces.piece_of[t], corners[0].z(), upwardness(corners) > 0.0}] += area;
+  }
+  constexpr double kRounding = 1e-6;  // of the area
+  return std::all_of(areas.begin(), areas.end(), [&](const auto& entry) {
+    return std::abs(entry.second - box.volume()) <= kRounding * box.volume();
+  });
+}
+
+void GroundCells::Builder::fillTile(int i, int j) {
+  Tile& tile = cells.tiles_[static_cast<size_t>(j) * cells.tile_count_.x() + i];
+  if (tile.plain >= 0) {
+    tile.first = static_cast<int>(cells.spans_.size());
+    addSpans(i * kTile, j * kTile);
+    tile.plain = static_cast<int>(cells.spans_.size()) - tile.first;
+    return;
+  }
+  tile.first = static_cast<int>(cells.start_.size());
+  for (int k = 0; k < kTile * kTile; ++k) {
+    cells.start_.push_back(static_cast<int>(cells.spans_.size()));
+    const int column = i * kTile + k % kTile, row = j * kTile + k / kTile;
+    if (column < cells.count_.x() && row < cells.count_.y()) addSpans(column, row);
+  }
+  cells.start_.push_back(static_cast<int>(cells.spans_.size()));
+}
+
+// Finds the plain tiles, with squares that are larger where too many others are left.
+void GroundCells::Builder::makeTiles() {
+  for (cells.cell_ = kCell;; cells.cell_ *= 2.0) {
+    for (int k = 0; k < 2; ++k) {
+      cells.count_[k] = 1 + static_cast<int>(extent[k] / cells.cell_);
+      cells.tile_count_[k] = (cells.count_[k] + kTile - 1) / kTile;
+    }
+    cells.tiles_.assign(static_cast<size_t>(cells.tile_count_.x()) * cells.tile_count_.y(), {});
+    long long squares = 0;
+    for (size_t t = 0; t < cells.tiles_.size() && squares <= kMostSquares; ++t) {
+      stop.check();
+      const int i = static_cast<int>(t) % cells.tile_count_.x();
+      const int j = static_cast<int>(t) / cells.tile_count_.x();
+      cells.tiles_[t].plain = isPlain(i, j) ? 0 : -1;
+      if (cells.tiles_[t].plain < 0) squares += kTile * kTile;
+    }
+    if (squares <= kMostSquares) return;
+  }
+}
+
+void GroundCells::Builder::build() {
+  makeTiles();
+  for (int j = 0; j < cells.tile_count_.y(); ++j) {
+    for (int i = 0; i < cells.tile_count_.x(); ++i) {
+      stop.check();
+      fillTile(i, j);
+    }
+  }
+  joinSteps();
+  choose();
+  goOn();
+  choosePlaces();
+  goOn();
+  measure();
+}
+
 GroundCells::GroundCells(const Scene& scene, const ScenePieces& pieces, const TriangleGrid& all,
-                         const std::vector<bool>& up, const GroundSettings& settings)
+                         const std::vector<bool>& up, const GroundSettings& settings,
+                         const StopRequest& stop)
     : slope_(std::tan(settings.max_slope)) {
   Eigen::AlignedBox2d extent;
   for (size_t t = 0; t < up.size(); ++t) {
@@ -248,15 +420,29 @@ GroundCells::GroundCells(const Scene& scene, const ScenePieces& pieces, const Tr
   }
   if (extent.isEmpty()) return;
   min_ = extent.min();
-  cell_ = std::max(kCell, extent.sizes().maxCoeff() / kMostCells);
-  for (int k = 0; k < 2; ++k) count_[k] = 1 + static_cast<int>(extent.sizes()[k] / cell_);
-  Builder{scene, pieces, all, up, settings, *this}.build();
+  Builder{scene, pieces, all, up, settings, *this, stop, extent.sizes()}.build();
 }
 
 std::span<const GroundCells::Span> GroundCells::spans(int column, int row) const {
   if (column < 0 || row < 0 || column >= count_.x() || row >= count_.y()) return {};
-  const size_t cell = static_cast<size_t>(row) * count_.x() + column;
+  const Tile& tile = tileAt(column, row);
+  if (tile.plain >= 0) return {spans_.data() + tile.first, static_cast<size_t>(tile.plain)};
+  const int cell = tile.first + row % kTile * kTile + column % kTile;
   return {spans_.data() + start_[cell], spans_.data() + start_[cell + 1]};
+}
+
+bool GroundCells::isPlainAround(int column, int row) const {
+  const auto here = spans(column, row);
+  const auto same = [](const Span& a, const Span& b) { return a.height == b.height; };
+  for (int j = row - kTile; j <= row + kTile; j += kTile) {
+    for (int i = column - kTile; i <= column + kTile; i += kTile) {
+      if (i < 0 || j < 0 || i >= count_.x() || j >= count_.y() || tileAt(i, j).plain < 0)
+        return false;
+      const auto there = spans(i, j);
+      if (!std::equal(here.begin(), here.end(), there.begin(), there.end(), same)) return false;
+    }
+  }
+  return true;
 }
 
 Eigen::Vector2i GroundCells::squareAt(const Eigen::Vector2d& p) const {

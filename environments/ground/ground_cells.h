@@ -6,18 +6,31 @@
 /// Haumont, Debunne and Sillion 2003 and Recast): at each height a surface that faces up, what is
 /// free above it, and whether a foot has room there by some heading. Surfaces that have both are
 /// joined where a step leads from one to the other. What hangs together is ground if it is large,
-/// said to be, or stood on by the problem; and so is all that goes on level from it, below tables
-/// and in corners where nobody stands. Squares are 0.1 m; in scenes of more than 100 m they grow,
-/// and treads may slip through: say `role: ground` there.
+/// said to be, or, where there is no other, stood on by the problem; and so is all that goes on
+/// level from it, below tables and in corners where nobody stands.
+///
+/// Squares are 0.1 m, whatever the size of the scene. They lie in tiles of 16 by 16, and a tile
+/// over which there are level surfaces only, each over all of it and a foot's length beyond, is
+/// kept as one square: what is found at one of its squares is found at all. So a floor of 400 m
+/// costs what its edges do. Only where more than kMostSquares are left do they grow.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "base/stop_request.h"
 #include "environments/scene/scene_pieces.h"
 
 namespace amble {
+
+/// Where somebody is to stand.
+struct GroundPlace {
+  Eigen::Vector2d at{0, 0};
+  std::optional<double> z;  ///< names a surface, that nearest to it within kFloorReach [m]
+};
+/// How far from a place's z its floor may lie [m].
+inline constexpr double kFloorReach = 0.3;
 
 /// What a character can stand on, and what of a scene is asked for.
 struct GroundSettings {
@@ -29,8 +42,8 @@ struct GroundSettings {
   double foot_breadth = 0.09;  ///< [m, > 0]
   /// Ground is what is at this height, too, however small [m]...
   std::optional<double> level;
-  /// ...and what is at these places, where nothing large is [m].
-  std::vector<Eigen::Vector2d> places;
+  /// ...and what these places name, or have where there is no ground.
+  std::vector<GroundPlace> places;
 };
 
 class GroundCells {
@@ -46,13 +59,15 @@ class GroundCells {
     double height = 0.0;     ///< [m, World]
     bool standable = false;  ///< room for a foot, and for who stands there
     bool ground = false;
-    int part = -1;  ///< of what steps join; the lowest span of it. -1: not standable
+    int part = -1;   ///< of what steps join; the first span of it. -1: not standable
+    int floor = -1;  ///< of ground: its part, or that from which it goes on level; -1: none
   };
 
   /// @param up  of each triangle whether it faces up, is flat enough and of an `auto` or `ground`
   /// object
   GroundCells(const Scene& scene, const ScenePieces& pieces, const TriangleGrid& all,
-              const std::vector<bool>& up, const GroundSettings& settings);
+              const std::vector<bool>& up, const GroundSettings& settings,
+              const StopRequest& stop = {});
 
   double cell() const { return cell_; }  ///< side of a square [m]
   int columns() const { return count_.x(); }
@@ -62,27 +77,45 @@ class GroundCells {
   }
   /// Lowest first; none outside.
   std::span<const Span> spans(int column, int row) const;
+  /// Whether the squares around this one, for a tile's width at least, have its spans too.
+  bool isPlainAround(int column, int row) const;
   /// The square that a point lies in, perhaps outside.
   Eigen::Vector2i squareAt(const Eigen::Vector2d& p) const;
   /// Most surfaces that are ground over one square.
   int layers() const { return layers_; }
+  /// Ground that steps join to this part, seen from above: of floors over one another the lowest
+  /// counts, so that a roof is less than the room below it [m^2].
+  double area(int part) const { return part < 0 ? 0.0 : cell_ * cell_ * counts_[part]; }
 
   /// Whether the triangle is part of a surface that is ground.
   bool isGround(const Triangle3& t) const;
 
  private:
   struct Builder;
-  static constexpr double kCell = 0.1;          // [m]
-  static constexpr double kMostCells = 1000.0;  // along a side
+  static constexpr double kCell = 0.1;                // [m]
+  static constexpr int kTile = 16;                    // squares along a side of a tile
+  static constexpr long long kMostSquares = 4000000;  // beside plain tiles; 200 m of uneven ground
 
+  // Its squares' spans: of a plain tile those from `first` on; else the squares' begins are in
+  // start_, from `first` on, and the end.
+  struct Tile {
+    int first = 0;
+    int plain = -1;  // spans of each square; -1: squares differ
+  };
+
+  const Tile& tileAt(int column, int row) const {
+    return tiles_[static_cast<size_t>(row / kTile) * tile_count_.x() + column / kTile];
+  }
   bool matches(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const;
 
   Eigen::Vector2d min_{0, 0};
-  Eigen::Vector2i count_{0, 0};
+  Eigen::Vector2i count_{0, 0}, tile_count_{0, 0};
   double cell_ = kCell, slope_ = 0.0;  // slope_: tangent of the steepest
   int layers_ = 0;
-  std::vector<int> start_;  // of each square in spans_, and the end; x fastest
+  std::vector<Tile> tiles_;  // x fastest
+  std::vector<int> start_;
   std::vector<Span> spans_;
+  std::vector<long long> counts_;  // of each span that is a part's first: squares of the part
 };
 
 }  // namespace amble

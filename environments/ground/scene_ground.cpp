@@ -37,14 +37,15 @@ GroundSettings atLevel(double level) {
 
 SceneGround::SceneGround(const Scene& scene, double level) : SceneGround(scene, atLevel(level)) {}
 
-SceneGround::SceneGround(const Scene& scene, const GroundSettings& settings)
+SceneGround::SceneGround(const Scene& scene, const GroundSettings& settings,
+                         const StopRequest& stop)
     : settings_(settings),
-      pieces_(std::make_unique<ScenePieces>(splitScene(scene))),
+      pieces_(std::make_unique<ScenePieces>(splitScene(scene, stop))),
       all_(pieces_->triangles),
       up_(facingUp(scene, *pieces_, settings.max_slope)),
       ground_triangles_(up_.size(), false),
       ground_objects_(scene.objects.size(), false) {
-  cells_ = std::make_unique<GroundCells>(scene, *pieces_, all_, up_, settings);
+  cells_ = std::make_unique<GroundCells>(scene, *pieces_, all_, up_, settings, stop);
   std::vector<Triangle3> ground;
   for (size_t t = 0; t < up_.size(); ++t) {
     const int object = pieces_->pieceOf(static_cast<int>(t)).object;
@@ -141,6 +142,43 @@ std::vector<double> SceneGround::floors(double x, double y) const {
     floors.push_back(all[i]);
   }
   return floors;
+}
+
+// What of the cells a floor is part of: of the ground nearest to p in the squares about it; -1 for
+// none.
+int SceneGround::floorOf(const Eigen::Vector3d& p) const {
+  const Eigen::Vector2i at = cells_->squareAt(p.head<2>());
+  const double most = kLevel + std::tan(settings_.max_slope) * 1.5 * cells_->cell();
+  int found = -1;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int row = at.y() - 1; row <= at.y() + 1; ++row) {
+    for (int column = at.x() - 1; column <= at.x() + 1; ++column) {
+      for (const GroundCells::Span& span : cells_->spans(column, row)) {
+        const double off = std::abs(span.height - p.z());
+        if (span.floor < 0 || off > most) continue;
+        const double apart = off + (cells_->middle(column, row) - p.head<2>()).norm();
+        if (apart >= nearest) continue;
+        nearest = apart;
+        found = span.floor;
+      }
+    }
+  }
+  return found;
+}
+
+std::vector<double> SceneGround::mainFloors(double x, double y) const {
+  const std::vector<double> all = floors(x, y);
+  std::vector<int> floor_of;
+  int largest = -1;
+  for (const double height : all) {
+    floor_of.push_back(floorOf({x, y, height}));
+    if (cells_->area(floor_of.back()) > cells_->area(largest)) largest = floor_of.back();
+  }
+  if (largest < 0) return all;
+  std::vector<double> main;
+  for (size_t i = 0; i < all.size(); ++i)
+    if (floor_of[i] == largest) main.push_back(all[i]);
+  return main;
 }
 
 }  // namespace amble

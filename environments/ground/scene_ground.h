@@ -18,7 +18,9 @@ class SceneGround : public Ground {
  public:
   static constexpr double kLevel = GroundCells::kLevel;
 
-  explicit SceneGround(const Scene& scene, const GroundSettings& settings = {});
+  /// @throws Stopped if that is asked for.
+  explicit SceneGround(const Scene& scene, const GroundSettings& settings = {},
+                       const StopRequest& stop = {});
   /// The same with whatever is level with a floor.
   SceneGround(const Scene& scene, double level);
   ~SceneGround() override;
@@ -37,6 +39,10 @@ class SceneGround : public Ground {
   /// as one, the lowest of them. Where there is no ground, whatever could be stood on if one were
   /// put there [m].
   std::vector<double> floors(double x, double y) const;
+
+  /// Those of the floors at (x, y) that a place without a height means: of all that steps join the
+  /// largest that has a floor there, and of that each storey, lowest first [m].
+  std::vector<double> mainFloors(double x, double y) const;
 
   /// The ground where somebody stands who is said to be at a height: that of the nearest floor, or
   /// none where it is farther than `reach` from z or there is none [m].
@@ -61,6 +67,8 @@ class SceneGround : public Ground {
   bool isGroundTriangle(int triangle) const { return ground_triangles_[triangle]; }
 
  private:
+  int floorOf(const Eigen::Vector3d& p) const;
+
   GroundSettings settings_;
   std::unique_ptr<ScenePieces> pieces_;
   TriangleGrid all_, surfaces_;

@@ -1,6 +1,7 @@
 #include "environments/scene/scene_pieces.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "environments/scene/parity.h"
@@ -17,42 +18,54 @@ double signedVolume(const TriangleMesh& mesh) {
   return volume;
 }
 
-// Whether part i is the hollow of others: all of it within solid, by parity over the closed parts
-// that are around it.
-bool isHollow(size_t i, const std::vector<MeshComponent>& parts,
-              const std::vector<Eigen::AlignedBox3d>& boxes) {
-  TriangleMesh around;
+// Of an object's parts which are the hollow of others: all of them within solid, by parity over the
+// closed parts that are around them.
+std::vector<bool> findHollows(const std::vector<MeshComponent>& parts, const StopRequest& stop) {
+  std::vector<Eigen::AlignedBox3d> boxes(parts.size());
+  std::vector<int> by_x;  // closed parts, from their lowest x on
   for (size_t k = 0; k < parts.size(); ++k) {
-    if (k == i || !parts[k].closed || !boxes[k].contains(boxes[i])) continue;
-    const TriangleMesh& mesh = parts[k].mesh;
-    const int base = static_cast<int>(around.vertices.size());
-    around.vertices.insert(around.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    for (const std::array<int, 3>& t : mesh.triangles)
-      around.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    for (const Eigen::Vector3d& v : parts[k].mesh.vertices) boxes[k].extend(v);
+    if (parts[k].closed) by_x.push_back(static_cast<int>(k));
   }
-  if (around.triangles.empty()) return false;
-  const Parity solid(around);
-  return std::all_of(parts[i].mesh.vertices.begin(), parts[i].mesh.vertices.end(),
-                     [&](const Eigen::Vector3d& v) { return solid.inside(v); });
+  std::sort(by_x.begin(), by_x.end(), [&](int a, int b) {
+    return std::pair(boxes[a].min().x(), a) < std::pair(boxes[b].min().x(), b);
+  });
+  std::vector<std::unique_ptr<Parity>> solids(parts.size());  // made when first asked
+  std::vector<bool> hollow(parts.size(), false);
+  for (const int i : by_x) {
+    stop.check();
+    std::vector<bool> inside(parts[i].mesh.vertices.size(), false);
+    for (const int k : by_x) {
+      if (boxes[k].min().x() > boxes[i].min().x()) break;
+      if (k == i || !boxes[k].contains(boxes[i])) continue;
+      if (!solids[k]) solids[k] = std::make_unique<Parity>(parts[k].mesh);
+      for (size_t v = 0; v < inside.size(); ++v)
+        if (solids[k]->inside(parts[i].mesh.vertices[v])) inside[v] = !inside[v];
+    }
+    hollow[i] = std::find(inside.begin(), inside.end(), false) == inside.end();
+  }
+  return hollow;
 }
 
 }  // namespace
 
 double upwardness(const Triangle3& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized().z(); }
 
-ScenePieces splitScene(const Scene& scene) {
+std::span<const ScenePiece> ScenePieces::ofObject(int object) const {
+  const auto [begin, end] = std::ranges::equal_range(pieces, object, {}, &ScenePiece::object);
+  return {begin, end};
+}
+
+ScenePieces splitScene(const Scene& scene, const StopRequest& stop) {
   ScenePieces all;
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     if (scene.objects[i].role == Role::kIgnore) continue;
     const std::vector<MeshComponent> parts = splitComponents(worldMesh(scene.objects[i]));
-    std::vector<Eigen::AlignedBox3d> boxes(parts.size());
-    for (size_t k = 0; k < parts.size(); ++k)
-      for (const Eigen::Vector3d& v : parts[k].mesh.vertices) boxes[k].extend(v);
+    const std::vector<bool> hollow = findHollows(parts, stop);
     for (size_t k = 0; k < parts.size(); ++k) {
-      ScenePiece piece{static_cast<int>(i), parts[k].mesh, parts[k].closed,
+      ScenePiece piece{static_cast<int>(i), parts[k].mesh, parts[k].closed, hollow[k],
                        static_cast<int>(all.triangles.size())};
-      const bool inside_out =
-          piece.closed && (signedVolume(piece.mesh) < 0.0) != isHollow(k, parts, boxes);
+      const bool inside_out = piece.closed && (signedVolume(piece.mesh) < 0.0) != piece.hollow;
       for (std::array<int, 3>& t : piece.mesh.triangles) {
         if (inside_out) std::swap(t[1], t[2]);
         all.triangles.push_back(

@@ -2,7 +2,7 @@
 /// obstacles are made of.
 #pragma once
 
-#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "environments/scene/scene.h"
@@ -16,7 +16,8 @@ struct ScenePiece {
   int object = 0;  ///< of the scene
   TriangleMesh mesh;
   bool closed = false;
-  int first = 0;  ///< its triangles have the numbers first .. first + mesh.triangles.size()
+  bool hollow = false;  ///< closed, and all of it in the solid of the others of its object
+  int first = 0;        ///< its triangles have the numbers first .. first + mesh.triangles.size()
 };
 
 struct ScenePieces {
@@ -25,9 +26,11 @@ struct ScenePieces {
   std::vector<int> piece_of;         ///< of each triangle
 
   const ScenePiece& pieceOf(int triangle) const { return pieces[piece_of[triangle]]; }
+  /// Those of an object.
+  std::span<const ScenePiece> ofObject(int object) const;
 };
 
-ScenePieces splitScene(const Scene& scene);
+ScenePieces splitScene(const Scene& scene, const StopRequest& stop = {});
 
 /// z of the unit normal: 1 faces up, -1 down [-1 to 1].
 double upwardness(const Triangle3& t);

@@ -18,6 +18,35 @@ Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box, double by) {
   return {box.min().array() - by, box.max().array() + by};
 }
 
+struct Polygon {
+  std::array<Eigen::Vector3d, 8> corners;
+  int count = 0;
+};
+
+// What of a triangle is within a box of the plane: Sutherland and Hodgman's clipping, side by side
+// of the box.
+Polygon clip(const Triangle3& t, const Eigen::AlignedBox2d& box) {
+  std::array<Eigen::Vector3d, 8> out;
+  Polygon in;
+  std::copy(t.begin(), t.end(), in.corners.begin());
+  in.count = 3;
+  for (int side = 0; side < 4 && in.count > 0; ++side) {
+    const int axis = side / 2;
+    const double sign = side % 2 == 0 ? 1.0 : -1.0;
+    const double limit = side % 2 == 0 ? box.min()[axis] : -box.max()[axis];
+    int kept = 0;
+    for (int k = 0; k < in.count; ++k) {
+      const Eigen::Vector3d &a = in.corners[k], &b = in.corners[(k + 1) % in.count];
+      const double da = sign * a[axis] - limit, db = sign * b[axis] - limit;
+      if (da >= 0.0) out[kept++] = a;
+      if ((da >= 0.0) != (db >= 0.0)) out[kept++] = a + da / (da - db) * (b - a);
+    }
+    std::copy_n(out.begin(), kept, in.corners.begin());
+    in.count = kept;
+  }
+  return in;
+}
+
 }  // namespace
 
 std::optional<double> heightOver(const Triangle3& t, double x, double y) {
@@ -48,32 +77,26 @@ std::optional<double> heightOver(const Triangle3& t, double x, double y) {
                     std::max({t[0].z(), t[1].z(), t[2].z()}));
 }
 
-// Sutherland and Hodgman's clipping, side by side of the box.
 std::optional<HeightRange> heightsWithin(const Triangle3& t, const Eigen::AlignedBox2d& box) {
-  std::array<Eigen::Vector3d, 8> in, out;
-  std::copy(t.begin(), t.end(), in.begin());
-  int count = 3;
-  for (int side = 0; side < 4; ++side) {
-    const int axis = side / 2;
-    const double sign = side % 2 == 0 ? 1.0 : -1.0;
-    const double limit = side % 2 == 0 ? box.min()[axis] : -box.max()[axis];
-    int kept = 0;
-    for (int k = 0; k < count; ++k) {
-      const Eigen::Vector3d &a = in[k], &b = in[(k + 1) % count];
-      const double da = sign * a[axis] - limit, db = sign * b[axis] - limit;
-      if (da >= 0.0) out[kept++] = a;
-      if ((da >= 0.0) != (db >= 0.0)) out[kept++] = a + da / (da - db) * (b - a);
-    }
-    if (kept == 0) return std::nullopt;
-    std::copy_n(out.begin(), kept, in.begin());
-    count = kept;
-  }
-  HeightRange range{in[0].z(), in[0].z()};
-  for (int k = 1; k < count; ++k) {
-    range.low = std::min(range.low, in[k].z());
-    range.high = std::max(range.high, in[k].z());
+  const Polygon part = clip(t, box);
+  if (part.count == 0) return std::nullopt;
+  HeightRange range{part.corners[0].z(), part.corners[0].z()};
+  for (int k = 1; k < part.count; ++k) {
+    range.low = std::min(range.low, part.corners[k].z());
+    range.high = std::max(range.high, part.corners[k].z());
   }
   return range;
+}
+
+double areaWithin(const Triangle3& t, const Eigen::AlignedBox2d& box) {
+  const Polygon part = clip(t, box);
+  double twice = 0.0;
+  for (int k = 2; k < part.count; ++k) {
+    const Eigen::Vector3d a = part.corners[k - 1] - part.corners[0];
+    const Eigen::Vector3d b = part.corners[k] - part.corners[0];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return 0.5 * std::abs(twice);
 }
 
 TriangleGrid::TriangleGrid(std::vector<Triangle3> triangles) : triangles_(std::move(triangles)) {

@@ -30,6 +30,8 @@ struct HeightRange {
   double low, high;
 };
 std::optional<HeightRange> heightsWithin(const Triangle3& t, const Eigen::AlignedBox2d& box);
+/// Area, seen from above, of what of the triangle is within a box of the plane [m^2].
+double areaWithin(const Triangle3& t, const Eigen::AlignedBox2d& box);
 
 class TriangleGrid {
  public:

@@ -196,6 +196,7 @@ std::vector<Passage> Finder::find() {
   std::vector<Passage> lines;
   for (int row = 0; row < cells.rows(); row += kSeedSpacing) {
     for (int column = 0; column < cells.columns(); column += kSeedSpacing) {
+      if (cells.isPlainAround(column, row)) continue;  // nothing rises
       for (const GroundCells::Span& span : cells.spans(column, row)) {
         if (!span.ground || !span.standable) continue;
         const auto direction = uphill(column, row, span.height);

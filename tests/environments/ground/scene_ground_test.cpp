@@ -207,5 +207,44 @@ TEST(Floors, WhereOnlySmallThingsAreTheyAreFloors) {
   EXPECT_EQ(SceneGround(sceneOf({stool})).floors(0, 0), std::vector<double>{0.4});
 }
 
+// What a place without a height stands on.
+
+TEST(MainFloors, AreOfWhatCanBeWalkedToNotOfACupboardsTop) {
+  const Scene scene =
+      sceneOf({floorSlab(), makeObject("cupboard", Box{{1, 0.6, 2.3}}, {2, 2, 1.15}),
+               makeObject("table", Box{{1.2, 0.8, 0.75}}, {-2, 0, 0.375}),
+               makeObject("bed", Box{{2, 1.6, 0.45}}, {5, 5, 0.225})});
+  GroundSettings settings;
+  for (const Eigen::Vector2d& at : {Eigen::Vector2d(2, 2), {-2, 0}, {5, 5}}) {
+    settings.places.push_back({at, {}});
+  }
+  const SceneGround ground(scene, settings);
+  for (const GroundPlace& place : settings.places)
+    EXPECT_EQ(ground.mainFloors(place.at.x(), place.at.y()), std::vector<double>{0.0});
+}
+
+TEST(MainFloors, OfStoreysThatStepsJoinAreListed) {
+  std::vector<SceneObject> objects = stairs(15, 0.2, 0.3);
+  objects.push_back(floorSlab());
+  objects.push_back(makeObject("upper", Box{{6, 8, 0.1}}, {4.5 + 3.0, 0, 2.95}));
+  const SceneGround ground(sceneOf(objects));
+  const std::vector<double> floors = ground.mainFloors(7, 0);
+  ASSERT_EQ(floors.size(), 2u);
+  EXPECT_NEAR(floors[0], 0.0, 1e-9);
+  EXPECT_NEAR(floors[1], 3.0, 1e-9);
+}
+
+TEST(MainFloors, OfStoreysThatNothingJoinsAreOfTheLarger) {
+  const SceneGround ground(
+      sceneOf({floorSlab(), makeObject("attic", Box{{6, 6, 0.1}}, {0, 0, 2.95})}));
+  EXPECT_EQ(ground.floors(0, 0).size(), 2u);
+  EXPECT_EQ(ground.mainFloors(0, 0), std::vector<double>{0.0});
+}
+
+TEST(MainFloors, WithoutGroundAreWhateverThereIs) {
+  const SceneGround ground(sceneOf({makeObject("stool", Box{{0.4, 0.4, 0.4}}, {0, 0, 0.2})}));
+  EXPECT_EQ(ground.mainFloors(0, 0), ground.floors(0, 0));
+}
+
 }  // namespace
 }  // namespace amble

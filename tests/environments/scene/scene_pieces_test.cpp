@@ -51,5 +51,30 @@ TEST(ScenePieces, TheHollowOfAShellFacesIn) {
   }
 }
 
+TEST(ScenePieces, AShellInAShellIsAHollowAndWhatIsInThatIsNone) {
+  TriangleMesh nest = makeBox({4, 4, 4});
+  for (const double side : {3.0, 2.0, 1.0}) nest = joined(nest, makeBox({side, side, side}));
+  const ScenePieces all = splitScene(sceneOf({makeObject("nest", nest, {0, 0, 0})}));
+  ASSERT_EQ(all.pieces.size(), 4u);
+  for (size_t i = 0; i < 4; ++i) EXPECT_EQ(all.pieces[i].hollow, i % 2 == 1) << i;
+}
+
+TEST(ScenePieces, ShellsOfDifferentObjectsAreNoHollows) {
+  const ScenePieces all = splitScene(sceneOf({makeObject("outer", makeBox({4, 4, 4}), {0, 0, 0}),
+                                              makeObject("inner", makeBox({3, 3, 3}), {0, 0, 0})}));
+  for (const ScenePiece& piece : all.pieces) EXPECT_FALSE(piece.hollow);
+}
+
+TEST(ScenePieces, OfAnObjectAreFoundByItsNumber) {
+  Scene scene =
+      sceneOf({floorSlab(), makeObject("nothing", makeBox({1, 1, 1}), {0, 0, 0}, Role::kIgnore),
+               makeObject("two", joined(makeBox({1, 1, 1}), makeBox({3, 3, 3})), {0, 0, 5})});
+  const ScenePieces all = splitScene(scene);
+  EXPECT_EQ(all.ofObject(0).size(), 1u);
+  EXPECT_TRUE(all.ofObject(1).empty());
+  ASSERT_EQ(all.ofObject(2).size(), 2u);
+  for (const ScenePiece& piece : all.ofObject(2)) EXPECT_EQ(piece.object, 2);
+}
+
 }  // namespace
 }  // namespace amble

@@ -91,5 +91,17 @@ TEST(TriangleGrid, FindsEveryTriangleOverABox) {
   }
 }
 
+TEST(AreaWithin, OfABoxInSidesAddsUpToTheTriangle) {
+  const Triangle3 t = {Eigen::Vector3d(0.3, 0.1, 0), {3.7, 0.4, 1}, {1.2, 2.9, 2}};
+  const double whole = areaWithin(t, {Eigen::Vector2d(-9, -9), Eigen::Vector2d(9, 9)});
+  EXPECT_NEAR(whole, 0.5 * (3.4 * 2.8 - 0.3 * 0.9), 1e-12);
+  double sum = 0.0;
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 8; ++j)
+      sum += areaWithin(t, {0.5 * Eigen::Vector2d(i, j), 0.5 * Eigen::Vector2d(i + 1, j + 1)});
+  EXPECT_NEAR(sum, whole, 1e-12);
+  EXPECT_EQ(areaWithin(t, {Eigen::Vector2d(5, 5), Eigen::Vector2d(6, 6)}), 0.0);
+}
+
 }  // namespace
 }  // namespace amble
