@@ -37,7 +37,7 @@ void reportGoalError(const Problem& problem, const Walk& walk, const PoseArray& 
 
 void reportClearance(const Problem& problem, const AnimationBuffer& walk, const PoseArray& poses,
                      CollisionScratch& scratch, Report& report) {
-  const Clearance near = problem.world.clearance(poses, walk.states, kClearanceLimit, scratch);
+  const Clearance near = problem.world.clearance(poses, kClearanceLimit, scratch);
   report.clearance.min = near.object < 0 ? kClearanceLimit : near.distance;
   if (near.object < 0) return;
   report.clearance.part = problem.body.parts.at(near.part).name;

@@ -93,13 +93,13 @@ PoseArray densify(const PoseArray& poses, int parts) {
 
 // Every contact of the motion, those of one pair on end put together.
 std::vector<ContactSpan> findContacts(const CollisionWorld& world, const PoseArray& poses,
-                                      std::span<const FrameState> states, double frame_time) {
+                                      std::span<const SolePhases> soles, double frame_time) {
   std::vector<ContactSpan> spans;
   const auto scratch = world.makeScratch();
   for (int begin = 0; begin < poses.size();) {
     PoseArray rest(poses.joints());
     rest.append(poses, begin, poses.size() - begin);
-    const auto contact = world.check(rest, states.subspan(begin), false, *scratch);
+    const auto contact = world.check(rest, soles.subspan(begin), false, *scratch);
     if (!contact) break;
     const int frame = begin + contact->frame;
     const double time = (frame + contact->between) * frame_time;
@@ -142,7 +142,7 @@ WalkValidation validateWalk(const std::filesystem::path& bvh,
   const CapturedMotion walk = readWalk(bvh, options);
   const Clip& clip = walk.clip;
   result.metres_per_unit = walk.metres_per_unit.value;
-  const Scene scene = readScene(scene_file);
+  const Scene scene = readScene(scene_file, options.load);
   const JointRoles& roles = walk.roles;
   result.floor = options.floor ? *options.floor
                                : nearestFloor(scene, clip, lowestAnkle(clip, roles), bvh.string());
@@ -157,12 +157,12 @@ WalkValidation validateWalk(const std::filesystem::path& bvh,
   const int parts = std::max(1, static_cast<int>(std::lround(options.fps * clip.frame_time)));
   const PoseArray poses = densify(clip.poses, parts);
   const double frame_time = clip.frame_time / parts;
-  const std::vector<FrameState> states(poses.size());  // both feet planted
+  const std::vector<SolePhases> soles(poses.size());  // both feet planted
   result.poses_checked = poses.size();
-  result.contacts = findContacts(world, poses, states, frame_time);
+  result.contacts = findContacts(world, poses, soles, frame_time);
 
   const auto scratch = world.makeScratch();
-  const Clearance near = world.clearance(poses, states, options.clearance_limit, *scratch);
+  const Clearance near = world.clearance(poses, options.clearance_limit, *scratch);
   result.clearance = near.object < 0 ? options.clearance_limit : near.distance;
   if (near.object >= 0) {
     result.clearance_part = body.parts.at(near.part).name;

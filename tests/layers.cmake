@@ -21,6 +21,7 @@ set(rooms
   scenarios
   viz
   app)
+list(FIND rooms animation/steps steps_floor)
 set(runtime animation/library animation/steps animation/synthesis)
 set(offline animation/clips animation/analysis animation/preparation)
 
@@ -59,6 +60,8 @@ foreach(folder base animation environments planner scenarios viz app)
         message(SEND_ERROR "${file}: ${include}; expected a header of a room, by its path from the root")
       elseif(floor GREATER own_floor)
         message(SEND_ERROR "${file}: ${include}; expected nothing above ${own_room}")
+      elseif(folder STREQUAL environments AND included MATCHES "^animation/" AND floor GREATER steps_floor)
+        message(SEND_ERROR "${file}: ${include}; expected nothing of animation above its steps")
       elseif(own_room IN_LIST runtime AND room IN_LIST offline)
         message(SEND_ERROR "${file}: ${include}; expected nothing of what prepares captures")
       endif()

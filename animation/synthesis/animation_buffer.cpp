@@ -15,6 +15,7 @@ void AnimationBuffer::append(const AnimationBuffer& next) {
     states.push_back(next.states[i]);
     states.back().arc += arc;
   }
+  soles.insert(soles.end(), next.soles.begin() + 1, next.soles.end());
   for (Footprint print : next.footprints) {
     const bool goes_on = print.first_frame == 0;
     print.first_frame += offset;
@@ -33,8 +34,10 @@ void AnimationBuffer::append(const AnimationBuffer& next) {
 
 void AnimationBuffer::markFootprints() {
   footprints.clear();
+  soles.clear();
   std::array<int, 2> open = {-1, -1};  // index of the footprint that each foot stands on
   for (int i = 0; i < static_cast<int>(states.size()); ++i) {
+    soles.push_back({solePhase(states[i].feet[kLeft]), solePhase(states[i].feet[kRight])});
     for (const Side side : {kLeft, kRight}) {
       const FootState& foot = states[i].feet[side];
       states[i].planted[side] = foot.planted();

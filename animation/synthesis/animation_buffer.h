@@ -8,6 +8,7 @@
 #include "animation/body/pose.h"
 #include "animation/steps/foot_state.h"
 #include "animation/steps/gait_parameters.h"
+#include "animation/steps/sole_phase.h"
 
 namespace amble {
 
@@ -48,13 +49,14 @@ struct AnimationBuffer {
   double frame_time = 1.0 / 60.0;  ///< [s, > 0]
   PoseArray poses;
   std::vector<FrameState> states;     ///< as many as poses
+  std::vector<SolePhases> soles;      ///< as many as poses, of the feet's states
   std::vector<Footprint> footprints;  ///< in order of first_frame
 
   int size() const { return poses.size(); }
   /// Appends `next`, whose first frame repeats our last one (it is dropped); a footprint that goes
   /// on is merged.
   void append(const AnimationBuffer& next);
-  /// Sets planted flags and footprints from the feet's states.
+  /// Sets planted flags, soles and footprints from the feet's states.
   void markFootprints();
 };
 

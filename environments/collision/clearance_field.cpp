@@ -251,7 +251,7 @@ void spread(const std::vector<int16_t>& in, std::vector<int16_t>& out, const Axi
 }  // namespace
 
 ClearanceField::ClearanceField(const std::vector<Obstacle>& obstacles,
-                               const Eigen::AlignedBox3d& region) {
+                               const Eigen::AlignedBox3d& region, const StopRequest& stop) {
   if (region.isEmpty()) return;
   grid_.size = std::max(kFinestVoxel, std::cbrt(region.volume() / kMostVoxels));
   per_voxel_ = 1.0 / grid_.size;
@@ -261,10 +261,14 @@ ClearanceField::ClearanceField(const std::vector<Obstacle>& obstacles,
   std::vector<uint8_t> occupied(grid_.total(), 0);
   Eigen::AlignedBox3d all;
   for (const Obstacle& obstacle : obstacles) {
+    stop.check();
     markSurface(grid_, obstacle, occupied);
     all.extend(boundsOf(obstacle));
   }
-  for (const Obstacle& obstacle : obstacles) fillSolid(grid_, obstacle, occupied);
+  for (const Obstacle& obstacle : obstacles) {
+    stop.check();
+    fillSolid(grid_, obstacle, occupied);
+  }
   markBeyond(grid_, all, occupied);
   transform(occupied);
 }

@@ -43,7 +43,9 @@ class ClearanceField {
 
   /// The part of space in which it answers; obstacles outside are taken care of. An empty region
   /// answers nowhere.
-  ClearanceField(const std::vector<Obstacle>& obstacles, const Eigen::AlignedBox3d& region);
+  /// @throws Stopped if that is asked for.
+  ClearanceField(const std::vector<Obstacle>& obstacles, const Eigen::AlignedBox3d& region,
+                 const StopRequest& stop = {});
 
   double voxel() const { return grid_.size; }  ///< length of a voxel's edge [m]
   /// Nothing is nearer to p than this; 0 outside the region [m].

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "environments/collision/collision_model.h"
 #include "environments/collision/motion_check.h"
 
 namespace amble {
@@ -9,8 +10,8 @@ namespace amble {
 void CollisionScratchDeleter::operator()(CollisionScratch* scratch) const { delete scratch; }
 
 CollisionWorld::CollisionWorld(const Scene& scene, const SceneGround& ground,
-                               const Skeleton& skeleton, const Body& body)
-    : model_(std::make_unique<CollisionModel>(scene, ground, skeleton, body)) {}
+                               const Skeleton& skeleton, const Body& body, const StopRequest& stop)
+    : model_(std::make_unique<CollisionModel>(scene, ground, skeleton, body, stop)) {}
 
 CollisionWorld::~CollisionWorld() = default;
 
@@ -22,10 +23,10 @@ CollisionScratchPtr CollisionWorld::makeScratch() const {
 }
 
 std::optional<Contact> CollisionWorld::check(const PoseArray& poses,
-                                             std::span<const FrameState> states, bool any,
+                                             std::span<const SolePhases> soles, bool any,
                                              CollisionScratch& scratch) const {
-  assert(static_cast<int>(states.size()) >= poses.size());
-  MotionCheck check(*model_, poses, states, scratch);
+  assert(static_cast<int>(soles.size()) >= poses.size());
+  MotionCheck check(*model_, poses, soles, scratch);
   if (any) {
     if (const auto contact = check.coarse()) return contact;
   }
@@ -33,7 +34,7 @@ std::optional<Contact> CollisionWorld::check(const PoseArray& poses,
 }
 
 std::optional<Contact> CollisionWorld::checkPose(PoseView pose, CollisionScratch& scratch) const {
-  const FrameState standing;
+  constexpr SolePhases standing = {SolePhase::kPlanted, SolePhase::kPlanted};
   scratch.prepare(1);
   model_->place(pose, scratch, {&scratch.capsule(0, 0), static_cast<size_t>(model_->parts())});
   for (int part = 0; part < model_->parts(); ++part) {
@@ -48,8 +49,8 @@ int CollisionWorld::touched(const Eigen::Vector3d& from, const Eigen::Vector3d& 
   return model_->layers.touchedObstacle({from, to, radius}, 0.0, *scratch.exact);
 }
 
-Clearance CollisionWorld::clearance(const PoseArray& poses, std::span<const FrameState>,
-                                    double limit, CollisionScratch& scratch) const {
+Clearance CollisionWorld::clearance(const PoseArray& poses, double limit,
+                                    CollisionScratch& scratch) const {
   Clearance best{limit, 0, -1, -1};
   const size_t parts = static_cast<size_t>(model_->parts());
   scratch.prepare(poses.size());

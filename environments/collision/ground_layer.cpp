@@ -21,6 +21,20 @@ std::vector<Obstacle> withoutSolids(std::vector<Obstacle> surfaces) {
   return surfaces;
 }
 
+// Of all triangles, seen from above [m^2].
+double planArea(const std::vector<Obstacle>& surfaces) {
+  double twice = 0.0;
+  for (const Obstacle& surface : surfaces) {
+    for (const TriangleMesh* mesh : {&meshOf(surface), &surface.solid}) {
+      for (const std::array<int, 3>& t : mesh->triangles) {
+        const Eigen::Vector3d& a = mesh->vertices[t[0]];
+        twice += std::abs((mesh->vertices[t[1]] - a).cross(mesh->vertices[t[2]] - a).z());
+      }
+    }
+  }
+  return 0.5 * twice;
+}
+
 // The point of a triangle that is nearest to p (Ericson 2005, section 5.1.5).
 Eigen::Vector3d nearestPoint(const Triangle3& t, const Eigen::Vector3d& p) {
   const Eigen::Vector3d ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0], bp = p - t[1],
@@ -69,7 +83,8 @@ struct Sweep {
 
 }  // namespace
 
-GroundLayer::GroundLayer(std::vector<Obstacle> surfaces) : surfaces_(withoutSolids(surfaces)) {
+GroundLayer::GroundLayer(std::vector<Obstacle> surfaces, const StopRequest& stop)
+    : surfaces_(withoutSolids(surfaces), stop) {
   std::vector<Triangle3> triangles;
   for (const Obstacle& surface : surfaces) {
     const TriangleMesh& mesh = meshOf(surface);
@@ -87,9 +102,10 @@ GroundLayer::GroundLayer(std::vector<Obstacle> surfaces) : surfaces_(withoutSoli
     for (const TriangleMesh* mesh : {&meshOf(surface), &surface.solid})
       for (const Eigen::Vector3d& v : mesh->vertices) extent_.extend(Eigen::Vector2d(v.head<2>()));
   if (extent_.isEmpty()) return;
-  cell_ = std::max(kCell, extent_.sizes().maxCoeff() / kMostCells);
+  cell_ = std::max({kCell, extent_.sizes().maxCoeff() / kMostCells,
+                    std::sqrt(planArea(surfaces) / kMostEntries)});
   for (int k = 0; k < 2; ++k) count_[k] = 1 + static_cast<int>(extent_.sizes()[k] / cell_);
-  fillSpans(surfaces);
+  fillSpans(surfaces, stop);
 }
 
 Eigen::Vector2i GroundLayer::cellOf(const Eigen::Vector2d& p) const {
@@ -126,9 +142,10 @@ void GroundLayer::collect(const TriangleMesh& mesh, std::vector<Entry>& entries)
 // Spans are the heights of surfaces, what lies between two of them where it is inside a solid, and
 // whatever is below the lowest. Within a cell no surface lies between two spans, so one point tells
 // for all.
-void GroundLayer::fillSpans(const std::vector<Obstacle>& surfaces) {
+void GroundLayer::fillSpans(const std::vector<Obstacle>& surfaces, const StopRequest& stop) {
   std::vector<Entry> entries;
   for (const Obstacle& surface : surfaces) {
+    stop.check();
     collect(meshOf(surface), entries);
     collect(surface.solid, entries);
   }
@@ -139,6 +156,7 @@ void GroundLayer::fillSpans(const std::vector<Obstacle>& surfaces) {
   size_t next = 0;
   for (int cell = 0; cell < cells; ++cell) {
     start_.push_back(static_cast<int>(spans_.size()));
+    if (cell % count_.x() == 0) stop.check();
     const Eigen::Vector2d middle =
         extent_.min() + cell_ * Eigen::Vector2d(cell % count_.x() + 0.5, cell / count_.x() + 0.5);
     for (; next < entries.size() && entries[next].cell == cell; ++next) {

@@ -22,7 +22,8 @@ class GroundLayer {
  public:
   /// @param surfaces  of ground objects, with what lies below their ground: risers, edges,
   /// undersides; meshes in World, and their closed pieces as `solid`
-  explicit GroundLayer(std::vector<Obstacle> surfaces);
+  /// @throws Stopped if that is asked for.
+  explicit GroundLayer(std::vector<Obstacle> surfaces, const StopRequest& stop = {});
 
   /// The object that the capsule touches, or lies inside or under, when it is lifted by `depth` [m,
   /// >= 0]; -1 for none.
@@ -35,8 +36,11 @@ class GroundLayer {
   bool isClearBetween(const Capsule& a, const Capsule& b, double depth, double bend) const;
 
  private:
-  static constexpr double kCell = 0.1;  // [m]; larger for scenes beyond kMostCells
+  // [m]; larger for scenes beyond kMostCells along a side, or kMostEntries surfaces over them: 24
+  // bytes each while spans are made of them
+  static constexpr double kCell = 0.1;
   static constexpr int kMostCells = 1000;
+  static constexpr double kMostEntries = 4e6;
   struct Span {
     double low, high;
   };
@@ -49,7 +53,7 @@ class GroundLayer {
     Span span;
   };
 
-  void fillSpans(const std::vector<Obstacle>& surfaces);
+  void fillSpans(const std::vector<Obstacle>& surfaces, const StopRequest& stop);
   void collect(const TriangleMesh& mesh, std::vector<Entry>& entries) const;
   bool isInside(const Eigen::Vector3d& p) const;
   Eigen::Vector2i cellOf(const Eigen::Vector2d& p) const;

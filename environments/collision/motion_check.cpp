@@ -26,7 +26,7 @@ std::optional<Contact> MotionCheck::coarse() {
       place(frame);
       for (int part = 0; part < world_.parts(); ++part) {
         const int object =
-            world_.touched(scratch_.capsule(frame, part), part, states_[frame], scratch_);
+            world_.touched(scratch_.capsule(frame, part), part, soles_[frame], scratch_);
         if (object >= 0) return Contact{frame, 0.0, part, object, 0.0};
       }
     }
@@ -74,7 +74,7 @@ std::optional<Contact> MotionCheck::checkFrame(int frame) {
       if (side < 0 || side + 1 >= poses_.size()) continue;
       near = std::max(near, scratch_.near(side, part));
     }
-    const double depth = world_.allowedDepth(part, states_[frame], states_[frame]);
+    const double depth = world_.allowedDepth(part, soles_[frame], soles_[frame]);
     const bool around =
         world_.layers.touchedObstacle(capsule.inflated(near), depth, *scratch_.exact) < 0;
     scratch_.freeAround(frame, part) = around;
@@ -92,7 +92,7 @@ std::optional<Contact> MotionCheck::checkInterval(int frame) {
     const PartMotion& motion = scratch_.motion(frame, part);
     Task task{frame, part,
               !(scratch_.freeAround(frame, part) && scratch_.freeAround(frame + 1, part)), true,
-              world_.allowedDepth(part, states_[frame], states_[frame + 1])};
+              world_.allowedDepth(part, soles_[frame], soles_[frame + 1])};
     task.ground = !groundIsFree(task, a, b, motion, scratch_.near(frame, part));
     if (!task.obstacles && !task.ground) continue;
     const auto contact = prove(task, {0.0, a}, {1.0, b}, motion);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "environments/collision/box_tree.h"
 #include "environments/scene/parity.h"
 
 namespace amble {
@@ -79,6 +80,7 @@ class ObstacleSet::Scratch {
   fcl::Transform3d X;
   fcl::CollisionRequestd request;  // its defaults are ours: libccd, one contact, no details
   fcl::CollisionResultd result;
+  std::vector<int> near;  // pieces that a query's box meets
 };
 
 struct ObstacleSet::Impl {
@@ -133,21 +135,27 @@ struct ObstacleSet::Impl {
   }
 
   std::vector<Piece> pieces;
+  BoxTree tree;  // of the pieces
   Eigen::AlignedBox3d bounds;
 };
 
 void ObstacleSet::ScratchDeleter::operator()(Scratch* scratch) const { delete scratch; }
 ObstacleSet::ScratchPtr ObstacleSet::makeScratch() { return ScratchPtr(new Scratch); }
 
-ObstacleSet::ObstacleSet(std::vector<Obstacle> obstacles) : impl_(std::make_unique<Impl>()) {
+ObstacleSet::ObstacleSet(std::vector<Obstacle> obstacles, const StopRequest& stop)
+    : impl_(std::make_unique<Impl>()) {
+  std::vector<Eigen::AlignedBox3d> boxes;
   for (const Obstacle& obstacle : obstacles) {
+    stop.check();
     Impl::Piece piece = std::holds_alternative<TriangleMesh>(obstacle.shape)
                             ? Impl::meshPiece(obstacle)
                             : Impl::primitivePiece(obstacle);
     if (piece.bounds.isEmpty()) continue;
     impl_->bounds.extend(piece.bounds);
+    boxes.push_back(piece.bounds);
     impl_->pieces.push_back(std::move(piece));
   }
+  impl_->tree = BoxTree(boxes);
   // FCL fills tables at the first query: do that before threads share us.
   const ScratchPtr scratch = makeScratch();
   if (!impl_->pieces.empty()) {
@@ -164,10 +172,11 @@ const Eigen::AlignedBox3d& ObstacleSet::bounds() const { return impl_->bounds; }
 
 int ObstacleSet::touched(const Capsule& capsule, Scratch& scratch) const {
   const Eigen::AlignedBox3d box = capsule.bounds();
-  if (!impl_->bounds.intersects(box)) return -1;
+  impl_->tree.find(box, scratch.near);
+  if (scratch.near.empty()) return -1;
   scratch.set(capsule);
-  for (const Impl::Piece& piece : impl_->pieces) {
-    if (!piece.bounds.intersects(box)) continue;
+  for (const int i : scratch.near) {
+    const Impl::Piece& piece = impl_->pieces[i];
     if (piece.geometries.boolean && impl_->touches(piece, scratch)) return piece.object;
     if (piece.contains(capsule)) return piece.object;
   }
@@ -178,8 +187,11 @@ ObstacleSet::Nearest ObstacleSet::nearest(const Capsule& capsule, double limit,
                                           Scratch& scratch) const {
   Nearest best{limit, -1};
   const Eigen::AlignedBox3d box = capsule.bounds();
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(limit);
+  impl_->tree.find({box.min() - reach, box.max() + reach}, scratch.near);
   scratch.set(capsule);
-  for (const Impl::Piece& piece : impl_->pieces) {
+  for (const int i : scratch.near) {
+    const Impl::Piece& piece = impl_->pieces[i];
     if (std::sqrt(piece.bounds.squaredExteriorDistance(box)) >= best.distance) continue;
     const bool touches =
         (piece.geometries.boolean && impl_->touches(piece, scratch)) || piece.contains(capsule);

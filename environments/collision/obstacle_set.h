@@ -3,7 +3,7 @@
 ///
 /// Yes or no is asked with libccd in double precision (exact to 1e-6 m). Distances are asked of FCL
 /// with its own solver for primitives, where libccd errs by millimetres, and of OBBRSS trees for
-/// meshes.
+/// meshes. Which obstacles are asked at all a tree of their boxes says (BoxTree).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -35,7 +35,8 @@ class ObstacleSet {
   };
   using ScratchPtr = std::unique_ptr<Scratch, ScratchDeleter>;
 
-  explicit ObstacleSet(std::vector<Obstacle> obstacles);
+  /// @throws Stopped if that is asked for.
+  explicit ObstacleSet(std::vector<Obstacle> obstacles, const StopRequest& stop = {});
   ~ObstacleSet();
   ObstacleSet(ObstacleSet&&) noexcept;
 

@@ -58,14 +58,14 @@ void append(TriangleMesh& to, const TriangleMesh& from) {
 struct SceneLayers::Split {
   std::vector<Obstacle> obstacles, banks, ground;
 
-  Split(const Scene& scene, const SceneGround& scene_ground) {
-    const std::vector<ScenePiece>& pieces = scene_ground.pieces().pieces;
+  Split(const Scene& scene, const SceneGround& scene_ground, const StopRequest& stop) {
     for (size_t i = 0; i < scene.objects.size(); ++i) {
+      stop.check();
       const SceneObject& object = scene.objects[i];
       const int index = static_cast<int>(i);
       if (object.role == Role::kIgnore) continue;
       if (scene_ground.isGround(index)) {
-        splitGround(pieces, index, scene_ground);
+        splitGround(index, scene_ground);
         continue;
       }
       const bool is_mesh = std::holds_alternative<TriangleMesh>(object.shape);
@@ -77,10 +77,9 @@ struct SceneLayers::Split {
   // Parts an object with ground: what is ground or lies below it; the rest of the pieces that this
   // is taken from; and pieces that have no ground. Inside is by parity over all of them: the ground
   // layer tells.
-  void splitGround(const std::vector<ScenePiece>& pieces, int index, const SceneGround& ground_of) {
+  void splitGround(int index, const SceneGround& ground_of) {
     TriangleMesh low, bank, solid, rest;
-    for (const ScenePiece& piece : pieces) {
-      if (piece.object != index) continue;
+    for (const ScenePiece& piece : ground_of.pieces().ofObject(index)) {
       std::vector<bool> is_low;
       bool has_ground = false;
       for (size_t t = 0; t < piece.mesh.triangles.size(); ++t) {
@@ -114,14 +113,14 @@ struct SceneLayers::Split {
   }
 };
 
-SceneLayers::SceneLayers(const Scene& scene, const SceneGround& ground)
-    : SceneLayers(Split(scene, ground), ground) {}
+SceneLayers::SceneLayers(const Scene& scene, const SceneGround& ground, const StopRequest& stop)
+    : SceneLayers(Split(scene, ground, stop), ground, stop) {}
 
-SceneLayers::SceneLayers(Split split, const SceneGround& ground)
-    : obstacles_(split.obstacles),
-      banks_(split.banks),
-      ground_(std::move(split.ground)),
-      field_(split.standing(), fieldRegion(boundsOf(obstacles_, banks_), ground)) {}
+SceneLayers::SceneLayers(Split split, const SceneGround& ground, const StopRequest& stop)
+    : obstacles_(split.obstacles, stop),
+      banks_(split.banks, stop),
+      ground_(std::move(split.ground), stop),
+      field_(split.standing(), fieldRegion(boundsOf(obstacles_, banks_), ground), stop) {}
 
 Eigen::AlignedBox3d SceneLayers::boundsOf(const ObstacleSet& a, const ObstacleSet& b) {
   Eigen::AlignedBox3d bounds = a.bounds();

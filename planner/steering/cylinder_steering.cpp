@@ -39,12 +39,14 @@ void addPlace(AnimationBuffer& buffer, const Eigen::Vector3d& position) {
   buffer.poses.resize(i + 1);
   buffer.poses.p_WR(i) = position;
   buffer.states.resize(i + 1);
+  buffer.soles.resize(i + 1);
 }
 
 void clear(AnimationBuffer& buffer) {
   if (buffer.poses.joints() != 1) buffer.poses = PoseArray(1);
   buffer.poses.clear();
   buffer.states.clear();
+  buffer.soles.clear();
 }
 
 SteeringFailure failure(const Contact& contact) {
@@ -110,7 +112,7 @@ SteerResult CylinderSteering::steer(const Waypoint& from, const Waypoint& to,
   SteerResult result;
   result.poses = own.buffer.size();
   if (const auto contact =
-          world_.check(own.buffer.poses, own.buffer.states, true, *own.collision)) {
+          world_.check(own.buffer.poses, own.buffer.soles, true, *own.collision)) {
     result.failure = failure(*contact);
     return result;
   }

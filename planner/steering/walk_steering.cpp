@@ -202,7 +202,7 @@ std::optional<SteeringFailure> WalkSteering::stand(Stance& stance, SteeringScrat
 std::optional<SteeringFailure> WalkSteering::contact(const AnimationBuffer& buffer,
                                                      SteeringScratch& scratch) const {
   const auto found =
-      world_.check(buffer.poses, buffer.states, false, *walkScratch(scratch).collision);
+      world_.check(buffer.poses, buffer.soles, false, *walkScratch(scratch).collision);
   if (found) return failure(*found);
   return std::nullopt;
 }
@@ -219,7 +219,7 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
     }
     result.poses += own.buffer.size();
     frames += own.buffer.size() - 1;
-    const auto touched = world_.check(own.buffer.poses, own.buffer.states, true, *own.collision);
+    const auto touched = world_.check(own.buffer.poses, own.buffer.soles, true, *own.collision);
     if (touched) result.failure = failure(*touched);
     return !touched;
   };

@@ -76,11 +76,10 @@ struct TestWalker {
   }
 };
 
-/// States of frames with both feet planted, or neither.
-inline std::vector<FrameState> statesOf(int frames, bool planted) {
-  FrameState state;
-  state.planted = {planted, planted};
-  return std::vector<FrameState>(frames, state);
+/// Of frames with both feet planted, or neither.
+inline std::vector<SolePhases> solesOf(int frames, bool planted) {
+  const SolePhase phase = planted ? SolePhase::kPlanted : SolePhase::kSwinging;
+  return std::vector<SolePhases>(frames, {phase, phase});
 }
 
 }  // namespace amble

@@ -55,7 +55,7 @@ TEST(PlanWalk, WalkEndsAtTheGoalAndTouchesNothing) {
     const PlanOutcome outcome = planWalk(request);
     ASSERT_EQ(outcome.status, PlanStatus::kSolved);
     const AnimationBuffer& walk = outcome.walk.buffer;
-    EXPECT_FALSE(room.world.check(walk.poses, walk.states, false, *scratch).has_value());
+    EXPECT_FALSE(room.world.check(walk.poses, walk.soles, false, *scratch).has_value());
     AnimationBuffer asked;
     Stance goal;
     goal.position = request.goal.position;

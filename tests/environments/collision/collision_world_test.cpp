@@ -17,7 +17,7 @@ struct TestWorld {
   explicit TestWorld(std::vector<SceneObject> objects) : scene(sceneOf(std::move(objects))) {}
 
   std::optional<Contact> check(const PoseArray& poses, bool planted, bool any = false) {
-    return world.check(poses, statesOf(poses.size(), planted), any, *scratch);
+    return world.check(poses, solesOf(poses.size(), planted), any, *scratch);
   }
   std::optional<Contact> checkPose(const Pose& pose) { return world.checkPose(pose, *scratch); }
   std::string partOf(const std::optional<Contact>& contact) const {
@@ -279,14 +279,13 @@ TEST(CollisionWorld, ClearanceIsTheDistanceOfTheNearestPart) {
   const PoseArray poses = motionOf(
       world.walker, {standingAt(world.walker, {0.2, 0, 0}), standingAt(world.walker, {0.0, 0, 0}),
                      standingAt(world.walker, {0.3, 0, 0})});
-  const auto states = statesOf(poses.size(), true);
   // The toes are farthest ahead: toe tip 0.19 m before the root.
-  const Clearance nearest = world.world.clearance(poses, states, 2.0, *world.scratch);
+  const Clearance nearest = world.world.clearance(poses, 2.0, *world.scratch);
   EXPECT_EQ(nearest.frame, 2);
   EXPECT_EQ(nearest.object, 1);
   EXPECT_NE(world.walker.body.parts[nearest.part].name.find("toes"), std::string::npos);
   EXPECT_NEAR(nearest.distance, 1.0 - 0.3 - 0.19, 1e-4);
-  const Clearance none = world.world.clearance(poses, states, 0.4, *world.scratch);
+  const Clearance none = world.world.clearance(poses, 0.4, *world.scratch);
   EXPECT_EQ(none.object, -1);
   EXPECT_EQ(none.distance, 0.4);
 }
@@ -294,7 +293,7 @@ TEST(CollisionWorld, ClearanceIsTheDistanceOfTheNearestPart) {
 TEST(CollisionWorld, ClearanceLeavesOutTheGround) {
   TestWorld world({floorSlab()});
   const PoseArray poses = motionOf(world.walker, {standingAt(world.walker, {0, 0, 0})});
-  EXPECT_EQ(world.world.clearance(poses, statesOf(1, true), 1.0, *world.scratch).object, -1);
+  EXPECT_EQ(world.world.clearance(poses, 1.0, *world.scratch).object, -1);
 }
 
 TEST(CollisionWorld, IgnoredThingsAreNotThere) {

@@ -109,7 +109,7 @@ TEST_F(WalkSteeringTest, WhatTheCoreRefusesTheBodyRefuses) {
     if (!core.touch({path, 0.0, true, true, room.ground}, room.world, *collision)) continue;
     if (room.synthesizer.walk(from, to, path, true, buffer).refused != WalkRule::kNone) continue;
     ++refused;
-    EXPECT_TRUE(room.world.check(buffer.poses, buffer.states, true, *collision).has_value());
+    EXPECT_TRUE(room.world.check(buffer.poses, buffer.soles, true, *collision).has_value());
   }
   EXPECT_GT(refused, 30);
 }

@@ -1,0 +1,106 @@
+/// A body in a scene as checks of motions have it, and a thread's memory for them.
+#pragma once
+
+#include <vector>
+
+#include "animation/body/pose.h"
+#include "environments/body/body.h"
+#include "environments/body/motion_bound.h"
+#include "environments/collision/contact.h"
+#include "environments/collision/scene_layers.h"
+
+namespace amble {
+
+/// Memory of one thread; nothing in it outlives a call but its size.
+class CollisionScratch {
+ public:
+  CollisionScratch(int joint_count, int part_count)
+      : parts(part_count),
+        joints(joint_count),
+        angles(joint_count),
+        sums(2 * joint_count),
+        from(part_count),
+        to(part_count),
+        exact(ObstacleSet::makeScratch()) {
+    middle.rotations.resize(joint_count);
+  }
+
+  /// Room for every frame of a motion; kept for the next.
+  void prepare(int frames) {
+    const size_t cells = static_cast<size_t>(frames) * parts;
+    if (capsules.size() < cells) capsules.resize(cells);
+    if (free_around.size() < cells) free_around.resize(cells);
+    placed.assign(frames, false);
+    if (all_motions.size() < cells) all_motions.resize(cells);
+    if (nears.size() < cells) nears.resize(cells);
+  }
+  Capsule& capsule(int frame, int part) {
+    return capsules[static_cast<size_t>(frame) * parts + part];
+  }
+  PartMotion& motion(int frame, int part) {
+    return all_motions[static_cast<size_t>(frame) * parts + part];
+  }
+  double& near(int frame, int part) { return nears[static_cast<size_t>(frame) * parts + part]; }
+  char& freeAround(int frame, int part) {
+    return free_around[static_cast<size_t>(frame) * parts + part];
+  }
+
+  int parts;
+  std::vector<JointFrame> joints;
+  std::vector<double> angles, sums;
+  std::vector<Eigen::Vector3d> from, to;
+  ObstacleSet::ScratchPtr exact;
+  Pose middle;
+  // [frame][part]: places, where `placed`; motion to the next frame and PartMotion::near of it [m];
+  // whether the part was proved free as far as it moves in the intervals beside the frame.
+  std::vector<Capsule> capsules;
+  std::vector<PartMotion> all_motions;
+  std::vector<double> nears;
+  std::vector<char> free_around;
+  std::vector<bool> placed;
+};
+
+/// A body in a scene, and what it may touch.
+struct CollisionModel {
+  CollisionModel(const Scene& scene_in, const SceneGround& ground_in, const Skeleton& skeleton_in,
+                 const Body& body_in, const StopRequest& stop = {})
+      : scene(scene_in),
+        skeleton(skeleton_in),
+        body(body_in),
+        bound(skeleton_in, body_in),
+        layers(scene_in, ground_in, stop) {}
+
+  const Scene& scene;
+  Skeleton skeleton;
+  Body body;
+  MotionBound bound;
+  SceneLayers layers;
+
+  int parts() const { return static_cast<int>(body.parts.size()); }
+
+  /// How deep a part may be in the ground, between two frames or at one [m].
+  double allowedDepth(int part, const SolePhases& a, const SolePhases& b) const {
+    const int sole = body.parts[part].sole;
+    if (sole < 0) return 0.0;
+    const bool swings = a[sole] == SolePhase::kSwinging && b[sole] == SolePhase::kSwinging;
+    return swings ? kSwingDepth : kSoleDepth;
+  }
+
+  /// Capsules of the body in World.
+  void place(PoseView pose, CollisionScratch& scratch, std::span<Capsule> out) const {
+    forwardKinematics(skeleton, pose, scratch.joints);
+    placeBody(body, scratch.joints, scratch.from, scratch.to);
+    for (int i = 0; i < parts(); ++i)
+      out[i] = {scratch.from[i], scratch.to[i], body.parts[i].radius};
+  }
+
+  /// What the part touches, the ground included, or -1.
+  int touched(const Capsule& capsule, int part, const SolePhases& soles,
+              CollisionScratch& scratch) const {
+    const double depth = allowedDepth(part, soles, soles);
+    const int object = layers.touchedObstacle(capsule, depth, *scratch.exact);
+    return object >= 0 ? object : layers.ground().touched(capsule, depth, *scratch.exact);
+  }
+};
+
+}  // namespace amble
