@@ -60,7 +60,7 @@ double stanceCrouch(const CarriageBody& body, const WalkController& walk, const 
 
 /// How much lower the root is in a step of an asked length. Long steps would throw the hips up and
 /// down, short ones hardly move them: what they do is scaled to what hips do, over knees that stay
-/// bent [m, >= 0].
+/// bent [m, >= 0; between the 24 phases that it goes by >= -0.001].
 double strideCrouch(const WalkController& walk, const FrameState& state, double scale);
 
 }  // namespace amble

@@ -28,7 +28,8 @@ TEST(TurnOnSpot, APairOfStepsTurnsNoFartherThanAPairMay) {
     const int pairs = turn.steps / 2;
     EXPECT_EQ(turn.steps % 2, 0);
     EXPECT_LE(std::abs(degrees), pairs * 45.0 + 1e-6);
-    if (pairs > 1) EXPECT_GT(std::abs(degrees), (pairs - 1) * 45.0);
+    const double one_fewer = pairs > 1 ? (pairs - 1) * 45.0 : 0.0;
+    EXPECT_GT(std::abs(degrees), one_fewer) << "no pair is idle";
     EXPECT_EQ(turn.first, degrees > 0.0 ? kLeft : kRight) << "the foot on the inside opens";
   }
 }
