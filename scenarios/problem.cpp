@@ -71,9 +71,7 @@ CharacterSettings settingsOf(const Scenario& scenario, double frame_time) {
   settings.height = scenario.character.height;
   settings.speed = scenario.walk.speed;
   settings.frame_time = frame_time;
-  settings.max_slope = scenario.character.max_slope;
-  settings.max_climb = scenario.character.max_climb;
-  settings.max_drop = scenario.character.max_drop;
+  settings.limits = scenario.character.limits;
   settings.actions = scenario.walk.actions;
   return settings;
 }
@@ -82,9 +80,7 @@ GroundSettings groundSettings(const Scenario& scenario, const MotionLibrary& lib
   const CharacterSpec& character = scenario.character;
   const double stature = character.height > 0.0 ? character.height : library.stature;
   GroundSettings settings;
-  settings.max_slope = character.max_slope;
-  settings.max_climb = character.max_climb;
-  settings.max_drop = character.max_drop;
+  settings.limits = character.limits;
   settings.headroom = kHeadroomOfStature * stature;
   settings.foot_length = kFootRoomOfStature * stature;
   settings.foot_breadth = kFootBreadthOfStature * stature;

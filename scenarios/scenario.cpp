@@ -47,13 +47,13 @@ CharacterSpec readCharacter(const YamlNode& node) {
     character.library = n.asString() == "default" ? "default" : n.asPath().string();
   }
   if (const YamlNode n = node["max_slope"]) {
-    character.max_slope = asAngle(n, 0.0, 45.0, "slope [degrees]");
+    character.limits.max_slope = asAngle(n, 0.0, 45.0, "slope [degrees]");
   }
   if (const YamlNode n = node["max_climb"]) {
-    character.max_climb = n.asDouble(0.0, 1.0, "step height [m]");
+    character.limits.max_climb = n.asDouble(0.0, 1.0, "step height [m]");
   }
   if (const YamlNode n = node["max_drop"]) {
-    character.max_drop = n.asDouble(0.0, 1.0, "step height [m]");
+    character.limits.max_drop = n.asDouble(0.0, 1.0, "step height [m]");
   }
   return character;
 }

@@ -25,11 +25,9 @@ struct Place {
 };
 
 struct CharacterSpec {
-  double height = 0.0;                ///< stature [m, 0.5 to 2.5]; 0: the library's own
-  std::string library = "default";    ///< `default`, or a path that stands on its own
-  double max_slope = 20.0 * kDegree;  ///< [rad, 0 to 45 degrees]
-  double max_climb = 0.25;            ///< highest step up [m, 0 to 1]
-  double max_drop = 0.25;             ///< highest step down [m, 0 to 1]
+  double height = 0.0;              ///< stature [m, 0.5 to 2.5]; 0: the library's own
+  std::string library = "default";  ///< `default`, or a path that stands on its own
+  GroundLimits limits;              ///< `max_slope`, `max_climb`, `max_drop`
 };
 
 struct WalkSpec {

@@ -9,15 +9,10 @@
 
 #include "animation/body/foot_shape.h"
 #include "animation/ground/ground.h"
+#include "animation/ground/ground_limits.h"
 #include "animation/steps/foot_state.h"
 
 namespace amble {
-
-struct FootholdLimits {
-  double max_slope = 0.35;  ///< [rad, 0 to pi/4]
-  double max_climb = 0.25;  ///< highest step up [m, 0 to 1]
-  double max_drop = 0.25;   ///< highest step down [m, 0 to 1]
-};
 
 /// What is found at a place.
 struct Foothold {
@@ -40,10 +35,10 @@ class FootholdFinder {
   static constexpr double kLeastSupport = 0.7;
 
   FootholdFinder(const Ground& ground, const std::array<FootShape, 2>& feet,
-                 const FootholdLimits& limits)
+                 const GroundLimits& limits)
       : ground_(ground), feet_(feet), limits_(limits) {}
 
-  const FootholdLimits& limits() const { return limits_; }
+  const GroundLimits& limits() const { return limits_; }
   const Ground& ground() const { return ground_; }
   /// Height of the ground under a point, within reach of it [m].
   std::optional<double> heightNear(const Eigen::Vector3d& point, double reach) const {
@@ -62,7 +57,7 @@ class FootholdFinder {
 
   const Ground& ground_;
   const std::array<FootShape, 2>& feet_;
-  FootholdLimits limits_;
+  GroundLimits limits_;
 };
 
 }  // namespace amble

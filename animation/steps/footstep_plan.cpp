@@ -71,7 +71,7 @@ double shortened(double level, double height) {
 
 // Of a step in plan along the path; kNever where it may not be. Those that are too high are
 // counted.
-double stepCost(const FootstepRequest& r, const FootholdLimits& limits, const FootTrials& trials,
+double stepCost(const FootstepRequest& r, const GroundLimits& limits, const FootTrials& trials,
                 const FootPlace& a, double arc_a, const FootPlace& b, double arc_b, int& too_high) {
   const double step = arc_b - arc_a;
   if (step < r.shortest || step > r.longest) return kNever;
@@ -87,7 +87,7 @@ double stepCost(const FootstepRequest& r, const FootholdLimits& limits, const Fo
 
 // The cheapest way to a trial of `side`, from the other foot's places or, where there is one, from
 // the begin.
-Way cheapestWay(const FootstepRequest& r, const FootholdLimits& limits, const FootTrials& trials,
+Way cheapestWay(const FootstepRequest& r, const GroundLimits& limits, const FootTrials& trials,
                 const Ways& ways, const FootTrial& trial, Side side, const FootPlace* begin,
                 int& too_high) {
   const double own = FootstepCosts::kOverhang * (1.0 - trial.hold.supported) +
@@ -191,7 +191,7 @@ WalkRule ruleOf(const FootTrials& trials, int too_high) {
 FootstepPlan planFrom(const FootstepRequest& r, const FootholdFinder& holds,
                       const TrialRequest& along, const FootTrials& trials, Side first,
                       int& too_high) {
-  const FootholdLimits& limits = holds.limits();
+  const GroundLimits& limits = holds.limits();
   Ways ways;
   for (auto& line : ways) line.resize(trials.count());
   const auto wayTo = [&](const FootTrial& trial, Side side) {

@@ -32,8 +32,8 @@ bool sameSurface(const Foothold& a, const Foothold& b) {
 }  // namespace
 
 FootTrials tryPlaces(const TrialRequest& request, const FootholdFinder& holds) {
-  const FootholdLimits& limits = holds.limits();
-  const double reach = std::max(limits.max_climb, limits.max_drop) + Unevenness::kLeastStep;
+  const GroundLimits& limits = holds.limits();
+  const double reach = limits.highestStep() + Unevenness::kLeastStep;
   FootTrials trials;
   trials.begin = request.begin;
   const int count =
@@ -63,7 +63,7 @@ Foothold holdAt(const TrialRequest& request, const FootholdFinder& holds, Side s
   const GroundPoint point = pathPoint(request.path, arc, trial.hold.place.position.z());
   const FootPlace place = footBeside(point, side, request.placement.walk_width + 2.0 * trial.aside,
                                      request.placement.walk_toe_out);
-  return holds.at(place, side, std::max(holds.limits().max_climb, holds.limits().max_drop));
+  return holds.at(place, side, holds.limits().highestStep());
 }
 
 std::pair<double, double> surfaceAround(const TrialRequest& request, const FootholdFinder& holds,

@@ -15,15 +15,13 @@ namespace amble {
 struct StepSettings {
   FootPlacement placement;  ///< at the plan's speed on the level
   SpeedLimits limits;       ///< with the character's law
-  FootholdLimits footholds;
+  GroundLimits footholds;
   double scale = 1.0;       ///< of the character to the captured subject [> 0]
   double leg_length = 0.8;  ///< [m, > 0]
   std::array<double, 2> captured_lift = {0.05, 0.05};  ///< by Side [m, > 0]
 
   /// How far over or under a foot its next ground may lie [m].
-  double reach() const {
-    return std::max(footholds.max_climb, footholds.max_drop) + Unevenness::kLevel;
-  }
+  double reach() const { return footholds.highestStep() + Unevenness::kLevel; }
 };
 
 }  // namespace amble

@@ -6,6 +6,10 @@ std::string_view walkRuleName(WalkRule rule) {
   switch (rule) {
     case WalkRule::kNone:
       return "none";
+    case WalkRule::kNoCurve:
+      return "no_curve";
+    case WalkRule::kContact:
+      return "contact";
     case WalkRule::kStepLength:
       return "step_length";
     case WalkRule::kTurnRate:

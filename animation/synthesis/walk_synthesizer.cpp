@@ -21,6 +21,7 @@ namespace amble {
 namespace {
 
 void checkSettings(const CharacterSettings& s) {
+  const GroundLimits& g = s.limits;
   if (!(s.speed >= 0.3 && s.speed <= 2.0)) throw std::invalid_argument("speed: 0.3 to 2.0 m/s");
   if (s.height != 0.0 && !(s.height >= 0.5 && s.height <= 2.5)) {
     throw std::invalid_argument("height: 0.5 to 2.5 m");
@@ -28,10 +29,10 @@ void checkSettings(const CharacterSettings& s) {
   if (!(s.frame_time >= 1.0 / 240.0 && s.frame_time <= 1.0 / 24.0)) {
     throw std::invalid_argument("frame time: 1/240 to 1/24 s");
   }
-  if (!(s.max_slope >= 0.0 && s.max_slope <= 0.25 * kPi)) {
+  if (!(g.max_slope >= 0.0 && g.max_slope <= 0.25 * kPi)) {
     throw std::invalid_argument("steepest slope: 0 to 45 degrees");
   }
-  if (!(s.max_climb >= 0.0 && s.max_climb <= 1.0 && s.max_drop >= 0.0 && s.max_drop <= 1.0)) {
+  if (!(g.max_climb >= 0.0 && g.max_climb <= 1.0 && g.max_drop >= 0.0 && g.max_drop <= 1.0)) {
     throw std::invalid_argument("highest steps: 0 to 1 m");
   }
 }
@@ -83,7 +84,7 @@ struct WalkSynthesizer::Impl {
     steps.limits.speed = settings.speed;
     steps.limits.max_turn_rate = blend.maxTurnRate();
     steps.limits.frame_time = settings.frame_time;
-    steps.footholds = {settings.max_slope, settings.max_climb, settings.max_drop};
+    steps.footholds = settings.limits;
     steps.scale = scale;
     steps.leg_length = roles.legLength(skeleton, kLeft);
     steps.captured_lift = {capturedLift(kLeft), capturedLift(kRight)};

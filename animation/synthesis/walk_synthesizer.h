@@ -13,6 +13,7 @@
 #include "animation/body/foot_shape.h"
 #include "animation/body/joint_roles.h"
 #include "animation/ground/ground.h"
+#include "animation/ground/ground_limits.h"
 #include "animation/library/motion_library.h"
 #include "animation/steps/root_path.h"
 #include "animation/steps/stance.h"
@@ -27,12 +28,7 @@ struct CharacterSettings {
   double height = 0.0;
   double speed = 1.2;              ///< on the straight [m/s, 0.3 to 2.0]
   double frame_time = 1.0 / 60.0;  ///< [s, 1/240 to 1/24]
-  /// Steepest ground, up or down: public ramps end at 1:12, 4.8 degrees (ADA), hillside paths near
-  /// 20 [rad, 0 to 45 degrees].
-  double max_slope = 20.0 * kDegree;
-  /// Highest step up: stairs of dwellings rise by 0.14 to 0.20 m (DIN 18065) [m, 0 to 1].
-  double max_climb = 0.25;
-  double max_drop = 0.25;  ///< highest step down [m, 0 to 1]
+  GroundLimits limits = {};
   /// Movements and postures of the library that are held for the whole walk (findAction), the later
   /// over the earlier.
   std::vector<std::string> actions = {};

@@ -209,7 +209,7 @@ void GroundCells::Builder::join(int a, int b) {
 void GroundCells::Builder::joinSteps() {
   parent.resize(cells.spans_.size());
   std::iota(parent.begin(), parent.end(), 0);
-  const double step = std::max({settings.max_climb, settings.max_drop, kLevel});
+  const double step = std::max(settings.limits.highestStep(), kLevel);
   eachSpan([&](int span, const Eigen::Vector2i& square) {
     if (!cells.spans_[span].standable) return;
     for (int far = 1; far <= kStepReach; ++far) {
@@ -411,7 +411,7 @@ void GroundCells::Builder::build() {
 GroundCells::GroundCells(const Scene& scene, const ScenePieces& pieces, const TriangleGrid& all,
                          const std::vector<bool>& up, const GroundSettings& settings,
                          const StopRequest& stop)
-    : slope_(std::tan(settings.max_slope)) {
+    : slope_(std::tan(settings.limits.max_slope)) {
   Eigen::AlignedBox2d extent;
   for (size_t t = 0; t < up.size(); ++t) {
     if (!up[t]) continue;

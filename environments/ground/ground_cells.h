@@ -19,6 +19,7 @@
 #include <span>
 #include <vector>
 
+#include "animation/ground/ground_limits.h"
 #include "base/stop_request.h"
 #include "environments/scene/scene_pieces.h"
 
@@ -34,9 +35,7 @@ inline constexpr double kFloorReach = 0.3;
 
 /// What a character can stand on, and what of a scene is asked for.
 struct GroundSettings {
-  double max_slope = 0.3490658503988659;  ///< steepest ground: 20 degrees [rad, 0 to pi/4]
-  double max_climb = 0.25;                ///< highest step up [m, 0 to 1]
-  double max_drop = 0.25;                 ///< highest step down [m, 0 to 1]
+  GroundLimits limits;
   double headroom = 1.0;      ///< free height without which nobody walks, not even stooped [m, > 0]
   double foot_length = 0.25;  ///< [m, > 0]
   double foot_breadth = 0.09;  ///< [m, > 0]

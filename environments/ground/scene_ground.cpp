@@ -42,7 +42,7 @@ SceneGround::SceneGround(const Scene& scene, const GroundSettings& settings,
     : settings_(settings),
       pieces_(std::make_unique<ScenePieces>(splitScene(scene, stop))),
       all_(pieces_->triangles),
-      up_(facingUp(scene, *pieces_, settings.max_slope)),
+      up_(facingUp(scene, *pieces_, settings.limits.max_slope)),
       ground_triangles_(up_.size(), false),
       ground_objects_(scene.objects.size(), false) {
   cells_ = std::make_unique<GroundCells>(scene, *pieces_, all_, up_, settings, stop);

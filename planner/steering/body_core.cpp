@@ -37,9 +37,8 @@ class LevelWay {
   // To the next point, the i-th; whether the ground is level there and was on the last few.
   bool goTo(const Eigen::Vector2d& p, int i) {
     if (way_.ground.isLevel()) return true;
-    const GroundSettings& settings = way_.ground.settings();
-    const auto next =
-        way_.ground.height(p.x(), p.y(), z_, std::max(settings.max_climb, settings.max_drop));
+    const double reach = way_.ground.settings().limits.highestStep();
+    const auto next = way_.ground.height(p.x(), p.y(), z_, reach);
     if (!next || std::abs(*next - z_) > kUneven) uneven_ = i;
     if (next) z_ = *next;
     return i - uneven_ > kLevelPoints;
@@ -108,7 +107,7 @@ std::optional<BodyCore::Touch> BodyCore::touch(const Way& way, const CollisionWo
       const bool covered = !line.leg || (s - path.length() / count >= first && s <= last);
       if (i > 0 && covered && is_level) {
         const int object = world.touched(before[k], here, line.radius, scratch);
-        if (object >= 0) return Touch{line.part, object};
+        if (object >= 0) return Touch{line.part, object, here, at.heading};
       }
       before[k] = here;
     }

@@ -27,6 +27,8 @@ class BodyCore {
   struct Touch {
     int part = -1;
     int object = -1;
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< [m, World]
+    double heading = 0.0;                          ///< of the path there [rad]
   };
   struct Way {
     const RootPath& path;

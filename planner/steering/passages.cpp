@@ -36,7 +36,7 @@ Eigen::Vector2d unit(double heading) { return {std::cos(heading), std::sin(headi
 class Finder {
  public:
   explicit Finder(const SceneGround& ground)
-      : ground_(ground), step_(std::max(ground.settings().max_climb, ground.settings().max_drop)) {}
+      : ground_(ground), step_(ground.settings().limits.highestStep()) {}
 
   std::vector<Passage> find();
 

@@ -110,8 +110,8 @@ TEST(Scenario, DefaultsAreDesignsDefaults) {
   EXPECT_EQ(s.scene, std::filesystem::path("dir/room.yaml"));
   EXPECT_EQ(s.character.height, 0.0);
   EXPECT_EQ(s.character.library, "default");
-  EXPECT_NEAR(s.character.max_slope, 20.0 * kPi / 180.0, 1e-15);
-  EXPECT_EQ(s.character.max_climb, 0.25);
+  EXPECT_NEAR(s.character.limits.max_slope, 20.0 * kPi / 180.0, 1e-15);
+  EXPECT_EQ(s.character.limits.max_climb, 0.25);
   EXPECT_FALSE(s.start.z || s.start.heading || s.goal.heading);
   EXPECT_EQ(s.source.lines.at("start.at"), 2);
   EXPECT_EQ(s.source.lines.at("goal.at"), 3);
@@ -133,7 +133,7 @@ TEST(Scenario, DegreesBecomeRadians) {
   EXPECT_NEAR(*s.start.heading, kPi / 2, 1e-15);
   EXPECT_NEAR(*s.goal.heading, -kPi, 1e-15);
   EXPECT_EQ(s.via.at(0).at, Eigen::Vector2d(4, 2));
-  EXPECT_NEAR(s.character.max_slope, kPi / 6, 1e-15);
+  EXPECT_NEAR(s.character.limits.max_slope, kPi / 6, 1e-15);
   EXPECT_EQ(*s.start.z, 2.5);
 }
 

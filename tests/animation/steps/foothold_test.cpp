@@ -21,7 +21,7 @@ const std::array<FootShape, 2>& feet() {
 double front() { return feet()[kLeft].tip_x + feet()[kLeft].radius; }
 double back() { return feet()[kLeft].radius - feet()[kLeft].heel_x; }
 
-FootholdLimits limits() { return {20.0 * kDegree, 0.25, 0.25}; }
+GroundLimits limits() { return {20.0 * kDegree, 0.25, 0.25}; }
 
 Foothold standAt(const Ground& ground, double x, double heading = 0.0, double z = 0.0) {
   FootPlace place;

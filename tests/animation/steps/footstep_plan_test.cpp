@@ -19,7 +19,7 @@ const std::array<FootShape, 2>& feet() {
 }
 
 /// From standing at the origin to standing `length` further along +x.
-FootstepPlan planOver(const Ground& ground, double length, FootholdLimits limits = {}) {
+FootstepPlan planOver(const Ground& ground, double length, GroundLimits limits = {}) {
   const RootPath path = straightPath(length);
   const FootholdFinder holds(ground, feet(), limits);
   FootPlacement placement;

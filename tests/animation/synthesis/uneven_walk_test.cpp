@@ -264,7 +264,7 @@ TEST(UnevenWalk, WhatCannotBeWalkedIsRefusedByItsRule) {
     return walkOver(walker, ground, length).result.refused;
   };
   EXPECT_EQ(refusal(SlopeGround(22.0 * kDegree), 4.0), WalkRule::kSlope);
-  EXPECT_EQ(refusal(SlopeGround(12.0 * kDegree), 4.0, {.max_slope = 10.0 * kDegree}),
+  EXPECT_EQ(refusal(SlopeGround(12.0 * kDegree), 4.0, {.limits = {.max_slope = 10.0 * kDegree}}),
             WalkRule::kSlope);
   const StairGround high({.rise = 0.3, .going = 1.0, .count = 1, .start = 2.0});
   EXPECT_NE(refusal(high, 4.0), WalkRule::kNone);
