@@ -12,7 +12,7 @@ RoadmapView viewOf(const RoadmapPicture& roadmap) {
         {node.stance.position.head<2>(), node.stance.heading, node.kind == NodeKind::kConnector});
   }
   for (const RoadmapPicture::Edge& edge : roadmap.edges) {
-    view.edges.push_back({edge.from, edge.to, {}});
+    view.edges.push_back({edge.from, edge.to, edge.line});
   }
   return view;
 }

@@ -33,7 +33,7 @@ struct PlanRequest {
   Eigen::AlignedBox2d bounds;  ///< where to look; widened to hold start, goal and via [m]
   PlanEnd start, goal;
   std::vector<Eigen::Vector3d> via;    ///< passed in order, by any heading [m, World]
-  std::string planner = "visibility";  ///< of listPlanners()
+  std::string planner = "visibility";  ///< of planners()
   SearchLimits limits;                 ///< seed, max_failures, threads, deadline, stop, progress
   RefineSettings refine;
 };
@@ -49,11 +49,17 @@ struct Walk {
 
 /// What most often stood in the way.
 struct Obstruction {
-  std::string rule;     ///< "contact", "turn_rate", ...
+  WalkRule rule = WalkRule::kNone;
   std::string part;     ///< of the body; empty where no contact refused
   std::string object;   ///< of the scene, by name; empty where no contact refused
-  double gap = 0.0;     ///< least distance that was proved there [m]
-  long long count = 0;  ///< how often
+  double gap = 0.0;     ///< least distance that was proved there [m, >= 0]
+  long long count = 0;  ///< how often [>= 1]
+  /// Where it happened: the part that touched, or where a walk was to begin [m, World].
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  /// The ground under the body there, and its heading; of what did not touch, where the walk was to
+  /// end [m, World], [rad].
+  Eigen::Vector3d body = Eigen::Vector3d::Zero();
+  double heading = 0.0;
 };
 
 /// Guards and connectors are the visibility PRM's; terminals are ends of a query that can only be
@@ -70,6 +76,7 @@ struct RoadmapPicture {
   struct Edge {
     int from = -1;
     int to = -1;
+    std::vector<Eigen::Vector2d> line;  ///< its root path [m]; empty where it only turns
   };
   std::vector<Node> nodes;
   std::vector<Edge> edges;  ///< directed
@@ -92,10 +99,10 @@ struct PlanOutcome {
   int edges = 0;
   long long samples = 0;
   double coverage = 0.0;  ///< estimated share of the free space that guards cover [0 to 1]
-  std::map<std::string, long long> refusals;  ///< by rule
-  long long poses_checked = 0;                ///< frames handed to the collision check
-  bool time_limit_hit = false;                ///< the deadline ended the search or the refinement
-  bool stopped = false;                       ///< it was told to stop
+  std::map<WalkRule, long long> refusals;
+  long long poses_checked = 0;  ///< frames handed to the collision check
+  bool time_limit_hit = false;  ///< the deadline ended the search or the refinement
+  bool stopped = false;         ///< it was told to stop
   PlanTimes times;
 };
 

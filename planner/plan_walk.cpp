@@ -1,12 +1,13 @@
 #include "planner/plan_walk.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
 #include "base/rotation.h"
-#include "planner/legs/leg_planner.h"
+#include "base/stopwatch.h"
+#include "planner/legs/planners.h"
+#include "planner/obstruction.h"
 #include "planner/refine_walk.h"
 #include "planner/steering/walk_steering.h"
 
@@ -31,10 +32,6 @@ void checkRequest(const PlanRequest& request) {
 
 double headingFromTo(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   return std::atan2(to.y() - from.y(), to.x() - from.x());
-}
-
-double seconds(std::chrono::steady_clock::time_point since) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
 }
 
 /// One run of planWalk.
@@ -70,19 +67,19 @@ PlanRequest Plan::widened(PlanRequest request) {
   return request;
 }
 
-// The waypoint of an end. Where its heading is free, one by which the body can stand, the likely
-// one if it may.
+// The waypoint of an end, as it is asked for: standing or walking. Where its heading is free, one
+// by which the body has room there, the likely one if it may.
 std::optional<SteeringFailure> Plan::settle(const PlanEnd& end, double likely_heading,
                                             Waypoint& at) {
   at = {};
   at.stance.position = end.position;
+  at.stance.standing = end.standing;
   at.any_heading = !end.heading;
   std::optional<SteeringFailure> first;
   for (int i = 0; i < (end.heading ? 1 : kHeadings); ++i) {
     at.stance.heading =
         end.heading ? *end.heading : wrapAngle(likely_heading + 2.0 * kPi * i / kHeadings);
     const auto failure = steering_.stand(at.stance, *scratch_);
-    at.stance.standing = end.standing;
     if (!failure) return std::nullopt;
     if (!first) first = failure;
   }
@@ -92,7 +89,7 @@ std::optional<SteeringFailure> Plan::settle(const PlanEnd& end, double likely_he
 void Plan::refuse(PlanStatus status, const SteeringFailure& failure) {
   outcome_.status = status;
   outcome_.why = mostOften({failure}, request_.world->scene(), request_.world->body());
-  ++outcome_.refusals[std::string(failure.rule)];
+  ++outcome_.refusals[failure.rule];
 }
 
 bool Plan::settleEnds() {
@@ -155,7 +152,7 @@ void Plan::addPath(const WalkEdge& edge) {
 
 // What is refined is animated as a whole and checked as a whole: these frames are what is exported.
 void Plan::finish(EdgePath path) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   SteeringCount count;
   const RefineSettings settings{request_.planner != "cylinder" && request_.refine.walk_on,
                                 request_.refine.tries};
@@ -173,7 +170,7 @@ void Plan::finish(EdgePath path) {
   } else {
     outcome_.status = PlanStatus::kSolved;
   }
-  outcome_.times.refine = seconds(begin);
+  outcome_.times.refine = watch.seconds();
 }
 
 PlanOutcome Plan::run() {
@@ -190,18 +187,10 @@ PlanOutcome planWalk(const PlanRequest& request) {
   return Plan(request).run();
 }
 
-const std::vector<PlannerInfo>& listPlanners() {
-  static const std::vector<PlannerInfo> planners = {
-      {"visibility",
-       "visibility roadmap of directed edges (Simeon, Laumond, Nissoux 2000); every edge animated "
-       "and checked"},
-      {"prm", "directed k-nearest roadmap on the same steering; max_failures counts its samples"},
-      {"rrt", "OMPL's RRT on the same steering, grown forward; draws up to 4 max_failures samples"},
-      {"cylinder",
-       "plans for the body's bounding cylinder, then animates the path; a contact has it tried "
-       "again"},
-  };
-  return planners;
+std::vector<PlannerInfo> listPlanners() {
+  std::vector<PlannerInfo> list;
+  for (const PlannerEntry& entry : planners()) list.push_back({entry.name, entry.explanation});
+  return list;
 }
 
 }  // namespace amble

@@ -19,6 +19,7 @@ struct PlannerInfo {
   std::string name;
   std::string explanation;  ///< one line
 };
-const std::vector<PlannerInfo>& listPlanners();  ///< the default first
+/// What legs/planners.h has, for users of the library; the default first.
+std::vector<PlannerInfo> listPlanners();
 
 }  // namespace amble

@@ -28,9 +28,13 @@ struct SearchLimits {
       deadline;                             ///< only stops; whoever asks reports that it did
   const std::atomic<bool>* stop = nullptr;  ///< Ctrl-C
   std::function<void(const SearchProgress&)> progress;  ///< called from the calling thread
+  std::function<bool()> interrupted;  ///< another's word to stop; called from any thread
 
   bool timeIsUp() const { return deadline && std::chrono::steady_clock::now() >= *deadline; }
-  bool stopped() const { return (stop && stop->load(std::memory_order_relaxed)) || timeIsUp(); }
+  bool stopped() const {
+    return (stop && stop->load(std::memory_order_relaxed)) || timeIsUp() ||
+           (interrupted && interrupted());
+  }
 };
 
 }  // namespace amble

@@ -119,7 +119,7 @@ SceneGround makeGround(const Scene& scene, const Scenario& scenario, const Motio
                          "the scene '" + scenario.scene.string() +
                              "' holds nothing that can be walked on" +
                              (hints.empty() ? "" : " (" + hints.front() + ")"),
-                         "a floor that faces up, no steeper than " + degrees(settings.max_slope) +
+                         "a floor that faces up, no steeper than " + degrees(settings.limits.max_slope) +
                              " degrees, with " + metres(settings.headroom) + " m of room above it");
   }
   return ground;

@@ -59,7 +59,7 @@ PlanRequest requestOf(const Problem& problem, const RunOptions& options) {
 std::string whyNot(const PlanOutcome& outcome) {
   if (!outcome.why) return outcome.stopped ? "it was stopped" : "nothing was tried";
   const Obstruction& why = *outcome.why;
-  std::string text = why.rule;
+  std::string text(walkRuleName(why.rule));
   if (!why.object.empty()) {
     char gap[64];
     std::snprintf(gap, sizeof gap, ", %.3f m apart", why.gap);
@@ -84,7 +84,8 @@ void reportSearch(const RunResult& result, Report& report) {
   if (outcome.stopped) report.stopped_by = "interrupt";
   report.roadmap = {outcome.guards, outcome.connectors, outcome.edges, outcome.samples,
                     outcome.coverage};
-  report.refusals = outcome.refusals;
+  for (const auto& [rule, count] : outcome.refusals)
+    report.refusals[std::string(walkRuleName(rule))] += count;
   report.poses_checked = outcome.poses_checked;
   report.times.roadmap = outcome.times.roadmap;
   report.times.search = outcome.times.search;

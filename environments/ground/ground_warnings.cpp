@@ -25,7 +25,7 @@ bool hasFloorBelow(const Triangle3& t, const SceneGround& ground) {
 // Area of a piece's triangles that would be ground if they were turned, or none where one faces up
 // or lies over a floor [m^2].
 double areaFacingDown(const ScenePiece& piece, const SceneGround& ground) {
-  const double least = std::cos(ground.settings().max_slope);
+  const double least = std::cos(ground.settings().limits.max_slope);
   double area = 0.0;
   for (size_t k = 0; k < piece.mesh.triangles.size(); ++k) {
     const Triangle3& t = ground.pieces().triangles[piece.first + static_cast<int>(k)];
@@ -90,7 +90,7 @@ std::optional<Step> steepestFlight(const GroundCells& cells, double max_climb, d
 }
 
 std::optional<std::string> flightWarning(const SceneGround& ground) {
-  const double max_climb = ground.settings().max_climb;
+  const double max_climb = ground.settings().limits.max_climb;
   if (max_climb <= kFlightRise) return std::nullopt;
   double rise = 0.0;
   const auto step = steepestFlight(ground.cells(), max_climb, rise);

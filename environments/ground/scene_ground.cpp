@@ -148,7 +148,7 @@ std::vector<double> SceneGround::floors(double x, double y) const {
 // none.
 int SceneGround::floorOf(const Eigen::Vector3d& p) const {
   const Eigen::Vector2i at = cells_->squareAt(p.head<2>());
-  const double most = kLevel + std::tan(settings_.max_slope) * 1.5 * cells_->cell();
+  const double most = kLevel + std::tan(settings_.limits.max_slope) * 1.5 * cells_->cell();
   int found = -1;
   double nearest = std::numeric_limits<double>::infinity();
   for (int row = at.y() - 1; row <= at.y() + 1; ++row) {

@@ -1,9 +1,10 @@
-/// The planners by name, as planWalk asks them: leg by leg.
+/// A planner as planWalk asks it: leg by leg.
 #pragma once
 
 #include <memory>
 
 #include "planner/plan_request.h"
+#include "planner/roadmap/sampled_roadmap.h"
 #include "planner/steering/walk_steering.h"
 
 namespace amble {
@@ -19,18 +20,15 @@ class LegPlanner {
   /// Writes roadmap, counts and times.
   virtual void describe(PlanOutcome& outcome) const = 0;
 };
+using LegPlannerPtr = std::unique_ptr<LegPlanner>;
 
-/// @throws std::invalid_argument where the name is unknown. @pre all outlive it.
-std::unique_ptr<LegPlanner> makeLegPlanner(const PlanRequest& request, const WalkSteering& steering,
-                                           const SearchLimits& limits);
+/// Refusals of edges that lead from where one gets from the start to where one gets to the goal
+/// from; all, if none does.
+std::vector<SteeringFailure> inTheWay(const SampledRoadmap& roadmap, const Waypoint& from,
+                                      const Waypoint& to);
 
-/// An object as reports name it: its name in the scene, with that of its part of a mesh file where
-/// it is one.
-std::string nameOf(const SceneObject& object);
-
-/// The refusals in few words: the rule and object that refused most often, and of these the part of
-/// the body that did.
-std::optional<Obstruction> mostOften(const std::vector<SteeringFailure>& refusals,
-                                     const Scene& scene, const Body& body);
+/// Writes graph and counts of a roadmap.
+void describeRoadmap(const SampledRoadmap& roadmap, PlanOutcome& outcome);
+void describeCount(const SteeringCount& count, PlanOutcome& outcome);
 
 }  // namespace amble

@@ -36,22 +36,17 @@ struct SampledRoadmap::Draft {
   std::optional<Candidate> candidate;  // none where no free stance was found
 };
 
-SampledRoadmap::SampledRoadmap(const Steering& steering, const Eigen::AlignedBox2d& bounds)
-    : steering_(steering), sampler_(steering, bounds) {}
-
 bool SampledRoadmap::ask(Candidate& candidate, Question question, Verdict& verdict,
                          SteeringScratch& scratch) const {
-  const auto key = std::make_pair(question.node, question.to_node);
-  auto answer = candidate.answers.find(key);
-  if (answer == candidate.answers.end()) {
-    const Waypoint& node = roadmap_.nodes()[question.node].at;
-    answer = candidate.answers
-                 .emplace(key, question.to_node ? steering_.steer(candidate.at, node, scratch)
-                                                : steering_.steer(node, candidate.at, scratch))
-                 .first;
-  }
   verdict.questions.push_back(question);
-  return answer->second.edge.has_value();
+  const SteerResult& answer = candidate.answers.answer(question.from(), question.to(), [&] {
+    const Waypoint& node = roadmap_.nodes()[question.node].at;
+    if (const SteerResult* known = candidate.known.find(question.from(), question.to()))
+      return *known;
+    return question.to_node ? steering_.steer(candidate.at, node, scratch)
+                            : steering_.steer(node, candidate.at, scratch);
+  });
+  return answer.edge.has_value();
 }
 
 int SampledRoadmap::commit(Candidate& candidate, SteeringScratch& scratch) {
@@ -63,8 +58,8 @@ int SampledRoadmap::commit(Candidate& candidate, SteeringScratch& scratch) {
   }
   const int stands_for = verdict.keep ? node : verdict.stands_for;
   for (const Question& question : verdict.questions) {
-    const SteerResult& answer = candidate.answers.at({question.node, question.to_node});
-    count_.add(answer);
+    const SteerResult& answer = *candidate.answers.find(question.from(), question.to());
+    if (!candidate.known.find(question.from(), question.to())) count_.add(answer);
     const int from = question.to_node ? stands_for : question.node;
     const int to = question.to_node ? question.node : stands_for;
     if (!answer.edge) {
@@ -77,13 +72,18 @@ int SampledRoadmap::commit(Candidate& candidate, SteeringScratch& scratch) {
 }
 
 int SampledRoadmap::insert(const Waypoint& at, bool enter, bool leave) {
+  const SteeringScratchPtr scratch = steering_.makeScratch();
+  return insert({.at = at, .enter = enter, .leave = leave, .end = true}, *scratch);
+}
+
+int SampledRoadmap::insert(Candidate candidate, SteeringScratch& scratch) {
   for (int node = 0; node < roadmap_.size(); ++node) {
     const RoadmapNode& known = roadmap_.nodes()[node];
-    if (samePlace(known.at, at) && known.enter == enter && known.leave == leave) return node;
+    if (samePlace(known.at, candidate.at) && known.enter == candidate.enter &&
+        known.leave == candidate.leave)
+      return node;
   }
-  Candidate candidate{at, enter, leave, true, true, true, {}};
-  const SteeringScratchPtr scratch = steering_.makeScratch();
-  return commit(candidate, *scratch);
+  return commit(candidate, scratch);
 }
 
 void SampledRoadmap::clear() {
@@ -106,23 +106,28 @@ void SampledRoadmap::insertPassages(const SearchLimits& limits) {
       if (limits.stopped()) return;
       Stance first = ahead(pair.first, -shift), second = ahead(pair.second, shift);
       if (steering_.stand(first, *scratch) || steering_.stand(second, *scratch)) continue;
-      const bool goes_up = !up && joins({first}, {second}, *scratch);
-      const bool goes_down = !down && joins({second}, {first}, *scratch);
-      up = up || goes_up;
-      down = down || goes_down;
-      if (goes_up || goes_down) {
-        insert({first}, true, true);
-        insert({second}, true, true);
+      SteerResult rising, falling;
+      if (!up) rising = steer({first}, {second}, *scratch);
+      if (!down) falling = steer({second}, {first}, *scratch);
+      if (rising.edge || falling.edge) {
+        Candidate end{.at = {second}, .end = true};
+        const PlaceId begin = insert({.at = {first}, .end = true}, *scratch);
+        if (!up) end.known.learn(begin, kCandidate, rising);
+        if (!down) end.known.learn(kCandidate, begin, falling);
+        insert(std::move(end), *scratch);
       }
+      up = up || rising.edge;
+      down = down || falling.edge;
       if (up && down) break;
     }
   }
 }
 
-bool SampledRoadmap::joins(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch) {
-  const SteerResult result = steering_.steer(from, to, scratch);
+SteerResult SampledRoadmap::steer(const Waypoint& from, const Waypoint& to,
+                                  SteeringScratch& scratch) {
+  SteerResult result = steering_.steer(from, to, scratch);
   count_.add(result);
-  return result.edge.has_value();
+  return result;
 }
 
 std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
@@ -136,7 +141,7 @@ std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
     if (!sample) return;
     const bool counted = StanceSampler::isUniform(drafts[i].index);
     drafts[i].candidate =
-        Candidate{{sample->stance}, true, true, false, sample->all_round, counted, {}};
+        Candidate{.at = {sample->stance}, .all_round = sample->all_round, .counted = counted};
     judge(*drafts[i].candidate, *scratches[thread]);  // for its answers
   });
   return drafts;

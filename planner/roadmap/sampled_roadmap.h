@@ -7,13 +7,12 @@
 /// the roadmap depends on seed and indices, not on threads.
 #pragma once
 
-#include <map>
-#include <utility>
 #include <vector>
 
 #include "planner/roadmap/roadmap.h"
 #include "planner/roadmap/stance_sampler.h"
 #include "planner/search_limits.h"
+#include "planner/steering/edge_memory.h"
 
 namespace amble {
 
@@ -30,15 +29,19 @@ struct Candidate {
   bool enter = true, leave = true;  ///< edges may end here, begin here
   bool end = false;                 ///< of a query: kept in any case
   bool all_round = true;            ///< the body can stand there by any heading
-  bool counted = true;  ///< as a failure unless it becomes a guard, which sets the count back
-  std::map<std::pair<int, bool>, SteerResult>
-      answers;  ///< by (node, whether from the candidate to the node)
+  bool counted = true;      ///< as a failure unless it becomes a guard, which sets the count back
+  EdgeMemory answers = {};  ///< places are nodes by number, and kCandidate
+  EdgeMemory known = {};    ///< what was asked and counted before it was judged
 };
+inline constexpr PlaceId kCandidate = -1;
 
 /// One question that a judgement rests on.
 struct Question {
   int node = -1;
   bool to_node = false;  ///< from the candidate to the node, or the other way
+
+  PlaceId from() const { return to_node ? kCandidate : node; }
+  PlaceId to() const { return to_node ? node : kCandidate; }
 };
 
 struct Verdict {
@@ -51,8 +54,9 @@ struct Verdict {
 /// Not for threads to share: it starts its own.
 class SampledRoadmap {
  public:
-  /// @pre steering outlives the roadmap.
-  SampledRoadmap(const Steering& steering, const Eigen::AlignedBox2d& bounds);
+  /// @pre the sampler's steering outlives the roadmap.
+  explicit SampledRoadmap(const StanceSampler& sampler)
+      : steering_(sampler.steering()), sampler_(sampler) {}
   virtual ~SampledRoadmap() = default;
 
   /// An end of a query, which becomes a node; one that is there already is found again. @return the
@@ -91,9 +95,10 @@ class SampledRoadmap {
   struct Draft;
   std::vector<Draft> draft(const SearchLimits& limits,
                            std::vector<SteeringScratchPtr>& scratches) const;
+  int insert(Candidate candidate, SteeringScratch& scratch);
   int commit(Candidate& candidate, SteeringScratch& scratch);
   void insertPassages(const SearchLimits& limits);
-  bool joins(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch);
+  SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch);
 
   const Steering& steering_;
   StanceSampler sampler_;

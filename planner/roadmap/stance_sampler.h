@@ -43,6 +43,7 @@ class StanceSampler {
   /// Whether a sample is one that the estimate of coverage may count: uniform.
   static bool isUniform(std::uint64_t index) { return index % 2 == 0; }
 
+  const Steering& steering() const { return steering_; }
   const Eigen::AlignedBox2d& bounds() const { return bounds_; }
 
  private:

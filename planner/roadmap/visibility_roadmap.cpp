@@ -10,7 +10,8 @@ std::vector<int> neighbours(const Candidate& candidate, const Verdict& verdict, 
   std::vector<int> nodes;
   for (const Question& question : verdict.questions) {
     if (question.to_node != to_node) continue;
-    if (candidate.answers.at({question.node, to_node}).edge) nodes.push_back(question.node);
+    if (candidate.answers.find(question.from(), question.to())->edge)
+      nodes.push_back(question.node);
   }
   return nodes;
 }

@@ -49,8 +49,9 @@ void clear(AnimationBuffer& buffer) {
   buffer.soles.clear();
 }
 
-SteeringFailure failure(const Contact& contact) {
-  return {SteeringStage::kValidation, "contact", contact.part, contact.object, contact.gap};
+SteeringFailure failure(const Contact& contact, const AnimationBuffer& buffer, double heading) {
+  const Eigen::Vector3d at = buffer.poses.p_WR(contact.frame);
+  return {WalkRule::kContact, contact.part, contact.object, contact.gap, at, at, heading};
 }
 
 }  // namespace
@@ -93,12 +94,12 @@ bool CylinderSteering::place(Stance& stance) const {
 
 std::optional<SteeringFailure> CylinderSteering::stand(Stance& stance,
                                                        SteeringScratch& scratch) const {
-  if (!place(stance)) return SteeringFailure{SteeringStage::kAnimation, "no_ground"};
+  if (!place(stance)) return SteeringFailure{WalkRule::kNoGround};
   CylinderScratch& own = static_cast<CylinderScratch&>(scratch);
   clear(own.buffer);
   addPlace(own.buffer, stance.position);
   if (const auto contact = world_.checkPose(own.buffer.poses[0], *own.collision))
-    return failure(*contact);
+    return failure(*contact, own.buffer, stance.heading);
   return std::nullopt;
 }
 
@@ -107,16 +108,16 @@ SteerResult CylinderSteering::steer(const Waypoint& from, const Waypoint& to,
   CylinderScratch& own = static_cast<CylinderScratch&>(scratch);
   clear(own.buffer);
   const Eigen::Vector3d way = to.stance.position - from.stance.position;
+  const double heading = std::atan2(way.y(), way.x());
   const int count = std::max(1, static_cast<int>(std::ceil(way.norm() / kSpacing)));
   for (int i = 0; i <= count; ++i) addPlace(own.buffer, from.stance.position + way * i / count);
   SteerResult result;
   result.poses = own.buffer.size();
   if (const auto contact =
           world_.check(own.buffer.poses, own.buffer.soles, true, *own.collision)) {
-    result.failure = failure(*contact);
+    result.failure = failure(*contact, own.buffer, heading);
     return result;
   }
-  const double heading = std::atan2(way.y(), way.x());
   WalkEdge edge;
   edge.from = from.stance;
   edge.to = to.stance;

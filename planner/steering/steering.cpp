@@ -2,6 +2,21 @@
 
 namespace amble {
 
+SteeringStage stageOf(WalkRule rule) {
+  switch (rule) {
+    case WalkRule::kNone:
+    case WalkRule::kNoCurve:
+      return SteeringStage::kRootPath;
+    case WalkRule::kStepLength:
+    case WalkRule::kTurnRate:
+      return SteeringStage::kLimits;
+    case WalkRule::kContact:
+      return SteeringStage::kValidation;
+    default:
+      return SteeringStage::kAnimation;
+  }
+}
+
 void SteeringCount::add(const SteerResult& result) {
   ++asked;
   poses += result.poses;

@@ -9,12 +9,11 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "animation/steps/root_path.h"
 #include "animation/steps/stance.h"
+#include "animation/steps/walk_rule.h"
 
 namespace amble {
 
@@ -27,14 +26,20 @@ struct Waypoint {
 
 /// The four stages (DESIGN.md, section 3).
 enum class SteeringStage { kRootPath, kLimits, kAnimation, kValidation };
+SteeringStage stageOf(WalkRule rule);
 
-/// Which rule of which stage refused, and what stood in the way.
+/// Which rule refused, and what stood in the way.
 struct SteeringFailure {
-  SteeringStage stage = SteeringStage::kRootPath;
-  std::string_view rule;  ///< of static storage: "contact", "turn_rate", ...; what reports count
-  int part = -1;          ///< of the body, where a contact refused
-  int object = -1;        ///< of the scene, where a contact refused
-  double gap = 0.0;       ///< distance that was proved there [m]
+  WalkRule rule = WalkRule::kNoCurve;
+  int part = -1;     ///< of the body, where a contact refused
+  int object = -1;   ///< of the scene, where a contact refused
+  double gap = 0.0;  ///< distance that was proved there [m, >= 0]
+  /// Where: the part that touched; else where the walk was to begin [m, World].
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  /// The ground under the body that touched, and the way it faced there; else where the walk was to
+  /// end, and its direction [m, World], [rad].
+  Eigen::Vector3d body = Eigen::Vector3d::Zero();
+  double heading = 0.0;
 };
 
 /// A walk that was checked: an optional turn on the spot, a root path, an optional turn on the
@@ -104,12 +109,12 @@ class Steering {
 /// What steering was asked and answered, for reports. Counts only answers that a result depends on,
 /// so that it is the same at any number of threads.
 struct SteeringCount {
-  std::map<std::string, long long> refusals;  ///< by rule
-  long long poses = 0;                        ///< frames handed to the collision check
-  long long asked = 0;                        ///< edges asked for
+  std::map<WalkRule, long long> refusals;
+  long long poses = 0;  ///< frames handed to the collision check
+  long long asked = 0;  ///< edges asked for
 
   void add(const SteerResult& result);
-  void add(const SteeringFailure& failure) { ++refusals[std::string(failure.rule)]; }
+  void add(const SteeringFailure& failure) { ++refusals[failure.rule]; }
   void add(const SteeringCount& other);
 };
 

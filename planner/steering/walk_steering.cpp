@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "base/rotation.h"
 #include "planner/steering/passages.h"
@@ -31,17 +33,15 @@ class WalkScratch : public SteeringScratch {
  public:
   CollisionScratchPtr collision;
   AnimationBuffer buffer;
+  std::vector<JointFrame> joints;
+  std::vector<Eigen::Vector3d> from, to;  // axes of the body's parts
 };
 
 WalkScratch& walkScratch(SteeringScratch& scratch) { return static_cast<WalkScratch&>(scratch); }
 
-SteeringFailure failure(WalkRule rule) {
-  const bool limits = rule == WalkRule::kStepLength || rule == WalkRule::kTurnRate;
-  return {limits ? SteeringStage::kLimits : SteeringStage::kAnimation, walkRuleName(rule)};
-}
-
-SteeringFailure failure(const Contact& contact) {
-  return {SteeringStage::kValidation, "contact", contact.part, contact.object, contact.gap};
+SteeringFailure failure(WalkRule rule, const Stance& from, const Stance& to) {
+  const Eigen::Vector3d way = to.position - from.position;
+  return {rule, -1, -1, 0.0, from.position, to.position, std::atan2(way.y(), way.x())};
 }
 
 double turn(double from, double to) {
@@ -103,6 +103,16 @@ void addCurves(const Waypoint& from, const Waypoint& to, double leave, double ar
   std::stable_sort(curves.begin(), curves.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (int i = 0; i < count; ++i) ways.push_back(curves[i].second);
+}
+
+// Parts of an edge in time, and the one first that is refused most often.
+constexpr PartOrder kInTime = {EdgePart::kTurnFirst, EdgePart::kWalk, EdgePart::kTurnLast};
+constexpr PartOrder kLikeliestRefused = {EdgePart::kWalk, EdgePart::kTurnFirst,
+                                         EdgePart::kTurnLast};
+
+bool hasPart(const WalkEdge& edge, EdgePart part) {
+  if (part == EdgePart::kWalk) return !edge.path.empty();
+  return (part == EdgePart::kTurnFirst ? edge.turn_first : edge.turn_last) != 0.0;
 }
 
 Stance withHeading(Stance stance, double heading) {
@@ -190,12 +200,12 @@ bool WalkSteering::place(Stance& stance) const {
 }
 
 std::optional<SteeringFailure> WalkSteering::stand(Stance& stance, SteeringScratch& scratch) const {
-  if (!place(stance)) return failure(WalkRule::kNoGround);
+  if (!place(stance)) return failure(WalkRule::kNoGround, stance, stance);
   WalkScratch& own = walkScratch(scratch);
   const WalkResult result = synthesizer_.stand(stance, own.buffer);
-  if (result.refused != WalkRule::kNone) return failure(result.refused);
+  if (result.refused != WalkRule::kNone) return failure(result.refused, stance, stance);
   if (const auto contact = world_.checkPose(own.buffer.poses[0], *own.collision))
-    return failure(*contact);
+    return touched(*contact, own.buffer, own);
   return std::nullopt;
 }
 
@@ -203,51 +213,95 @@ std::optional<SteeringFailure> WalkSteering::contact(const AnimationBuffer& buff
                                                      SteeringScratch& scratch) const {
   const auto found =
       world_.check(buffer.poses, buffer.soles, false, *walkScratch(scratch).collision);
-  if (found) return failure(*found);
+  if (found) return touched(*found, buffer, scratch);
   return std::nullopt;
+}
+
+// A contact by where its part is.
+SteeringFailure WalkSteering::touched(const Contact& contact, const AnimationBuffer& buffer,
+                                      SteeringScratch& scratch) const {
+  WalkScratch& own = walkScratch(scratch);
+  const Body& body = world_.body();
+  own.joints.resize(synthesizer_.skeleton().size());
+  own.from.resize(body.parts.size());
+  own.to.resize(body.parts.size());
+  forwardKinematics(synthesizer_.skeleton(), buffer.poses[contact.frame], own.joints);
+  placeBody(body, own.joints, own.from, own.to);
+  const FrameState& state = buffer.states[contact.frame];
+  return {WalkRule::kContact,
+          contact.part,
+          contact.object,
+          contact.gap,
+          0.5 * (own.from[contact.part] + own.to[contact.part]),
+          state.position,
+          state.heading};
+}
+
+// The one place that knows what an edge is made of: its parts, each begun where the one before it
+// in time ends.
+WalkResult WalkSteering::make(const WalkEdge& edge, EdgePart part, AnimationBuffer& out) const {
+  const Stance leave = withHeading(edge.from, edge.from.heading + edge.turn_first);
+  const Stance arrive = withHeading(edge.to, edge.to.heading - edge.turn_last);
+  switch (part) {
+    case EdgePart::kTurnFirst:
+      return synthesizer_.turnOnSpot(edge.from, edge.turn_first, out);
+    case EdgePart::kWalk:
+      return synthesizer_.walk(leave, arrive, edge.path, edge.any_leading, out);
+    case EdgePart::kTurnLast:
+      return synthesizer_.turnOnSpot(arrive, edge.turn_last, out);
+  }
+  return {};
+}
+
+// Makes the parts that the edge has, one after another in that order, and shows each until one is
+// refused by visit(part, result). @return whether all were taken
+template <typename Visit>
+bool WalkSteering::visitParts(const WalkEdge& edge, const PartOrder& order, AnimationBuffer& buffer,
+                              Visit visit) const {
+  return std::all_of(order.begin(), order.end(), [&](EdgePart part) {
+    return !hasPart(edge, part) || visit(part, make(edge, part, buffer));
+  });
+}
+
+// What the body would touch for sure, without animating it.
+bool WalkSteering::coreTouches(const WalkEdge& edge, SteeringScratch& scratch,
+                               SteeringFailure& failure) const {
+  if (edge.path.empty()) return false;
+  const auto touch = core_.touch(
+      {edge.path, edge.from.position.z(), edge.from.standing, edge.to.standing, ground_}, world_,
+      *walkScratch(scratch).collision);
+  if (!touch) return false;
+  const Eigen::Vector3d ground(touch->at.x(), touch->at.y(), edge.from.position.z());
+  failure = {WalkRule::kContact, touch->part, touch->object, 0.0,
+             touch->at,          ground,      touch->heading};
+  return true;
 }
 
 // Stages 2 to 4, of the walk first, since it is refused more often than the turns.
 SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
   WalkScratch& own = walkScratch(scratch);
   SteerResult result;
+  if (coreTouches(edge, scratch, result.failure)) return result;
   int frames = 0;
-  const auto passes = [&](const WalkResult& made) {
+  const auto passes = [&](EdgePart part, const WalkResult& made) {
     if (made.refused != WalkRule::kNone) {
-      result.failure = failure(made.refused);
+      result.failure = failure(made.refused, edge.from, edge.to);
       return false;
     }
     result.poses += own.buffer.size();
     frames += own.buffer.size() - 1;
-    const auto touched = world_.check(own.buffer.poses, own.buffer.soles, true, *own.collision);
-    if (touched) result.failure = failure(*touched);
-    return !touched;
-  };
-  const double leave = edge.from.heading + edge.turn_first;
-  const double arrive = edge.to.heading - edge.turn_last;
-  if (!edge.path.empty()) {
-    const auto touch = core_.touch(
-        {edge.path, edge.from.position.z(), edge.from.standing, edge.to.standing, ground_}, world_,
-        *own.collision);
-    if (touch) {
-      result.failure = {SteeringStage::kValidation, "contact", touch->part, touch->object, 0.0};
-      return result;
+    if (const auto contact =
+            world_.check(own.buffer.poses, own.buffer.soles, true, *own.collision)) {
+      result.failure = touched(*contact, own.buffer, scratch);
+      return false;
     }
-    const WalkResult walk =
-        synthesizer_.walk(withHeading(edge.from, leave), withHeading(edge.to, arrive), edge.path,
-                          edge.any_leading, own.buffer);
-    if (!passes(walk)) return result;
-    edge.steps = walk.steps;
+    if (part != EdgePart::kWalk) return true;
+    edge.steps = made.steps;
     edge.effort = effortOf(own.buffer, synthesizer_.capturedLift(), synthesizer_.settings().speed);
-    if (!edge.to.standing) edge.to.leading = walk.leading;
-  }
-  if (edge.turn_first != 0.0 &&
-      !passes(synthesizer_.turnOnSpot(edge.from, edge.turn_first, own.buffer)))
-    return result;
-  if (edge.turn_last != 0.0 &&
-      !passes(synthesizer_.turnOnSpot(withHeading(edge.to, arrive), edge.turn_last, own.buffer))) {
-    return result;
-  }
+    if (!edge.to.standing) edge.to.leading = made.leading;
+    return true;
+  };
+  if (!visitParts(edge, kLikeliestRefused, own.buffer, passes)) return result;
   edge.duration = frames * synthesizer_.settings().frame_time;
   result.edge = std::move(edge);
   return result;
@@ -256,12 +310,13 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
 SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to,
                                 SteeringScratch& scratch) const {
   SteerResult all;
-  all.failure.rule = "no_curve";
+  all.failure = failure(WalkRule::kNoCurve, from.stance, to.stance);
   const auto passes = [&](WalkEdge edge) {
     SteerResult one = judge(std::move(edge), scratch);
     all.poses += one.poses;
     all.edge = std::move(one.edge);
-    if (!all.edge && one.failure.stage >= all.failure.stage) all.failure = one.failure;
+    if (!all.edge && stageOf(one.failure.rule) >= stageOf(all.failure.rule))
+      all.failure = one.failure;
     return all.edge.has_value();
   };
   const Eigen::Vector3d line = to.stance.position - from.stance.position;
@@ -279,29 +334,18 @@ SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to,
 void WalkSteering::animate(const WalkEdge& edge, AnimationBuffer& out) const {
   AnimationBuffer part;
   bool first = true;
-  const auto add = [&] {
-    if (first)
+  const bool made = visitParts(edge, kInTime, part, [&](EdgePart, const WalkResult& result) {
+    if (result.refused != WalkRule::kNone) return false;
+    if (std::exchange(first, false))
       out = part;
     else
       out.append(part);
-    first = false;
-  };
-  const double leave = edge.from.heading + edge.turn_first;
-  const double arrive = edge.to.heading - edge.turn_last;
-  if (edge.turn_first != 0.0) {
-    synthesizer_.turnOnSpot(edge.from, edge.turn_first, part);
-    add();
-  }
-  if (!edge.path.empty()) {
-    synthesizer_.walk(withHeading(edge.from, leave), withHeading(edge.to, arrive), edge.path,
-                      edge.any_leading, part);
-    add();
-  }
-  if (edge.turn_last != 0.0) {
-    synthesizer_.turnOnSpot(withHeading(edge.to, arrive), edge.turn_last, part);
-    add();
-  }
+    return true;
+  });
   if (first) synthesizer_.stand(edge.from, out);
+  // What was judged is made again the same: it cannot be refused.
+  assert(made);
+  (void)made;
 }
 
 }  // namespace amble

@@ -13,12 +13,18 @@
 /// heading are tried too. The first that passes all stages is the edge.
 #pragma once
 
+#include <array>
+
 #include "animation/synthesis/walk_synthesizer.h"
 #include "environments/collision/collision_world.h"
 #include "planner/steering/body_core.h"
 #include "planner/steering/steering.h"
 
 namespace amble {
+
+/// What an edge is made of.
+enum class EdgePart { kTurnFirst, kWalk, kTurnLast };
+using PartOrder = std::array<EdgePart, 3>;
 
 class WalkSteering : public Steering {
  public:
@@ -45,6 +51,13 @@ class WalkSteering : public Steering {
 
  private:
   SteerResult judge(WalkEdge edge, SteeringScratch& scratch) const;
+  SteeringFailure touched(const Contact& contact, const AnimationBuffer& buffer,
+                          SteeringScratch& scratch) const;
+  bool coreTouches(const WalkEdge& edge, SteeringScratch& scratch, SteeringFailure& failure) const;
+  WalkResult make(const WalkEdge& edge, EdgePart part, AnimationBuffer& out) const;
+  template <typename Visit>
+  bool visitParts(const WalkEdge& edge, const PartOrder& order, AnimationBuffer& buffer,
+                  Visit visit) const;
 
   const WalkSynthesizer& synthesizer_;
   const CollisionWorld& world_;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "base/rotation.h"
@@ -23,6 +25,10 @@ class DiscSteering : public Steering {
   std::vector<Eigen::AlignedBox2d> boxes;
   std::vector<OneWayDoor> doors;
   mutable std::atomic<long long> asked{0};
+  /// How often each directed pair of places was asked about, where `counts` says so (from one
+  /// thread).
+  bool counts = false;
+  mutable std::map<std::array<double, 6>, int> pairs;
 
   SteeringScratchPtr makeScratch() const override { return std::make_unique<SteeringScratch>(); }
   double topSpeed() const override { return 1.0; }
@@ -36,6 +42,7 @@ class DiscSteering : public Steering {
   /// line.
   SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch&) const override {
     ++asked;
+    if (counts) ++pairs[pairOf(from.stance, to.stance)];
     SteerResult result;
     result.poses = 1;
     const Eigen::Vector2d a = from.stance.position.head<2>(), b = to.stance.position.head<2>();
@@ -43,7 +50,7 @@ class DiscSteering : public Steering {
     for (const Waypoint* end : {&from, &to}) {
       if (end->stance.standing || std::abs(wrapAngle(end->stance.heading - heading)) < 50 * kDegree)
         continue;
-      result.failure = {SteeringStage::kLimits, "turn_rate"};
+      result.failure = {WalkRule::kTurnRate};
       return result;
     }
     if (const auto failure = blockedBetween(a, b)) {
@@ -60,6 +67,10 @@ class DiscSteering : public Steering {
     edge.duration = edge.length + 0.5 * from.stance.standing + 0.5 * to.stance.standing;
     result.edge = edge;
     return result;
+  }
+
+  static std::array<double, 6> pairOf(const Stance& a, const Stance& b) {
+    return {a.position.x(), a.position.y(), a.heading, b.position.x(), b.position.y(), b.heading};
   }
 
   std::optional<SteeringFailure> blockedAt(const Eigen::Vector2d& p) const {
@@ -88,9 +99,7 @@ class DiscSteering : public Steering {
   static double cross(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
     return u.x() * v.y() - u.y() * v.x();
   }
-  static SteeringFailure contact(int object) {
-    return {SteeringStage::kValidation, "contact", 0, object, 0.0};
-  }
+  static SteeringFailure contact(int object) { return {WalkRule::kContact, 0, object}; }
 };
 
 inline Eigen::AlignedBox2d box(double x0, double y0, double x1, double y1) {

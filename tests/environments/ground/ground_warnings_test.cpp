@@ -45,7 +45,7 @@ std::vector<std::string> flightWarnings(double rise, double max_climb, int tread
   objects.push_back(floorSlab());
   const Scene scene = sceneOf(objects);
   GroundSettings settings;
-  settings.max_climb = max_climb;
+  settings.limits.max_climb = max_climb;
   return groundWarnings(scene, SceneGround(scene, settings));
 }
 

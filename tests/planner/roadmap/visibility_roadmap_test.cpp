@@ -46,7 +46,7 @@ class TwoRooms : public testing::Test {
 
 TEST_F(TwoRooms, AreJoinedThroughTheGap) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    VisibilityRoadmap roadmap(steering, kRoom);
+    VisibilityRoadmap roadmap({steering, kRoom});
     const int from = roadmap.insert(standing(1, 1), true, true),
               to = roadmap.insert(standing(7, 1), true, true);
     EXPECT_TRUE(roadmap.connect(from, to, limitsOf(seed))) << seed;
@@ -57,8 +57,8 @@ TEST_F(TwoRooms, AreJoinedThroughTheGap) {
 
 TEST_F(TwoRooms, SameSeedGivesTheSameRoadmapAtAnyNumberOfThreads) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    VisibilityRoadmap one(sealed, kRoom), again(sealed, kRoom), two(sealed, kRoom),
-        five(sealed, kRoom);
+    VisibilityRoadmap one({sealed, kRoom}), again({sealed, kRoom}), two({sealed, kRoom}),
+        five({sealed, kRoom});
     const std::vector<std::pair<VisibilityRoadmap*, int>> runs = {
         {&one, 1}, {&again, 1}, {&two, 2}, {&five, 5}};
     for (const auto& [roadmap, threads] : runs) {
@@ -76,7 +76,7 @@ TEST_F(TwoRooms, SameSeedGivesTheSameRoadmapAtAnyNumberOfThreads) {
 
 TEST_F(TwoRooms, SearchThatEndsEarlyIsTheSameAtAnyNumberOfThreads) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    VisibilityRoadmap one(steering, kRoom), four(steering, kRoom);
+    VisibilityRoadmap one({steering, kRoom}), four({steering, kRoom});
     for (auto [roadmap, threads] : {std::pair{&one, 1}, std::pair{&four, 4}}) {
       const int from = roadmap->insert(standing(1, 1), true, true),
                 to = roadmap->insert(standing(7, 1), true, true);
@@ -91,7 +91,7 @@ TEST_F(TwoRooms, GuardsDoNotSeeEachOtherBothWays) {
   steering.doors = {{{4, 0}, {4, 6}}};
   const SteeringScratchPtr scratch = steering.makeScratch();
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    VisibilityRoadmap roadmap(steering, kRoom);
+    VisibilityRoadmap roadmap({steering, kRoom});
     const int from = roadmap.insert(standing(1, 1), true, true),
               to = roadmap.insert(standing(7, 1), true, true);
     roadmap.connect(to, from, limitsOf(seed));
@@ -109,7 +109,7 @@ TEST_F(TwoRooms, GuardsDoNotSeeEachOtherBothWays) {
 }
 
 TEST_F(TwoRooms, ConnectorsJoinWhatCouldNotBeWalked) {
-  VisibilityRoadmap roadmap(steering, kRoom);
+  VisibilityRoadmap roadmap({steering, kRoom});
   const int from = roadmap.insert(standing(1, 1), true, true),
             to = roadmap.insert(standing(7, 1), true, true);
   ASSERT_TRUE(roadmap.connect(from, to, limitsOf(3)));
@@ -135,7 +135,7 @@ TEST_F(TwoRooms, ConnectorsJoinWhatCouldNotBeWalked) {
 TEST_F(TwoRooms, OneWayDoorIsWalkedThroughOneWayOnly) {
   steering.doors = {{{4, 0}, {4, 6}}};  // from right (x > 4) to left
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    VisibilityRoadmap there(steering, kRoom), back(steering, kRoom);
+    VisibilityRoadmap there({steering, kRoom}), back({steering, kRoom});
     const Waypoint left = standing(1, 1), right = standing(7, 1);
     const int a = there.insert(right, true, true), b = there.insert(left, true, true);
     EXPECT_TRUE(there.connect(a, b, limitsOf(seed))) << seed;
@@ -147,7 +147,7 @@ TEST_F(TwoRooms, OneWayDoorIsWalkedThroughOneWayOnly) {
 
 TEST_F(TwoRooms, EveryEdgeWasCheckedInItsOwnDirection) {
   steering.doors = {{{4, 0}, {4, 6}}};
-  VisibilityRoadmap roadmap(steering, kRoom);
+  VisibilityRoadmap roadmap({steering, kRoom});
   const int from = roadmap.insert(standing(1, 1), true, true),
             to = roadmap.insert(standing(7, 1), true, true);
   roadmap.connect(from, to, limitsOf(5));
@@ -161,7 +161,7 @@ TEST_F(TwoRooms, EveryEdgeWasCheckedInItsOwnDirection) {
 }
 
 TEST_F(TwoRooms, FailuresInARowEndTheSearchAndEstimateCoverage) {
-  VisibilityRoadmap roadmap(sealed, kRoom);
+  VisibilityRoadmap roadmap({sealed, kRoom});
   const int from = roadmap.insert(standing(1, 1), true, true),
             to = roadmap.insert(standing(7, 1), true, true);
   EXPECT_FALSE(roadmap.connect(from, to, limitsOf(1, 80)));
@@ -178,7 +178,7 @@ TEST_F(TwoRooms, GuardsCoverTheEstimatedShare) {
   const SteeringScratchPtr scratch = sealed.makeScratch();
   int uncovered = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    VisibilityRoadmap roadmap(sealed, kRoom);
+    VisibilityRoadmap roadmap({sealed, kRoom});
     const int from = roadmap.insert(standing(1, 1), true, true),
               to = roadmap.insert(standing(7, 1), true, true);
     EXPECT_FALSE(roadmap.connect(from, to, limitsOf(seed, kFailures)));
@@ -202,7 +202,7 @@ TEST_F(TwoRooms, OnlyUniformSamplesAreCounted) {
   // guard.
   DiscSteering empty;
   empty.boxes = {box(-1, -1, 9, 0)};
-  VisibilityRoadmap roadmap(empty, kRoom);
+  VisibilityRoadmap roadmap({empty, kRoom});
   const int from = roadmap.insert(standing(1, 1), true, true),
             nowhere = roadmap.insert(standing(1, -9), true, true);
   EXPECT_FALSE(roadmap.connect(from, nowhere, limitsOf(1, 50)));
@@ -211,7 +211,7 @@ TEST_F(TwoRooms, OnlyUniformSamplesAreCounted) {
 }
 
 TEST_F(TwoRooms, ConnectorDoesNotSetTheCountBack) {
-  VisibilityRoadmap roadmap(steering, kRoom);
+  VisibilityRoadmap roadmap({steering, kRoom});
   const int from = roadmap.insert(standing(2, 4.5), true, true),
             to = roadmap.insert(standing(6, 1), true, true);
   const int guards = roadmap.roadmap().count(NodeKind::kGuard);
@@ -223,7 +223,7 @@ TEST_F(TwoRooms, ConnectorDoesNotSetTheCountBack) {
 
 TEST_F(TwoRooms, FreeHeadingAtTheStartIsLeftAndNeverEntered) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    VisibilityRoadmap roadmap(steering, kRoom);
+    VisibilityRoadmap roadmap({steering, kRoom});
     Waypoint start = standing(1, 1), goal = standing(7, 1);
     start.any_heading = goal.any_heading = true;
     const int from = roadmap.insert(start, false, true), to = roadmap.insert(goal, true, false);
@@ -236,7 +236,7 @@ TEST_F(TwoRooms, FreeHeadingAtTheStartIsLeftAndNeverEntered) {
 }
 
 TEST_F(TwoRooms, StartAndGoalThatSeeEachOtherNeedNoSample) {
-  VisibilityRoadmap roadmap(steering, kRoom);
+  VisibilityRoadmap roadmap({steering, kRoom});
   const int from = roadmap.insert(standing(1, 1), true, true),
             to = roadmap.insert(standing(3, 5), true, true);
   EXPECT_TRUE(roadmap.connect(from, to, limitsOf(1)));
@@ -244,12 +244,12 @@ TEST_F(TwoRooms, StartAndGoalThatSeeEachOtherNeedNoSample) {
 }
 
 TEST_F(TwoRooms, EndThatIsThereAlreadyIsFoundAgain) {
-  VisibilityRoadmap roadmap(steering, kRoom);
+  VisibilityRoadmap roadmap({steering, kRoom});
   EXPECT_EQ(roadmap.insert(standing(1, 1), true, true), roadmap.insert(standing(1, 1), true, true));
 }
 
 TEST_F(TwoRooms, StopFlagEndsTheSearch) {
-  VisibilityRoadmap roadmap(sealed, kRoom);
+  VisibilityRoadmap roadmap({sealed, kRoom});
   const int from = roadmap.insert(standing(1, 1), true, true),
             to = roadmap.insert(standing(7, 1), true, true);
   const std::atomic<bool> stop{true};

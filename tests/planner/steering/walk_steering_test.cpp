@@ -34,16 +34,16 @@ class WalkSteeringTest : public testing::Test {
 TEST_F(WalkSteeringTest, RefusalNamesStageRuleAndObject) {
   const SteerResult through = steering.steer(standing(1.5, 1.5), standing(4.5, 2.5), *scratch);
   ASSERT_FALSE(through.edge.has_value());
-  EXPECT_EQ(through.failure.stage, SteeringStage::kValidation);
-  EXPECT_EQ(through.failure.rule, "contact");
+  EXPECT_EQ(stageOf(through.failure.rule), SteeringStage::kValidation);
+  EXPECT_EQ(through.failure.rule, WalkRule::kContact);
   EXPECT_EQ(room.scene.objects[through.failure.object].name, "wall");
 
   const SteerResult tight = steering.steer(walking(1, 1, 0), walking(1, 2, 180), *scratch);
   ASSERT_FALSE(tight.edge.has_value());
-  EXPECT_NE(tight.failure.stage, SteeringStage::kValidation);
+  EXPECT_NE(stageOf(tight.failure.rule), SteeringStage::kValidation);
 
   Stance outside = standing(9, 9).stance;
-  EXPECT_EQ(steering.stand(outside, *scratch)->rule, "no_ground");
+  EXPECT_EQ(steering.stand(outside, *scratch)->rule, WalkRule::kNoGround);
   Stance in_table = standing(4.5, 1.2).stance;
   const auto blocked = steering.stand(in_table, *scratch);
   ASSERT_TRUE(blocked.has_value());

@@ -1,0 +1,66 @@
+#include "planner/legs/ompl_legs.h"
+
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "planner/obstruction.h"
+#include "planner/ompl/roadmap_planner.h"
+
+namespace amble {
+namespace {
+
+// A tree draws many samples for each that a roadmap's failures count: it ends after so many times
+// max_failures. A roadmap counts its own.
+constexpr int kTreeSamplesPerFailure = 4;
+
+class OmplLegs : public LegPlanner {
+ public:
+  OmplLegs(const PlanRequest& request, const SearchLimits& limits, OmplSpacePtr space,
+           OmplPlannerPtr planner)
+      : request_(request),
+        limits_(limits),
+        space_(std::move(space)),
+        planner_(std::move(planner)),
+        roadmap_(roadmapOf(*planner_)) {}
+
+  std::optional<std::vector<WalkEdge>> solve(const Waypoint& from, const Waypoint& to) override {
+    from_ = from;
+    to_ = to;
+    const Stopwatch watch;
+    effortOf(*space_).refused.clear();
+    const long long samples = static_cast<long long>(kTreeSamplesPerFailure) * limits_.max_failures;
+    auto edges = solveWith(*planner_, from, to, limits_, samples);
+    seconds_ += watch.seconds();
+    return edges;
+  }
+  std::optional<Obstruction> why() const override {
+    return mostOften(roadmap_ ? inTheWay(*roadmap_, from_, to_) : effortOf(*space_).refused,
+                     request_.world->scene(), request_.world->body());
+  }
+  void describe(PlanOutcome& outcome) const override {
+    const SpaceEffort& effort = effortOf(*space_);
+    outcome.samples += effort.samples;
+    describeCount(effort.steering, outcome);
+    if (roadmap_) describeRoadmap(*roadmap_, outcome);
+    if (roadmap_) describeCount(roadmap_->steering(), outcome);
+    outcome.times.roadmap += seconds_;
+  }
+
+ private:
+  const PlanRequest& request_;
+  const SearchLimits& limits_;
+  OmplSpacePtr space_;
+  OmplPlannerPtr planner_;
+  const SampledRoadmap* roadmap_;  // of planner_, where it has one
+  Waypoint from_, to_;
+  double seconds_ = 0.0;
+};
+
+}  // namespace
+
+LegPlannerPtr makeOmplLegs(const PlanRequest& request, const SearchLimits& limits,
+                           OmplSpacePtr space, OmplPlannerPtr planner) {
+  return std::make_unique<OmplLegs>(request, limits, std::move(space), std::move(planner));
+}
+
+}  // namespace amble
