@@ -1,9 +1,24 @@
 // Edge validation in the living room, and roadmap, query and refinement of every scenario.
+//
+// With --ompl=FOLDER instead: every planner on every scenario, in the log format of OMPL's
+// benchmarks, a file a scenario, for its ompl_benchmark_statistics.py and for Planner Arena.
+// Options then: --runs=N (10), each by a seed of its own, --seconds=S (10) a run, and names of
+// scenarios.
 
 #include <benchmark/benchmark.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/geometric/SimpleSetup.h>
+#include <ompl/tools/benchmark/Benchmark.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
+#include <string>
+#include <vector>
 
+#include "planner/legs/planners.h"
+#include "planner/ompl/quiet_ompl.h"
+#include "planner/ompl/roadmap_planner.h"
 #include "planner/steering/walk_steering.h"
 #include "scenarios/check_scenarios.h"
 #include "scenarios/find_scenarios.h"
@@ -70,4 +85,117 @@ const bool registered = [] {
   return true;
 }();
 
+struct OmplOptions {
+  std::filesystem::path folder;  // empty: Google's benchmarks are run
+  int runs = 10;
+  double seconds = 10.0;           // a run [s]
+  std::vector<std::string> names;  // of scenarios; none: all
+};
+
+Waypoint endOf(const Problem& problem, const Place& place, const char* key, bool stands) {
+  Waypoint at;
+  at.stance.position = problem.stand(place, key);
+  at.stance.heading = place.heading.value_or(0.0);
+  at.stance.standing = stands;
+  at.any_heading = !place.heading;
+  return at;
+}
+
+// What OMPL does not measure itself.
+void addProperties(const ompl::base::PlannerPtr& planner,
+                   ompl::tools::Benchmark::RunProperties& run) {
+  const auto& space = *planner->getSpaceInformation();
+  SteeringCount count = effortOf(space).steering;
+  long long samples = effortOf(space).samples;
+  if (const SampledRoadmap* roadmap = roadmapOf(*planner)) {
+    count.add(roadmap->steering());
+    samples += roadmap->samples();
+  }
+  run["samples INTEGER"] = std::to_string(samples);
+  run["edges steered INTEGER"] = std::to_string(count.asked);
+  run["poses checked INTEGER"] = std::to_string(count.poses);
+  const auto& problem = *planner->getProblemDefinition();
+  if (!problem.hasExactSolution()) return;
+  const auto& path = static_cast<ompl::geometric::PathGeometric&>(*problem.getSolutionPath());
+  double duration = 0.0;
+  for (size_t i = 0; i + 1 < path.getStateCount(); ++i) {
+    const SteerResult& walk = motionOf(space, path.getState(i), path.getState(i + 1));
+    if (walk.edge) duration += walk.edge->duration;
+  }
+  run["walk duration REAL"] = std::to_string(duration);
+}
+
+// Every planner that is one of OMPL's kind, from start to goal.
+void logScenario(const std::filesystem::path& file, const OmplOptions& options) {
+  const Problem problem(readScenario(file), 1.0 / 60.0);
+  const Scenario& scenario = problem.scenario;
+  const WalkSteering steering(problem.synthesizer, problem.world, problem.ground);
+  const OmplSpacePtr space = makeWalkSpace(steering, problem.bounds(), 1);
+  const OmplProblemPtr asked =
+      makeProblem(space, endOf(problem, scenario.start, "start", scenario.walk.from_standing),
+                  endOf(problem, scenario.goal, "goal", scenario.walk.to_standing));
+  ompl::geometric::SimpleSetup setup(space);
+  setup.getProblemDefinition()->addStartState(asked->getStartState(0));
+  setup.setGoal(asked->getGoal());
+  ompl::tools::Benchmark log(setup, scenario.name);
+  SearchLimits limits;
+  limits.max_failures = scenario.planner.max_failures;
+  for (const PlannerEntry& entry : planners()) {
+    if (!entry.make) continue;
+    const OmplPlannerPtr planner = entry.make(space, limits);
+    planner->setName(entry.name);
+    if (!setup.getPlanner()) setup.setPlanner(planner);
+    log.addPlanner(planner);
+  }
+  std::uint64_t seed = 0;
+  log.setPlannerSwitchEvent([&](const auto&) { seed = 0; });
+  log.setPreRunEvent([&](const auto&) { restart(*space, ++seed); });
+  log.setPostRunEvent(addProperties);
+  constexpr double kMostMemory = 4096.0;   // [MB]
+  constexpr double kBetweenUpdates = 0.5;  // [s]
+  log.benchmark({options.seconds, kMostMemory, static_cast<unsigned>(options.runs), kBetweenUpdates,
+                 false, false, false});
+  std::filesystem::create_directories(options.folder);
+  const std::filesystem::path out = options.folder / (scenario.name + ".log");
+  log.saveResultsToFile(out.c_str());
+  std::printf("%s\n", out.c_str());
+}
+
+OmplOptions readOptions(int argc, char** argv) {
+  OmplOptions options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const std::string value = word.substr(word.find('=') + 1);
+    if (word.starts_with("--ompl="))
+      options.folder = value;
+    else if (word.starts_with("--runs="))
+      options.runs = std::stoi(value);
+    else if (word.starts_with("--seconds="))
+      options.seconds = std::stod(value);
+    else
+      options.names.push_back(word);
+  }
+  return options;
+}
+
+void logAll(const OmplOptions& options) {
+  const QuietOmpl quiet;
+  const auto& names = options.names;
+  for (const auto& file : findScenarios({kScenarios})) {
+    const bool is_asked =
+        names.empty() || std::find(names.begin(), names.end(), file.stem().string()) != names.end();
+    if (is_asked && missingData(readScenario(file)).empty()) logScenario(file, options);
+  }
+}
+
 }  // namespace
+
+int main(int argc, char** argv) {
+  const OmplOptions options = readOptions(argc, argv);
+  if (!options.folder.empty()) {
+    logAll(options);
+    return 0;
+  }
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -2,11 +2,245 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <utility>
 
+#include "animation/steps/stride_law.h"
+#include "base/rotation.h"
+#include "planner/steering/straight_walk.h"
+
 namespace amble {
+
+std::string nameOf(const SceneObject& object) {
+  return object.part.empty() ? object.name : object.name + ": " + object.part;
+}
+
 namespace {
+
+constexpr double kProbeRadius = 0.02;    // of the post that feels for what is beside a place [m]
+constexpr double kProbeStep = 0.01;      // [m]
+constexpr double kFarthestProbe = 1.5;   // [m]
+constexpr int kProbeDirections = 16;     // around a place
+constexpr double kLowestProbe = 0.3;     // over the ground: what is lower may be stepped over [m]
+constexpr double kHighestProbe = 0.85;   // of stature: shoulders and what hangs from them
+constexpr double kOverhead = 0.55;       // of stature: what begins higher is walked under
+constexpr double kGroundStep = 0.02;     // between the places where ground is looked at [m]
+constexpr double kFarthestGround = 3.0;  // beyond an edge [m]
+constexpr double kSeen = 1.5;            // up and down, to which ground is seen from an edge [m]
+constexpr size_t kMostMeasured = 100;    // places of refusals
+
+std::string metres(double value, int digits = 2) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f m", digits, value);
+  return text;
+}
+
+std::string placeText(const Eigen::Vector3d& p) {
+  const Eigen::Vector3d q = p + Eigen::Vector3d::Constant(1e-9);  // no -0.00
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.2f, %.2f, %.2f)", q.x(), q.y(), q.z());
+  return text;
+}
+
+// What `needed` is to `width`.
+std::string neededText(const Obstruction& why) {
+  const bool most = why.rule == WalkRule::kNoGround || why.rule == WalkRule::kStepHeight;
+  return most ? "at most" : "needed";
+}
+
+Eigen::Vector3d unit(double heading) { return {std::cos(heading), std::sin(heading), 0.0}; }
+
+// From the root path, to both sides together, of a body that walks straight on [m].
+double walkingBreadth(const PlanRequest& request) {
+  constexpr double kMeasuredWalk = 3.0;  // [m]
+  const WalkSynthesizer& synthesizer = *request.synthesizer;
+  const Body& body = request.world->body();
+  const StraightWalk walk = straightWalk(synthesizer, *request.ground, kMeasuredWalk);
+  std::vector<JointFrame> joints(synthesizer.skeleton().size());
+  std::vector<Eigen::Vector3d> from(body.parts.size()), to(body.parts.size());
+  Eigen::AlignedBox1d breadth;
+  for (int frame = 0; frame < walk.buffer.size(); ++frame) {
+    forwardKinematics(synthesizer.skeleton(), walk.buffer.poses[frame], joints);
+    placeBody(body, joints, from, to);
+    const FrameState& state = walk.buffer.states[frame];
+    const Eigen::Vector3d left = unit(state.heading + 0.5 * kPi);
+    for (size_t i = 0; i < body.parts.size(); ++i) {
+      for (const Eigen::Vector3d& end : {from[i], to[i]}) {
+        const double offset = left.dot(end - state.position), r = body.parts[i].radius;
+        breadth.extend(Eigen::AlignedBox1d(offset - r, offset + r));
+      }
+    }
+  }
+  return breadth.isEmpty() ? 0.0 : breadth.sizes()[0];
+}
+
+// Feels with an upright post for what is around a place.
+class PlaceProbe {
+ public:
+  struct Side {
+    double distance = 0.0;  // to the post [m]
+    std::string object;
+  };
+
+  explicit PlaceProbe(const PlanRequest& request)
+      : request_(request),
+        scratch_(request.world->makeScratch()),
+        stature_(request.synthesizer->stature()) {}
+
+  // What is met first from a place on the ground along a heading.
+  std::optional<Side> along(const Eigen::Vector3d& ground, double heading, double low) const {
+    const double high = std::max(low + kProbeStep, kHighestProbe * stature_);
+    for (double d = 0.0; d <= kFarthestProbe; d += kProbeStep) {
+      const Eigen::Vector3d p = ground + d * unit(heading);
+      const int object = request_.world->touched(
+          p + Eigen::Vector3d(0, 0, low), p + Eigen::Vector3d(0, 0, high), kProbeRadius, *scratch_);
+      if (object >= 0) return Side{d, nameOf(request_.world->scene().objects[object])};
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Side> nearest(const Eigen::Vector3d& ground) const {
+    std::optional<Side> best;
+    for (int i = 0; i < kProbeDirections; ++i) {
+      const auto side = along(ground, 2.0 * kPi * i / kProbeDirections, kLowestStep);
+      if (side && (!best || side->distance < best->distance)) best = side;
+    }
+    return best;
+  }
+
+  // Of the places of refusals the widest passage that is too narrow, or what is too low there.
+  void measurePassage(const std::vector<SteeringFailure>& refusals, Obstruction& why) const {
+    const double needed = walkingBreadth(request_);
+    const size_t stride = 1 + refusals.size() / kMostMeasured;
+    for (size_t i = 0; i < refusals.size(); i += stride) {
+      const SteeringFailure& refusal = refusals[i];
+      if (refusal.rule != WalkRule::kContact) continue;
+      const auto sides = narrowest(refusal);
+      if (!sides) continue;
+      const auto& [near, far] = *sides;
+      const double width = near.distance + far.distance + 2.0 * kProbeRadius;
+      if (width >= needed || (why.width && width <= *why.width)) continue;
+      why.object = near.object;
+      why.other = far.object;
+      why.at = refusal.at;
+      why.part = request_.world->body().parts[std::max(0, refusal.part)].name;
+      why.gap = refusal.gap;
+      why.width = width;
+      why.needed = needed;
+    }
+    if (!why.width) measureHeadroom(why);
+  }
+
+  // Where the ground between two stances does not let a walk through.
+  void measureGround(Obstruction& why) const {
+    const SceneGround& ground = *request_.ground;
+    const GroundLimits& limits = ground.settings().limits;
+    const Eigen::Vector3d begin = why.at, way = why.body - why.at;
+    const int count = static_cast<int>(way.head<2>().norm() / kGroundStep);
+    double z = begin.z();
+    for (int i = 0; i <= count; ++i) {
+      const Eigen::Vector3d p = begin + way * i / std::max(1, count);
+      const auto here = ground.surface(p.x(), p.y(), z, limits.highestStep());
+      why.at << p.x(), p.y(), z;
+      if (!here) return measureEdge(why, way);
+      if (here->normal.z() < std::cos(limits.max_slope)) return;
+      if (why.rule != WalkRule::kNoGround && stepsOver(why, way)) return;
+      z = here->height;
+    }
+    why.at = begin;
+  }
+
+ private:
+  static constexpr double kLowestStep = 0.05;  // over the ground [m]
+  static constexpr double kSeenAhead = 0.1;  // to which the height of an obstacle is looked at [m]
+
+  // The nearer and the farther side of what is narrowest a little before and behind the body; none
+  // where it is open to a side, or where the way leads straight into something.
+  std::optional<std::pair<Side, Side>> narrowest(const SteeringFailure& refusal) const {
+    std::optional<std::pair<Side, Side>> best;
+    for (const double ahead : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5}) {
+      const Eigen::Vector3d p = refusal.body + ahead * unit(refusal.heading);
+      const auto left = along(p, refusal.heading + 0.5 * kPi, kLowestProbe);
+      const auto right = along(p, refusal.heading - 0.5 * kPi, kLowestProbe);
+      if (!left || !right) continue;
+      if (left->distance <= 0.0 || right->distance <= 0.0) break;
+      const double width = left->distance + right->distance;
+      if (best && width >= best->first.distance + best->second.distance) continue;
+      best =
+          left->distance <= right->distance ? std::pair(*left, *right) : std::pair(*right, *left);
+    }
+    return best;
+  }
+
+  // What hangs over the place, lower than the body is tall.
+  void measureHeadroom(Obstruction& why) const {
+    for (double height = kOverhead * stature_; height < stature_; height += kProbeStep) {
+      const Eigen::Vector3d p = why.body + Eigen::Vector3d(0, 0, height);
+      const int object = request_.world->touched(p, p, kProbeRadius, *scratch_);
+      if (object < 0 || nameOf(request_.world->scene().objects[object]) != why.object) continue;
+      if (height <= kOverhead * stature_) return;  // it goes on below: no thing to walk under
+      why.width = height + kProbeRadius;
+      why.needed = stature_;
+      return;
+    }
+  }
+
+  // The ground ends at why.at: how far, or how high, is it to what goes on?
+  void measureEdge(Obstruction& why, const Eigen::Vector3d& way) const {
+    const SceneGround& ground = *request_.ground;
+    const double heading = std::atan2(way.y(), way.x());
+    for (double d = 0.0; d <= kFarthestGround; d += kGroundStep) {
+      const Eigen::Vector3d p = why.at + d * unit(heading);
+      const auto there = ground.height(p.x(), p.y(), why.at.z(), kSeen);
+      if (!there) continue;
+      const double rise = std::abs(*there - why.at.z());
+      const bool steps = d < kGroundStep && rise > ground.settings().limits.highestStep();
+      why.width = steps ? rise : d;
+      why.needed =
+          steps ? ground.settings().limits.highestStep() : longestStep(*request_.synthesizer);
+      return;
+    }
+  }
+
+  // Something at why.at that is higher than a step.
+  bool stepsOver(Obstruction& why, const Eigen::Vector3d& way) const {
+    const double highest = request_.ground->settings().limits.highestStep();
+    const Eigen::Vector3d low = why.at + Eigen::Vector3d(0, 0, highest + kProbeRadius);
+    const Eigen::Vector3d high = why.at + Eigen::Vector3d(0, 0, highest + kOverhead * stature_);
+    const int object = request_.world->touched(low, high, kProbeRadius, *scratch_);
+    if (object < 0) return false;
+    why.object = nameOf(request_.world->scene().objects[object]);
+    const Eigen::Vector2d p = why.at.head<2>();
+    const Eigen::Vector2d ahead = p + kSeenAhead * way.head<2>().normalized();
+    const double top = request_.ground->crest(p, ahead, kProbeRadius, low.z(), high.z());
+    if (std::isfinite(top)) why.width = top - why.at.z();
+    if (why.width) why.needed = highest;
+    return true;
+  }
+
+  const PlanRequest& request_;
+  CollisionScratchPtr scratch_;
+  double stature_;
+};
+
+// The nearest place where the body stands as asked, by any heading where any will do.
+std::optional<Eigen::Vector3d> nearestFree(const Waypoint& end, const Steering& steering) {
+  constexpr double kSpacing = 0.02;  // between rings [m]
+  constexpr int kHeadings = 8;
+  const SteeringScratchPtr scratch = steering.makeScratch();
+  for (double r = kSpacing; r <= kFarthestProbe; r += kSpacing) {
+    for (int i = 0; i < kProbeDirections; ++i) {
+      for (int k = 0; k < (end.any_heading ? kHeadings : 1); ++k) {
+        Stance stance = end.stance;
+        stance.position += r * unit(2.0 * kPi * i / kProbeDirections);
+        stance.heading += 2.0 * kPi * k / kHeadings;
+        if (!steering.stand(stance, *scratch)) return stance.position;
+      }
+    }
+  }
+  return std::nullopt;
+}
 
 // The key that is there most often, the first of equal ones.
 template <typename Key>
@@ -27,10 +261,6 @@ const SteeringFailure& middleOf(const std::vector<const SteeringFailure*>& refus
 }
 
 }  // namespace
-
-std::string nameOf(const SceneObject& object) {
-  return object.part.empty() ? object.name : object.name + ": " + object.part;
-}
 
 std::optional<Obstruction> mostOften(const std::vector<SteeringFailure>& refusals,
                                      const Scene& scene, const Body& body) {
@@ -59,6 +289,62 @@ std::optional<Obstruction> mostOften(const std::vector<SteeringFailure>& refusal
   const int part = best(by_part).first;
   if (part >= 0) why.part = body.parts[part].name;
   return why;
+}
+
+double longestStep(const WalkSynthesizer& synthesizer) {
+  return StrideLaw::kLongestStep * synthesizer.capturedStep();
+}
+
+std::optional<Obstruction> whatStoodInTheWay(const std::vector<SteeringFailure>& refusals,
+                                             const PlanRequest& request) {
+  auto why = mostOften(refusals, request.world->scene(), request.world->body());
+  if (!why) return why;
+  const PlaceProbe probe(request);
+  if (why->rule == WalkRule::kContact)
+    probe.measurePassage(refusals, *why);
+  else
+    probe.measureGround(*why);
+  return why;
+}
+
+Obstruction whatBlocks(const SteeringFailure& failure, const Waypoint& end,
+                       const PlanRequest& request, const Steering& steering) {
+  Obstruction why = *mostOften({failure}, request.world->scene(), request.world->body());
+  const PlaceProbe probe(request);
+  const auto near = probe.nearest(end.stance.position);
+  if (near && why.object.empty()) why.object = near->object;
+  if (near && near->object == why.object) why.width = near->distance;
+  why.free = nearestFree(end, steering);
+  if (!why.free || !why.width) return why;
+  const auto there = probe.nearest(*why.free);
+  why.needed = std::max(*why.width, there ? there->distance : kFarthestProbe);
+  return why;
+}
+
+Obstruction whatTheGroundLacks(const GroundGap& gap, const PlanRequest& request) {
+  Obstruction why;
+  const double longest = longestStep(*request.synthesizer);
+  const bool wide = gap.width() > longest;
+  why.rule = wide ? WalkRule::kNoGround : WalkRule::kStepHeight;
+  why.at = gap.near;
+  why.body = gap.far;
+  why.count = 1;
+  why.width = wide ? gap.width() : std::abs(gap.rise());
+  why.needed = wide ? longest : request.ground->settings().limits.highestStep();
+  return why;
+}
+
+std::string describe(const Obstruction& why) {
+  std::string text(walkRuleName(why.rule));
+  if (!why.part.empty()) text += ": " + why.part + " and " + why.object;
+  if (why.part.empty() && !why.object.empty()) text += ": " + why.object;
+  if (!why.other.empty()) text += ", between it and " + why.other;
+  text += " at " + placeText(why.at);
+  if (why.gap > 0.0) text += ", " + metres(why.gap, 3) + " apart";
+  if (why.width) text += ", " + metres(*why.width) + " there";
+  if (why.width && why.needed) text += ", " + neededText(why) + " " + metres(*why.needed);
+  if (why.free) text += "; the nearest place that would do is " + placeText(*why.free);
+  return text;
 }
 
 }  // namespace amble

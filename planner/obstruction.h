@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "planner/plan_request.h"
+#include "planner/steering/ground_reach.h"
 #include "planner/steering/steering.h"
 
 namespace amble {
@@ -19,5 +20,23 @@ std::string nameOf(const SceneObject& object);
 /// body that did, and one of the places where it happened. None where nothing was refused.
 std::optional<Obstruction> mostOften(const std::vector<SteeringFailure>& refusals,
                                      const Scene& scene, const Body& body);
+
+/// The same, and measured: how wide and high it is there, and between what.
+std::optional<Obstruction> whatStoodInTheWay(const std::vector<SteeringFailure>& refusals,
+                                             const PlanRequest& request);
+
+/// Of an end that is blocked: by what, and the nearest place where the body could stand as it is to
+/// stand there.
+Obstruction whatBlocks(const SteeringFailure& failure, const Waypoint& end,
+                       const PlanRequest& request, const Steering& steering);
+
+/// Of ground that does not lead there.
+Obstruction whatTheGroundLacks(const GroundGap& gap, const PlanRequest& request);
+
+/// One line for people: the rule, what it is about, where, how much there is and what would do.
+std::string describe(const Obstruction& why);
+
+/// Middles of two feet in one step are no farther apart [m].
+double longestStep(const WalkSynthesizer& synthesizer);
 
 }  // namespace amble

@@ -52,8 +52,14 @@ struct Obstruction {
   WalkRule rule = WalkRule::kNone;
   std::string part;     ///< of the body; empty where no contact refused
   std::string object;   ///< of the scene, by name; empty where no contact refused
+  std::string other;    ///< beside `object`: the passage is between the two; empty where it is none
   double gap = 0.0;     ///< least distance that was proved there [m, >= 0]
   long long count = 0;  ///< how often [>= 1]
+  /// What there is, and what the walk needs: breadth or height of a passage, a step's height, the
+  /// length without ground against the longest step, or how far an end is from `object`, and would
+  /// have to be [m, >= 0].
+  std::optional<double> width, needed;
+  std::optional<Eigen::Vector3d> free;  ///< of a blocked end: the nearest place that would do
   /// Where it happened: the part that touched, or where a walk was to begin [m, World].
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   /// The ground under the body there, and its heading; of what did not touch, where the walk was to
@@ -92,7 +98,8 @@ struct PlanOutcome {
   PlanStatus status = PlanStatus::kNoWalk;
   Walk walk;  ///< where solved
   std::optional<Obstruction>
-      why;  ///< where not; none where nothing was ever refused (it was stopped)
+      why;              ///< where not; none where nothing was ever refused (it was stopped)
+  bool proved = false;  ///< where not: no walk exists at all; else none was found
   RoadmapPicture roadmap;
   int guards = 0;
   int connectors = 0;

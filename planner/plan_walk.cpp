@@ -9,6 +9,7 @@
 #include "planner/legs/planners.h"
 #include "planner/obstruction.h"
 #include "planner/refine_walk.h"
+#include "planner/steering/ground_reach.h"
 #include "planner/steering/walk_steering.h"
 
 namespace amble {
@@ -34,6 +35,13 @@ double headingFromTo(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   return std::atan2(to.y() - from.y(), to.x() - from.x());
 }
 
+// The way of small steps.
+RootPath straightLine(const WalkEdge& edge) {
+  const double heading = headingFromTo(edge.from.position, edge.to.position);
+  return RootPath({makeBezier(edge.from.position.head<2>(), heading, edge.to.position.head<2>(),
+                              heading, 1.0 / 3.0)});
+}
+
 /// One run of planWalk.
 class Plan {
  public:
@@ -50,7 +58,8 @@ class Plan {
   bool settleEnds();
   std::optional<EdgePath> walkAllLegs();
   void finish(EdgePath path);
-  void refuse(PlanStatus status, const SteeringFailure& failure);
+  void refuse(PlanStatus status, Obstruction why);
+  bool groundLeads();
   void addPath(const WalkEdge& edge);
 
   const PlanRequest request_;
@@ -86,10 +95,24 @@ std::optional<SteeringFailure> Plan::settle(const PlanEnd& end, double likely_he
   return first;
 }
 
-void Plan::refuse(PlanStatus status, const SteeringFailure& failure) {
+void Plan::refuse(PlanStatus status, Obstruction why) {
   outcome_.status = status;
-  outcome_.why = mostOften({failure}, request_.world->scene(), request_.world->body());
-  ++outcome_.refusals[failure.rule];
+  ++outcome_.refusals[why.rule];
+  outcome_.why = std::move(why);
+}
+
+// Whether ground leads from stop to stop; said at once where it does not.
+bool Plan::groundLeads() {
+  const double step = longestStep(*request_.synthesizer);
+  for (size_t i = 0; i + 1 < stops_.size(); ++i) {
+    const auto gap =
+        findGap(*request_.ground, stops_[i].stance.position, stops_[i + 1].stance.position, step);
+    if (!gap) continue;
+    refuse(PlanStatus::kNoWalk, whatTheGroundLacks(*gap, request_));
+    outcome_.proved = true;
+    return false;
+  }
+  return true;
 }
 
 bool Plan::settleEnds() {
@@ -107,7 +130,8 @@ bool Plan::settleEnds() {
       refuse(i == 0      ? PlanStatus::kStartBlocked
              : i == last ? PlanStatus::kGoalBlocked
                          : PlanStatus::kNoWalk,
-             *failure);
+             whatBlocks(*failure, stops_[i], request_, steering_));
+      outcome_.proved = true;
       return false;
     }
     if (i > 0 && i < last)
@@ -147,6 +171,7 @@ void Plan::addPath(const WalkEdge& edge) {
   else
     outcome_.walk.buffer.append(part);
   if (!edge.path.empty()) outcome_.walk.path.append(edge.path);
+  if (edge.path.empty() && edge.length > 0.0) outcome_.walk.path.append(straightLine(edge));
   outcome_.walk.stances.push_back(edge.to);
 }
 
@@ -166,7 +191,7 @@ void Plan::finish(EdgePath path) {
   const auto failure = steering_.contact(outcome_.walk.buffer, *scratch_);
   if (failure) {
     outcome_.walk = {};
-    refuse(PlanStatus::kNoWalk, *failure);
+    refuse(PlanStatus::kNoWalk, *whatStoodInTheWay({*failure}, request_));
   } else {
     outcome_.status = PlanStatus::kSolved;
   }
@@ -174,7 +199,7 @@ void Plan::finish(EdgePath path) {
 }
 
 PlanOutcome Plan::run() {
-  if (settleEnds()) {
+  if (settleEnds() && groundLeads()) {
     if (auto path = walkAllLegs()) finish(std::move(*path));
   }
   return std::move(outcome_);

@@ -89,6 +89,21 @@ Json walkJson(const Report& report) {
           {"quality", qualityJson(report)}};
 }
 
+Json obstructionJson(const Obstruction& why) {
+  const auto named = [](const std::string& name) {
+    return name.empty() ? Json(nullptr) : Json(name);
+  };
+  const auto measured = [](const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+  };
+  Json json = {{"rule", walkRuleName(why.rule)}, {"part", named(why.part)},
+               {"object", named(why.object)},    {"other", named(why.other)},
+               {"at", vector(why.at)},           {"width", measured(why.width)},
+               {"needed", measured(why.needed)}};
+  if (why.free) json["free"] = vector(*why.free);
+  return json;
+}
+
 Json searchJson(const Report& report) {
   Json refusals = Json::object();
   for (const auto& [rule, count] : report.refusals) refusals[rule] = count;
@@ -110,7 +125,11 @@ void writeJson(std::ostream& out, const Report& report) {
                {"seed", report.seed},
                {"planner", report.planner},
                {"stopped_by", report.stopped_by.empty() ? Json(nullptr) : Json(report.stopped_by)}};
-  if (!report.why.empty()) json["why"] = report.why;
+  if (!report.why.empty()) {
+    json["why"] = report.why;
+    json["obstruction"] = report.obstruction ? obstructionJson(*report.obstruction) : Json(nullptr);
+    json["proved"] = report.proved;
+  }
   if (report.status == PlanStatus::kSolved) json.update(walkJson(report));
   json.update(searchJson(report));
   json["inputs"] = report.inputs;

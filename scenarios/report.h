@@ -69,9 +69,11 @@ struct Report {
   double bvh_unit = 1.0;  ///< length of the BVH's unit [m]
   double stature = 0.0;   ///< [m]
   std::vector<BodyPart> body;
-  std::vector<std::string> joint_names;  ///< as the BVH has them, by joint
-  std::vector<QualityLine> quality;      ///< empty without a walk
-  std::string why;                       ///< without a walk: what most often stood in the way
+  std::vector<std::string> joint_names;    ///< as the BVH has them, by joint
+  std::vector<QualityLine> quality;        ///< empty without a walk
+  std::string why;                         ///< without a walk: what most often stood in the way
+  std::optional<Obstruction> obstruction;  ///< the same for machines; none where nothing was tried
+  bool proved = false;                     ///< without a walk: none exists; else none was found
 };
 
 /// Indented JSON with the fields of DESIGN.md, `times` last. Numbers are the shortest that read

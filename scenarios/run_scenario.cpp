@@ -6,6 +6,7 @@
 #include "base/sha256.h"
 #include "base/strict_yaml.h"
 #include "base/version.h"
+#include "planner/obstruction.h"
 #include "scenarios/export_walk.h"
 #include "scenarios/input_digests.h"
 #include "scenarios/measure_walk.h"
@@ -55,20 +56,14 @@ PlanRequest requestOf(const Problem& problem, const RunOptions& options) {
   return request;
 }
 
-// The rule, the body part, the object and the gap that most often stood in the way.
+// What most often stood in the way, and of how many refusals it is.
 std::string whyNot(const PlanOutcome& outcome) {
   if (!outcome.why) return outcome.stopped ? "it was stopped" : "nothing was tried";
-  const Obstruction& why = *outcome.why;
-  std::string text(walkRuleName(why.rule));
-  if (!why.object.empty()) {
-    char gap[64];
-    std::snprintf(gap, sizeof gap, ", %.3f m apart", why.gap);
-    text += ": " + why.part + " and " + why.object + (why.gap > 0.0 ? gap : "");
-  }
+  std::string text = describe(*outcome.why);
   long long all = 0;
   for (const auto& [rule, count] : outcome.refusals) all += count;
   if (all > 1) {
-    text += " (" + std::to_string(why.count) + " of " + std::to_string(all) + " refusals)";
+    text += " (" + std::to_string(outcome.why->count) + " of " + std::to_string(all) + " refusals)";
   }
   return text;
 }
@@ -90,7 +85,10 @@ void reportSearch(const RunResult& result, Report& report) {
   report.times.roadmap = outcome.times.roadmap;
   report.times.search = outcome.times.search;
   report.times.refine = outcome.times.refine;
-  if (outcome.status != PlanStatus::kSolved) report.why = whyNot(outcome);
+  if (outcome.status == PlanStatus::kSolved) return;
+  report.why = whyNot(outcome);
+  report.obstruction = outcome.why;
+  report.proved = outcome.proved;
 }
 
 // The frames of the file are those of the planner to the file's last digit; they are checked as

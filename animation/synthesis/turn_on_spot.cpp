@@ -9,7 +9,7 @@
 namespace amble {
 
 SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, double scale,
-                      double frame_time) {
+                      double frame_time, const Eigen::Vector3d& shift) {
   constexpr double kRounding = 1e-9;  // a quarter turn is two pairs, not three
   SpotTurn turn;
   const int pairs =
@@ -22,6 +22,8 @@ SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, 
   turn.angle = angle;
   turn.scale = scale;
   turn.from = turn.end = at;
+  turn.shift = shift;
+  turn.end.position += shift;
   turn.end.heading = at.heading + angle;
   turn.from_feet = placer.stanceFeet(at);
   turn.end_feet = placer.stanceFeet(turn.end);
@@ -34,6 +36,7 @@ SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, 
   for (int i = 1; i <= turn.steps; ++i) {
     Stance turned = at;
     turned.heading = at.heading + angle * ((i + 1) / 2) / pairs;
+    turned.position += shift * ((i + 1) / 2) / pairs;
     const Side side = i % 2 != 0 ? turn.first : other(turn.first);
     turn.feet->places()[i + 1] = Footsteps::atStance(placement, turned)[side].from;
   }
@@ -45,7 +48,9 @@ SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, 
 FrameState spotTurnState(const SpotTurn& turn, const FrameState& standing, int frame) {
   const double share = static_cast<double>(frame) / turn.frames, progress = turn.steps * share;
   FrameState state = standing;
+  state.position.head<2>() += minimumJerk(share) * turn.shift.head<2>();
   state.position.z() += smoothstep(share) * (turn.end_feet.height - turn.from_feet.height);
+  state.arc = minimumJerk(share) * turn.shift.head<2>().norm();
   state.heading = turn.from.heading + turn.angle * minimumJerk(share);
   // The slope of minimum jerk: 30 t^2 (1 - t)^2.
   state.turn_rate =

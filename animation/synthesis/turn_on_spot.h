@@ -1,5 +1,5 @@
-/// Turning on the spot: small steps in pairs, from standing to standing. The foot on the inside
-/// opens, the other closes.
+/// Turning on the spot, or to a place beside it: small steps in pairs, from standing to standing.
+/// The foot on the inside opens, the other closes.
 #pragma once
 
 #include <optional>
@@ -29,17 +29,18 @@ struct SpotTurn {
   Side first = kLeft;
   Stance from, end;
   StanceFeet from_feet, end_feet;
-  double angle = 0.0;      ///< [rad, left positive]
-  double step_time = 0.0;  ///< [s]
-  int frames = 0;          ///< intervals; there is one frame more
-  double scale = 1.0;      ///< of the character to the captured subject
+  double angle = 0.0;                               ///< [rad, left positive]
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< from begin to end, on the ground [m]
+  double step_time = 0.0;                           ///< [s]
+  int frames = 0;                                   ///< intervals; there is one frame more
+  double scale = 1.0;                               ///< of the character to the captured subject
   std::optional<Footsteps> feet;
 };
 
 /// @param angle  [rad, left positive, |angle| <= 2 pi]; @param scale  of the character to the
-/// captured subject [> 0]; @param frame_time  [s, > 0]
+/// captured subject [> 0]; @param frame_time  [s, > 0]; @param shift  on the way [m]
 SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, double scale,
-                      double frame_time);
+                      double frame_time, const Eigen::Vector3d& shift = Eigen::Vector3d::Zero());
 
 /// The state of a frame between the first and the last, which are the stances.
 /// @param standing  that of the first frame

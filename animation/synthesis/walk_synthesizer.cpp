@@ -1,6 +1,7 @@
 #include "animation/synthesis/walk_synthesizer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -254,14 +255,22 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
 }
 
 WalkResult WalkSynthesizer::turnOnSpot(const Stance& at, double angle, AnimationBuffer& out) const {
+  return smallSteps(at, at.position, angle, out);
+}
+
+WalkResult WalkSynthesizer::smallSteps(const Stance& at, const Eigen::Vector3d& to, double angle,
+                                       AnimationBuffer& out) const {
   const Impl& m = *impl_;
-  const SpotTurn turn = planSpotTurn(m.placer, at, angle, m.scale, m.settings.frame_time);
+  const Eigen::Vector3d shift = to - at.position;
+  assert(shift.head<2>().norm() <= kSmallSteps);
+  SpotTurn turn = planSpotTurn(m.placer, at, angle, m.scale, m.settings.frame_time, shift);
+  turn.end.position = to;  // to the bit
   if (turn.refused != WalkRule::kNone) return {turn.refused, turn.steps, turn.first};
   out.states.clear();
   out.states.push_back(m.stanceState(at, turn.from_feet, 0.0));
   for (int k = 1; k < turn.frames; ++k)
     out.states.push_back(spotTurnState(turn, out.states.front(), k));
-  out.states.push_back(m.stanceState(turn.end, turn.end_feet, 0.0));
+  out.states.push_back(m.stanceState(turn.end, turn.end_feet, shift.head<2>().norm()));
   return m.pose(out, turn.from_feet.level && turn.end_feet.level, turn.steps, turn.first);
 }
 

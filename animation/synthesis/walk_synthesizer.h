@@ -75,6 +75,12 @@ class WalkSynthesizer {
   /// standing, in small steps.
   WalkResult turnOnSpot(const Stance& at, double angle, AnimationBuffer& out) const;
 
+  /// The same to standing somewhere else, not far: a few small steps, in any direction.
+  /// @pre the two are kSmallSteps apart at most
+  WalkResult smallSteps(const Stance& from, const Eigen::Vector3d& to, double angle,
+                        AnimationBuffer& out) const;
+  static constexpr double kSmallSteps = 0.2;  ///< nearer places are walked to so [m]
+
   /// One frame, standing.
   WalkResult stand(const Stance& at, AnimationBuffer& out) const;
 

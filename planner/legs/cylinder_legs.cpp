@@ -46,7 +46,7 @@ class CylinderLegs : public LegPlanner {
   }
   std::optional<Obstruction> why() const override {
     if (why_cylinder_) return why_cylinder_;
-    return mostOften(refused_by_body_, request_.world->scene(), request_.world->body());
+    return whatStoodInTheWay(refused_by_body_, request_);
   }
   void describe(PlanOutcome& outcome) const override {
     if (planner_) describeRoadmap(*roadmapOf(*planner_), outcome);
@@ -78,6 +78,7 @@ std::optional<std::vector<Waypoint>> CylinderLegs::pathOfCylinder(const Waypoint
   const Stopwatch watch;
   SearchLimits limits = limits_;
   limits.seed += static_cast<std::uint64_t>(attempt);
+  restart(*space_, limits.seed);
   planner_ =
       makeRoadmapPlanner(space_, std::make_unique<VisibilityRoadmap>(samplerOf(*space_)), limits);
   auto edges = solveWith(*planner_, from, to, limits, 1);

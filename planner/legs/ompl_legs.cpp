@@ -1,5 +1,7 @@
 #include "planner/legs/ompl_legs.h"
 
+#include <ompl/base/Planner.h>
+
 #include <utility>
 
 #include "base/stopwatch.h"
@@ -27,32 +29,45 @@ class OmplLegs : public LegPlanner {
     from_ = from;
     to_ = to;
     const Stopwatch watch;
-    effortOf(*space_).refused.clear();
+    beginLeg();
     const long long samples = static_cast<long long>(kTreeSamplesPerFailure) * limits_.max_failures;
     auto edges = solveWith(*planner_, from, to, limits_, samples);
     seconds_ += watch.seconds();
     return edges;
   }
   std::optional<Obstruction> why() const override {
-    return mostOften(roadmap_ ? inTheWay(*roadmap_, from_, to_) : effortOf(*space_).refused,
-                     request_.world->scene(), request_.world->body());
+    return whatStoodInTheWay(roadmap_ ? inTheWay(*roadmap_, from_, to_) : effortOf(*space_).refused,
+                             request_);
   }
   void describe(PlanOutcome& outcome) const override {
     const SpaceEffort& effort = effortOf(*space_);
-    outcome.samples += effort.samples;
+    outcome.samples += effort.samples + earlier_samples_;
     describeCount(effort.steering, outcome);
+    describeCount(earlier_, outcome);
     if (roadmap_) describeRoadmap(*roadmap_, outcome);
     if (roadmap_) describeCount(roadmap_->steering(), outcome);
     outcome.times.roadmap += seconds_;
   }
 
  private:
+  // A leg's walk does not depend on what the legs before it met: each has a roadmap or tree of its
+  // own, and refusals of its own.
+  void beginLeg() {
+    effortOf(*space_).refused.clear();
+    if (!roadmap_) return;
+    earlier_.add(roadmap_->steering());
+    earlier_samples_ += roadmap_->samples();
+    planner_->clear();
+  }
+
   const PlanRequest& request_;
   const SearchLimits& limits_;
   OmplSpacePtr space_;
   OmplPlannerPtr planner_;
   const SampledRoadmap* roadmap_;  // of planner_, where it has one
   Waypoint from_, to_;
+  SteeringCount earlier_;  // of roadmaps of legs before
+  long long earlier_samples_ = 0;
   double seconds_ = 0.0;
 };
 

@@ -1,5 +1,4 @@
-/// Legs by a planner of OMPL: our roadmaps, which are kept from leg to leg, and OMPL's trees, which
-/// grow anew for each.
+/// Legs by a planner of OMPL, our roadmaps or OMPL's trees, which grow anew for each.
 #pragma once
 
 #include "planner/legs/leg_planner.h"

@@ -58,6 +58,7 @@ ob::PlannerStatus RoadmapPlanner::solve(const ob::PlannerTerminationCondition& p
   if (!goal) return ob::PlannerStatus::INVALID_GOAL;
   const int from = insert(start, true), to = insert(goal, false);
   SearchLimits limits = limits_;
+  limits.seed = seedOf(*si_);
   limits.interrupted = [&ptc] { return ptc.eval(); };
   if (!roadmap_->connect(from, to, limits)) return ob::PlannerStatus::TIMEOUT;
   const auto edges = graph().shortestPath(from, to);

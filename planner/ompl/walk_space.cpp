@@ -227,6 +227,8 @@ void restart(const ob::SpaceInformation& space, std::uint64_t seed) {
   own.edges.clear();
 }
 
+std::uint64_t seedOf(const ob::SpaceInformation& space) { return walkSpace(space).seed; }
+
 const StanceSampler& samplerOf(const ob::SpaceInformation& space) {
   return walkSpace(space).sampler;
 }

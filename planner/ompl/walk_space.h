@@ -44,6 +44,9 @@ SpaceEffort& effortOf(const ompl::base::SpaceInformation& space);
 /// Forgets effort and edges, and samples by another seed, from index 0.
 void restart(const ompl::base::SpaceInformation& space, std::uint64_t seed);
 
+/// Of its samples, and of planners that have no generator of their own.
+std::uint64_t seedOf(const ompl::base::SpaceInformation& space);
+
 const StanceSampler& samplerOf(const ompl::base::SpaceInformation& space);
 
 const Waypoint& waypointOf(const ompl::base::State* state);

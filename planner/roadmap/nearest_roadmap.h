@@ -19,10 +19,11 @@ class NearestRoadmap : public SampledRoadmap {
 
  protected:
   Verdict judge(Candidate& candidate, SteeringScratch& scratch) const override;
-  bool exhausted(const SearchLimits& limits) const override {
-    return samples() >= limits.max_failures;
-  }
-  long long effort() const override { return samples(); }
+  long long effort() const override { return samples() - samples_before_; }
+  void resetEffort() override { samples_before_ = samples(); }
+
+ private:
+  long long samples_before_ = 0;  // the region became wider
 };
 
 }  // namespace amble

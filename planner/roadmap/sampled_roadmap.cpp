@@ -13,6 +13,11 @@ namespace {
 // Samples judged ahead, a thread: more keep threads busy, but are lost when the search ends with
 // one of the first.
 constexpr int kAheadPerThread = 4;
+// A map is looked at to so far around start and goal, and then to twice as far [m]: all of a house,
+// and a part of a level. By trial.
+constexpr double kFirstMargin = 12.0;
+// Of the effort that ends a search, 1 over this widens the region.
+constexpr int kShareOfRegion = 4;
 // How much farther from a passage its ends are tried [m]: shares of a step.
 constexpr std::array<double, 5> kPassageShifts = {0.0, 0.1, -0.1, 0.2, -0.2};
 
@@ -73,7 +78,7 @@ int SampledRoadmap::commit(Candidate& candidate, SteeringScratch& scratch) {
 
 int SampledRoadmap::insert(const Waypoint& at, bool enter, bool leave) {
   const SteeringScratchPtr scratch = steering_.makeScratch();
-  return insert({.at = at, .enter = enter, .leave = leave, .end = true}, *scratch);
+  return insert({.at = at, .enter = enter, .leave = leave, .end = true, .far = true}, *scratch);
 }
 
 int SampledRoadmap::insert(Candidate candidate, SteeringScratch& scratch) {
@@ -92,34 +97,45 @@ void SampledRoadmap::clear() {
   refused_.clear();
   samples_ = 0;
   failures_ = 0;
-  has_passages_ = false;
+  passages_.reset();
+  resetEffort();
+}
+
+// Those with an end in the region, in their order.
+void SampledRoadmap::insertPassages(const Eigen::AlignedBox2d& region, const SearchLimits& limits) {
+  if (!passages_) passages_ = steering_.passages();
+  std::vector<StancePair> near, far;
+  for (const StancePair& pair : *passages_) {
+    const bool is_near = region.contains(pair.first.position.head<2>()) ||
+                         region.contains(pair.second.position.head<2>());
+    (is_near ? near : far).push_back(pair);
+  }
+  passages_ = std::move(far);
+  const SteeringScratchPtr scratch = steering_.makeScratch();
+  for (const StancePair& pair : near) insertPassage(pair, limits, *scratch);
 }
 
 // Both ends become nodes if walks lead between them. Where steps fall on a flight depends on how
 // far before it a walk begins: a few such places are tried for each direction.
-void SampledRoadmap::insertPassages(const SearchLimits& limits) {
-  if (std::exchange(has_passages_, true)) return;
-  const SteeringScratchPtr scratch = steering_.makeScratch();
-  for (const StancePair& pair : steering_.passages()) {
-    bool up = false, down = false;
-    for (const double shift : kPassageShifts) {
-      if (limits.stopped()) return;
-      Stance first = ahead(pair.first, -shift), second = ahead(pair.second, shift);
-      if (steering_.stand(first, *scratch) || steering_.stand(second, *scratch)) continue;
-      SteerResult rising, falling;
-      if (!up) rising = steer({first}, {second}, *scratch);
-      if (!down) falling = steer({second}, {first}, *scratch);
-      if (rising.edge || falling.edge) {
-        Candidate end{.at = {second}, .end = true};
-        const PlaceId begin = insert({.at = {first}, .end = true}, *scratch);
-        if (!up) end.known.learn(begin, kCandidate, rising);
-        if (!down) end.known.learn(kCandidate, begin, falling);
-        insert(std::move(end), *scratch);
-      }
-      up = up || rising.edge;
-      down = down || falling.edge;
-      if (up && down) break;
+void SampledRoadmap::insertPassage(const StancePair& pair, const SearchLimits& limits,
+                                   SteeringScratch& scratch) {
+  bool up = false, down = false;
+  for (const double shift : kPassageShifts) {
+    if (limits.stopped() || (up && down)) return;
+    Stance first = ahead(pair.first, -shift), second = ahead(pair.second, shift);
+    if (steering_.stand(first, scratch) || steering_.stand(second, scratch)) continue;
+    SteerResult rising, falling;
+    if (!up) rising = steer({first}, {second}, scratch);
+    if (!down) falling = steer({second}, {first}, scratch);
+    if (rising.edge || falling.edge) {
+      Candidate end{.at = {second}, .end = true};
+      const PlaceId begin = insert({.at = {first}, .end = true}, scratch);
+      if (!up) end.known.learn(begin, kCandidate, rising);
+      if (!down) end.known.learn(kCandidate, begin, falling);
+      insert(std::move(end), scratch);
     }
+    up = up || rising.edge;
+    down = down || falling.edge;
   }
 }
 
@@ -131,13 +147,14 @@ SteerResult SampledRoadmap::steer(const Waypoint& from, const Waypoint& to,
 }
 
 std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
-    const SearchLimits& limits, std::vector<SteeringScratchPtr>& scratches) const {
+    const StanceSampler& sampler, const SearchLimits& limits,
+    std::vector<SteeringScratchPtr>& scratches) const {
   const int count = limits.threads > 1 ? kAheadPerThread * limits.threads : 1;
   std::vector<Draft> drafts(count);
   parallelFor(count, limits.threads, [&](int i, int thread) {
     if (limits.stopped()) return;
     drafts[i].index = samples_ + i;
-    const auto sample = sampler_.draw(limits.seed, drafts[i].index, *scratches[thread]);
+    const auto sample = sampler.draw(limits.seed, drafts[i].index, *scratches[thread]);
     if (!sample) return;
     const bool counted = StanceSampler::isUniform(drafts[i].index);
     drafts[i].candidate =
@@ -147,13 +164,12 @@ std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
   return drafts;
 }
 
-bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
-  std::vector<SteeringScratchPtr> scratches(limits.threads);
-  for (SteeringScratchPtr& scratch : scratches) scratch = steering_.makeScratch();
-  if (!roadmap_.reachableFrom(from)[to]) insertPassages(limits);
+// Samples until walks lead from one node to the other or the effort is spent.
+bool SampledRoadmap::grow(int from, int to, const StanceSampler& sampler, int most,
+                          const SearchLimits& limits, std::vector<SteeringScratchPtr>& scratches) {
   while (!roadmap_.reachableFrom(from)[to]) {
-    if (exhausted(limits) || limits.stopped()) return false;
-    for (Draft& draft : draft(limits, scratches)) {
+    if (effort() >= most || limits.stopped()) return false;
+    for (Draft& draft : draft(sampler, limits, scratches)) {
       if (limits.stopped()) return false;
       ++samples_;
       if (StanceSampler::isUniform(draft.index)) ++failures_;  // a guard sets it back
@@ -162,10 +178,31 @@ bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
         limits.progress({"roadmap", effort(), limits.max_failures, roadmap_.count(NodeKind::kGuard),
                          roadmap_.count(NodeKind::kConnector)});
       }
-      if (exhausted(limits) || roadmap_.reachableFrom(from)[to]) break;
+      if (effort() >= most || roadmap_.reachableFrom(from)[to]) break;
     }
   }
   return true;
+}
+
+bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
+  if (roadmap_.reachableFrom(from)[to]) return true;
+  std::vector<SteeringScratchPtr> scratches(limits.threads);
+  for (SteeringScratchPtr& scratch : scratches) scratch = steering_.makeScratch();
+  const Eigen::AlignedBox2d& bounds = sampler_.bounds();
+  Eigen::AlignedBox2d ends;
+  for (const int node : {from, to})
+    ends.extend(roadmap_.nodes()[node].at.stance.position.head<2>().eval());
+  for (double margin = kFirstMargin;; margin *= 2.0) {
+    const Eigen::Vector2d by = Eigen::Vector2d::Constant(margin);
+    const Eigen::AlignedBox2d region(ends.min() - by, ends.max() + by);
+    const bool is_all = region.contains(bounds);
+    insertPassages(is_all ? Eigen::AlignedBox2d(bounds).extend(region) : region, limits);
+    const int most = is_all ? limits.max_failures : (limits.max_failures + 3) / kShareOfRegion;
+    const StanceSampler sampler = is_all ? sampler_ : sampler_.within(region);
+    if (grow(from, to, sampler, most, limits, scratches)) return true;
+    if (is_all || limits.stopped()) return false;
+    resetEffort();
+  }
 }
 
 }  // namespace amble

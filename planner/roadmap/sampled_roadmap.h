@@ -5,8 +5,13 @@
 /// answers are remembered with the sample. Then they are judged again one after another, each
 /// against the roadmap that those before it left, which asks steering only what has become new. So
 /// the roadmap depends on seed and indices, not on threads.
+///
+/// Large maps are looked at from the near to the far: start and goal are asked about first, then
+/// the passages and samples of a region around both, which widens when most of it is covered. Where
+/// the bounds are no wider than the first region it is all of them.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "planner/roadmap/roadmap.h"
@@ -27,7 +32,8 @@ struct RefusedEdge {
 struct Candidate {
   Waypoint at;
   bool enter = true, leave = true;  ///< edges may end here, begin here
-  bool end = false;                 ///< of a query: kept in any case
+  bool end = false;                 ///< of a query or a passage: kept in any case
+  bool far = false;                 ///< of a query: nodes are asked however far they are
   bool all_round = true;            ///< the body can stand there by any heading
   bool counted = true;      ///< as a failure unless it becomes a guard, which sets the count back
   EdgeMemory answers = {};  ///< places are nodes by number, and kCandidate
@@ -63,8 +69,8 @@ class SampledRoadmap {
   /// node
   int insert(const Waypoint& at, bool enter, bool leave);
 
-  /// Adds the ends of passages, once, and then samples until walks lead from one node to the other,
-  /// the counted limit is reached, or limits.stopped().
+  /// Adds the ends of passages, each once, and samples until walks lead from one node to the other,
+  /// the counted limit is reached for all of the bounds, or limits.stopped().
   /// @return whether walks lead there
   bool connect(int from, int to, const SearchLimits& limits);
 
@@ -83,8 +89,9 @@ class SampledRoadmap {
   /// What becomes of a candidate, given the roadmap as it is. Steering's answers are left in the
   /// candidate.
   virtual Verdict judge(Candidate& candidate, SteeringScratch& scratch) const = 0;
-  virtual bool exhausted(const SearchLimits& limits) const = 0;
-  virtual long long effort() const = 0;  ///< what exhausted() compares with max_failures
+  virtual long long effort() const = 0;  ///< what is compared with max_failures
+  virtual void resetEffort() = 0;        ///< when the region has become wider
+  void setFailures(int failures) { failures_ = failures; }
 
   /// Asks steering unless the candidate knows the answer; notes the question. @return whether there
   /// is an edge
@@ -93,11 +100,14 @@ class SampledRoadmap {
 
  private:
   struct Draft;
-  std::vector<Draft> draft(const SearchLimits& limits,
+  std::vector<Draft> draft(const StanceSampler& sampler, const SearchLimits& limits,
                            std::vector<SteeringScratchPtr>& scratches) const;
+  bool grow(int from, int to, const StanceSampler& sampler, int most, const SearchLimits& limits,
+            std::vector<SteeringScratchPtr>& scratches);
   int insert(Candidate candidate, SteeringScratch& scratch);
   int commit(Candidate& candidate, SteeringScratch& scratch);
-  void insertPassages(const SearchLimits& limits);
+  void insertPassages(const Eigen::AlignedBox2d& region, const SearchLimits& limits);
+  void insertPassage(const StancePair& pair, const SearchLimits& limits, SteeringScratch& scratch);
   SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch);
 
   const Steering& steering_;
@@ -107,7 +117,7 @@ class SampledRoadmap {
   std::vector<RefusedEdge> refused_;
   long long samples_ = 0;
   int failures_ = 0;
-  bool has_passages_ = false;
+  std::optional<std::vector<StancePair>> passages_;  // those that are not inserted yet
 };
 
 }  // namespace amble

@@ -40,6 +40,11 @@ class StanceSampler {
   std::optional<Sample> draw(std::uint64_t seed, std::uint64_t index,
                              SteeringScratch& scratch) const;
 
+  /// The same within a part of the bounds. @pre they meet
+  StanceSampler within(const Eigen::AlignedBox2d& part) const {
+    return {steering_, bounds_.intersection(part)};
+  }
+
   /// Whether a sample is one that the estimate of coverage may count: uniform.
   static bool isUniform(std::uint64_t index) { return index % 2 == 0; }
 

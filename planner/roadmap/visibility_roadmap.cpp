@@ -1,9 +1,12 @@
 #include "planner/roadmap/visibility_roadmap.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace amble {
 namespace {
+
+constexpr double kFarthestGuard = 15.0;  // that a sample asks [m]; by trial
 
 // Nodes that lead to the candidate (to_node == false), or that it leads to.
 std::vector<int> neighbours(const Candidate& candidate, const Verdict& verdict, bool to_node) {
@@ -18,12 +21,15 @@ std::vector<int> neighbours(const Candidate& candidate, const Verdict& verdict, 
 
 }  // namespace
 
-std::vector<int> VisibilityRoadmap::guardsByDistance(const Waypoint& at) const {
+std::vector<int> VisibilityRoadmap::guardsByDistance(const Candidate& candidate) const {
+  const Eigen::Vector3d& at = candidate.at.stance.position;
+  const double farthest = candidate.far ? HUGE_VAL : kFarthestGuard * kFarthestGuard;
   std::vector<std::pair<double, int>> order;
   for (int node = 0; node < roadmap().size(); ++node) {
     const RoadmapNode& guard = roadmap().nodes()[node];
     if (guard.kind != NodeKind::kGuard) continue;
-    order.emplace_back((guard.at.stance.position - at.stance.position).squaredNorm(), node);
+    const double distance = (guard.at.stance.position - at).squaredNorm();
+    if (distance <= farthest) order.emplace_back(distance, node);
   }
   std::sort(order.begin(), order.end());
   std::vector<int> guards;
@@ -36,7 +42,7 @@ std::vector<int> VisibilityRoadmap::guardsByDistance(const Waypoint& at) const {
 bool VisibilityRoadmap::askGuards(Candidate& candidate, Verdict& verdict,
                                   SteeringScratch& scratch) const {
   const std::vector<int> component = roadmap().components();
-  const std::vector<int> guards = guardsByDistance(candidate.at);
+  const std::vector<int> guards = guardsByDistance(candidate);
   std::vector<bool> covered(roadmap().size(), false);  // by component
   for (const int guard : guards) {
     if (covered[component[guard]]) continue;
@@ -57,6 +63,8 @@ void VisibilityRoadmap::askTerminals(Candidate& candidate, Verdict& verdict,
     if (terminal.kind != NodeKind::kTerminal) continue;
     const bool to_node = terminal.enter;
     if (to_node ? !candidate.leave : !candidate.enter) continue;
+    const double distance = (terminal.at.stance.position - candidate.at.stance.position).norm();
+    if (distance > kFarthestGuard && !candidate.far) continue;
     const std::vector<bool> known =
         to_node ? roadmap().reaching(node) : roadmap().reachableFrom(node);
     const std::vector<int> between = neighbours(candidate, verdict, to_node);

@@ -27,6 +27,8 @@
 /// that can only be left or only
 ///   be entered (a free heading, a stance that walks) is a terminal: it covers nothing, and is
 ///   asked only where it could join.
+/// - Guards farther than kFarthestGuard are not asked: a guard's domain is as large as a hall, not
+/// as a map, and no walk that is worth a check leads through all of it. Ends of a query ask all.
 /// - The search ends as soon as walks lead from start to goal; it does not wait for walks back.
 #pragma once
 
@@ -43,16 +45,14 @@ class VisibilityRoadmap : public SampledRoadmap {
 
  protected:
   Verdict judge(Candidate& candidate, SteeringScratch& scratch) const override;
-  bool exhausted(const SearchLimits& limits) const override {
-    return failures() >= limits.max_failures;
-  }
   long long effort() const override { return failures(); }
+  void resetEffort() override { setFailures(0); }
 
  private:
   bool askGuards(Candidate& candidate, Verdict& verdict, SteeringScratch& scratch) const;
   void askTerminals(Candidate& candidate, Verdict& verdict, SteeringScratch& scratch) const;
   bool joins(const Candidate& candidate, const Verdict& verdict) const;
-  std::vector<int> guardsByDistance(const Waypoint& at) const;
+  std::vector<int> guardsByDistance(const Candidate& candidate) const;
 };
 
 }  // namespace amble

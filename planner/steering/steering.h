@@ -43,7 +43,8 @@ struct SteeringFailure {
 };
 
 /// A walk that was checked: an optional turn on the spot, a root path, an optional turn on the
-/// spot. It holds what the walk is made of, not its frames: animating it again gives the same
+/// spot; or, without a root path, a few small steps to a place beside the first, `turn_first` on
+/// the way. It holds what the walk is made of, not its frames: animating it again gives the same
 /// frames to the bit.
 struct WalkEdge {
   Stance from, to;          ///< as walked: free headings and feet are settled

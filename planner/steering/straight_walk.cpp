@@ -11,8 +11,14 @@ namespace {
 constexpr int kPlaces = 7;      // a side of the ground's extent
 constexpr int kDirections = 8;  // from each
 
-bool isLevel(const AnimationBuffer& buffer) {
+// Lifts differ by so much from step to step without anything to step over [m].
+constexpr double kUsualLift = 0.01;
+
+// On level ground with nothing to step over: legs that are lifted over furniture measure nothing.
+bool isPlain(const AnimationBuffer& buffer, double captured_lift) {
   Eigen::AlignedBox1d heights;
+  for (const Footprint& print : buffer.footprints)
+    if (print.gait.lift > captured_lift + kUsualLift) return false;
   for (const FrameState& state : buffer.states)
     heights.extend(Eigen::AlignedBox1d::VectorType(state.position.z()));
   return heights.sizes()[0] <= SceneGround::kLevel;
@@ -44,7 +50,7 @@ StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround&
     walk.path = RootPath({makeBezier(from.position.head<2>(), from.heading, to.position.head<2>(),
                                      to.heading, 1.0 / 3.0)});
     if (synthesizer.walk(from, to, walk.path, true, walk.buffer).refused == WalkRule::kNone &&
-        isLevel(walk.buffer))
+        isPlain(walk.buffer, synthesizer.capturedLift()))
       return walk;
   }
   return {};

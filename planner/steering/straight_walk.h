@@ -11,8 +11,8 @@ struct StraightWalk {
   AnimationBuffer buffer;
 };
 
-/// From standing to standing over `length` [m], somewhere on level ground (contacts are not asked
-/// about); without frames where there is no ground for one.
+/// From standing to standing over `length` [m], somewhere on level ground with nothing to step over
+/// (contacts are not asked about); without frames where there is no ground for one.
 StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround& ground,
                           double length);
 

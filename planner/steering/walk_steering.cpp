@@ -110,8 +110,14 @@ constexpr PartOrder kInTime = {EdgePart::kTurnFirst, EdgePart::kWalk, EdgePart::
 constexpr PartOrder kLikeliestRefused = {EdgePart::kWalk, EdgePart::kTurnFirst,
                                          EdgePart::kTurnLast};
 
+// Small steps to a place beside the first.
+bool shifts(const WalkEdge& edge) {
+  return edge.path.empty() && edge.from.position != edge.to.position;
+}
+
 bool hasPart(const WalkEdge& edge, EdgePart part) {
   if (part == EdgePart::kWalk) return !edge.path.empty();
+  if (part == EdgePart::kTurnFirst && shifts(edge)) return true;
   return (part == EdgePart::kTurnFirst ? edge.turn_first : edge.turn_last) != 0.0;
 }
 
@@ -147,7 +153,8 @@ std::vector<Way> waysBetween(const Waypoint& from, const Waypoint& to) {
   return ways;
 }
 
-// Turning on the spot from one heading to the other, where there is no way to walk.
+// Turning on the spot from one heading to the other, or by small steps beside it, where there is no
+// way to walk.
 WalkEdge makeTurn(const Waypoint& from, const Waypoint& to) {
   WalkEdge edge;
   edge.from = from.stance;
@@ -155,6 +162,7 @@ WalkEdge makeTurn(const Waypoint& from, const Waypoint& to) {
   if (from.any_heading) edge.from.heading = edge.to.heading;
   if (to.any_heading) edge.to.heading = edge.from.heading;
   edge.turn_first = turn(edge.from.heading, edge.to.heading);
+  edge.length = (edge.to.position - edge.from.position).head<2>().norm();
   return edge;
 }
 
@@ -244,7 +252,8 @@ WalkResult WalkSteering::make(const WalkEdge& edge, EdgePart part, AnimationBuff
   const Stance arrive = withHeading(edge.to, edge.to.heading - edge.turn_last);
   switch (part) {
     case EdgePart::kTurnFirst:
-      return synthesizer_.turnOnSpot(edge.from, edge.turn_first, out);
+      return synthesizer_.smallSteps(
+          edge.from, shifts(edge) ? edge.to.position : edge.from.position, edge.turn_first, out);
     case EdgePart::kWalk:
       return synthesizer_.walk(leave, arrive, edge.path, edge.any_leading, out);
     case EdgePart::kTurnLast:
@@ -320,11 +329,12 @@ SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to,
     return all.edge.has_value();
   };
   const Eigen::Vector3d line = to.stance.position - from.stance.position;
-  if (line.head<2>().norm() < kSamePlace) {
-    const bool same_floor = std::abs(line.z()) < SceneGround::kLevel;
-    if (same_floor && from.stance.standing && to.stance.standing) passes(makeTurn(from, to));
+  const double distance = line.head<2>().norm();
+  const bool same_floor = std::abs(line.z()) < SceneGround::kLevel;
+  if (same_floor && from.stance.standing && to.stance.standing &&
+      distance <= WalkSynthesizer::kSmallSteps && passes(makeTurn(from, to)))
     return all;
-  }
+  if (distance < kSamePlace) return all;
   for (const Way& way : waysBetween(from, to)) {
     if (passes(makeEdge(from, to, way))) break;
   }

@@ -10,7 +10,8 @@
 /// handle lengths the one of least curvature) or, if that is refused, the straight line with turns
 /// on the spot at its ends. At a stance that walks there is no turn; all handle lengths are tried
 /// there, gentlest first. Where one end may turn, curves that arrive at it (or leave it) by another
-/// heading are tried too. The first that passes all stages is the edge.
+/// heading are tried too. The first that passes all stages is the edge. Standing stances that are
+/// nearer than the shortest walk are joined by small steps, turning on the way.
 #pragma once
 
 #include <array>

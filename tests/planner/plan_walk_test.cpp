@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/rotation.h"
+#include "planner/steering/walk_steering.h"
 #include "tests/planner/furnished_room.h"
 
 namespace amble {
@@ -151,6 +152,83 @@ TEST(PlanWalk, GoalAtTheStartIsAWalkThatStands) {
   const PlanOutcome outcome = planWalk(request);
   EXPECT_EQ(outcome.status, PlanStatus::kSolved);
   EXPECT_EQ(outcome.walk.buffer.size(), 1);
+}
+
+TEST(PlanWalk, GoalsNearerThanAShortWalkAreTwoSmallSteps) {
+  for (const Eigen::Vector3d& by : {Eigen::Vector3d(0, 0.1, 0), Eigen::Vector3d(0.15, 0, 0),
+                                    Eigen::Vector3d(-0.05, -0.15, 0)}) {
+    PlanRequest request = requestIn(furnishedRoom());
+    request.goal = request.start;
+    request.goal.position += by;
+    const PlanOutcome outcome = planWalk(request);
+    ASSERT_EQ(outcome.status, PlanStatus::kSolved);
+    EXPECT_NEAR(outcome.walk.path.length(), by.norm(), 1e-9);
+    const AnimationBuffer& walk = outcome.walk.buffer;
+    EXPECT_LT(walk.size() * walk.frame_time, 1.5);
+    int steps = 0;
+    for (const Footprint& print : walk.footprints) steps += print.first_frame > 0;
+    EXPECT_EQ(steps, 2);
+    AnimationBuffer asked;
+    furnishedRoom().synthesizer.stand({request.goal.position, *request.goal.heading}, asked);
+    EXPECT_LT((walk.poses.p_WR(walk.size() - 1) - asked.poses.p_WR(0)).norm(), 1e-9);
+  }
+}
+
+TEST(PlanWalk, WhereNoGroundLeadsItIsSaidAtOnceAndProved) {
+  Scene scene;
+  scene.objects = {boxObject("west", {3, 6, 0.1}, {1.5, 3, -0.05}),
+                   boxObject("east", {3, 6, 0.1}, {6.5, 3, -0.05})};
+  const FurnishedRoom room(scene);
+  PlanRequest request = requestIn(room);
+  request.start.position = {1.5, 1.5, 0};
+  request.goal.position = {6.5, 4.5, 0};
+  request.limits.max_failures = 1000000;  // no search would end
+  const PlanOutcome outcome = planWalk(request);
+  EXPECT_EQ(outcome.status, PlanStatus::kNoWalk);
+  EXPECT_TRUE(outcome.proved);
+  EXPECT_EQ(outcome.samples, 0);
+  ASSERT_TRUE(outcome.why && outcome.why->width && outcome.why->needed);
+  EXPECT_EQ(outcome.why->rule, WalkRule::kNoGround);
+  EXPECT_NEAR(*outcome.why->width, 2.0, 0.25);
+  EXPECT_LT(*outcome.why->needed, *outcome.why->width);
+}
+
+// A walker needs room for a step where it walks on; every heading is judged so, the first one too.
+TEST(PlanWalk, WalkingEndsAreJudgedWalking) {
+  const FurnishedRoom& room = furnishedRoom();
+  PlanRequest request = requestIn(room);
+  // Standing along the wall there is room, in mid-walk across it there is none.
+  request.goal = {{5.3, 0.3, 0}, -90 * kDegree, false};
+  const WalkSteering steering(room.synthesizer, room.world, room.ground);
+  const SteeringScratchPtr scratch = steering.makeScratch();
+  Stance stance;
+  stance.position = request.goal.position;
+  stance.heading = *request.goal.heading;
+  stance.standing = false;
+  ASSERT_TRUE(steering.stand(stance, *scratch).has_value());
+  EXPECT_EQ(planWalk(request).status, PlanStatus::kGoalBlocked);
+  request.goal.heading.reset();
+  const PlanOutcome outcome = planWalk(request);
+  if (outcome.status == PlanStatus::kSolved) {
+    Stance last = outcome.walk.stances.back();
+    EXPECT_FALSE(last.standing);
+    EXPECT_FALSE(steering.stand(last, *scratch).has_value());
+  }
+}
+
+TEST(PlanWalk, RoadmapsPictureHasTheCurvesThatWereWalked) {
+  const PlanOutcome outcome = planWalk(requestIn(furnishedRoom()));
+  ASSERT_FALSE(outcome.roadmap.edges.empty());
+  for (const RoadmapPicture::Edge& edge : outcome.roadmap.edges) {
+    if (edge.line.empty()) continue;
+    const auto at = [&](int node) {
+      return Eigen::Vector2d(outcome.roadmap.nodes[node].stance.position.head<2>());
+    };
+    EXPECT_LT((edge.line.front() - at(edge.from)).norm(), 1e-9);
+    EXPECT_LT((edge.line.back() - at(edge.to)).norm(), 1e-9);
+    for (size_t i = 1; i < edge.line.size(); ++i)
+      EXPECT_LT((edge.line[i] - edge.line[i - 1]).norm(), 0.11);
+  }
 }
 
 TEST(PlanWalk, DeadlineOnlyStopsAndIsReported) {

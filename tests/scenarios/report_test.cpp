@@ -87,7 +87,18 @@ TEST(Report, WithoutAWalkThereIsAWhyAndNoLength) {
   Report report;
   report.status = PlanStatus::kNoWalk;
   report.why = "contact: head and beam";
+  report.obstruction = Obstruction{.rule = WalkRule::kContact, .part = "head", .object = "beam"};
+  report.obstruction->at = {1, 2, 1.6};
+  report.obstruction->width = 1.62;
   const Json json = Json::parse(textOf(report));
+  EXPECT_EQ(json["obstruction"]["rule"], "contact");
+  EXPECT_EQ(json["obstruction"]["part"], "head");
+  EXPECT_EQ(json["obstruction"]["object"], "beam");
+  EXPECT_TRUE(json["obstruction"]["other"].is_null());
+  EXPECT_EQ(json["obstruction"]["at"][2], 1.6);
+  EXPECT_EQ(json["obstruction"]["width"], 1.62);
+  EXPECT_TRUE(json["obstruction"]["needed"].is_null());
+  EXPECT_EQ(json["proved"], false);
   EXPECT_EQ(json["status"], "no_walk");
   EXPECT_EQ(json["why"], "contact: head and beam");
   EXPECT_FALSE(json.contains("length"));

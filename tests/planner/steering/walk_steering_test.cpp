@@ -141,5 +141,61 @@ TEST_F(WalkSteeringTest, SameHeadingAtTheSamePlaceIsAnEdgeThatStays) {
   EXPECT_EQ(buffer.size(), 1);
 }
 
+TEST_F(WalkSteeringTest, PlacesNearerThanAWalkAreJoinedBySmallStepsInAnyDirection) {
+  for (const double direction : {0.0, 90.0, 180.0, -120.0}) {
+    const Waypoint from = standing(1.5, 2, 30);
+    const Waypoint to = standing(1.5 + 0.15 * std::cos(direction * kDegree),
+                                 2 + 0.15 * std::sin(direction * kDegree), 75);
+    const SteerResult result = steering.steer(from, to, *scratch);
+    ASSERT_TRUE(result.edge.has_value());
+    EXPECT_NEAR(result.edge->length, 0.15, 1e-12);
+    AnimationBuffer walk, last;
+    steering.animate(*result.edge, walk);
+    EXPECT_NEAR(result.edge->duration, (walk.size() - 1) * walk.frame_time, 1e-9);
+    EXPECT_FALSE(steering.contact(walk, *scratch).has_value());
+    room.synthesizer.stand(to.stance, last);
+    EXPECT_LT((walk.poses.p_WR(walk.size() - 1) - last.poses.p_WR(0)).norm(), 1e-9);
+  }
+}
+
+TEST_F(WalkSteeringTest, PartsOfAnEdgeAddUpToItsDuration) {
+  // Turning before and after: three parts, whose joints are frames of both.
+  const SteerResult result = steering.steer(standing(1, 1, 180), standing(1, 3.2, -90), *scratch);
+  ASSERT_TRUE(result.edge.has_value());
+  ASSERT_NE(result.edge->turn_first, 0.0);
+  ASSERT_NE(result.edge->turn_last, 0.0);
+  AnimationBuffer walk, first, last;
+  steering.animate(*result.edge, walk);
+  room.synthesizer.turnOnSpot(result.edge->from, result.edge->turn_first, first);
+  for (int i = 0; i < first.size(); ++i) EXPECT_EQ(walk.poses.p_WR(i), first.poses.p_WR(i));
+  Stance arrived = result.edge->to;
+  arrived.heading -= result.edge->turn_last;
+  room.synthesizer.turnOnSpot(arrived, result.edge->turn_last, last);
+  for (int i = 1; i <= last.size(); ++i)
+    EXPECT_EQ(walk.poses.p_WR(walk.size() - i), last.poses.p_WR(last.size() - i));
+}
+
+TEST_F(WalkSteeringTest, ContactsSayWhereThePartIs) {
+  Stance in_table = standing(4.5, 1.2).stance;
+  const auto blocked = steering.stand(in_table, *scratch);
+  ASSERT_TRUE(blocked.has_value());
+  EXPECT_LT((blocked->at.head<2>() - Eigen::Vector2d(4.5, 1.2)).norm(), 0.6);
+  EXPECT_GT(blocked->at.z(), 0.0);
+  EXPECT_LT(blocked->at.z(), 1.8);
+}
+
+TEST(SteeringRules, EachBelongsToAStageAndHasANameOfItsOwn) {
+  std::vector<std::string_view> names;
+  int stage = 0;
+  for (int i = 0; i < kWalkRules; ++i) {
+    const WalkRule rule = static_cast<WalkRule>(i);
+    EXPECT_GE(static_cast<int>(stageOf(rule)), stage);  // in the order of the stages
+    stage = static_cast<int>(stageOf(rule));
+    EXPECT_EQ(std::count(names.begin(), names.end(), walkRuleName(rule)), 0);
+    names.push_back(walkRuleName(rule));
+  }
+  EXPECT_EQ(stageOf(WalkRule::kContact), SteeringStage::kValidation);
+}
+
 }  // namespace
 }  // namespace amble

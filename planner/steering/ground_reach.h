@@ -1,0 +1,31 @@
+/// Whether ground leads from one place to another: a proof of "no" that is there before any search.
+///
+/// Asked of the squares of GroundCells. Feet are put down on ground in turn, no farther apart than
+/// the longest step and no higher than the highest, so from a square of ground only those squares
+/// are reached that lie so near. All doubts are decided for the walker: a square counts whether or
+/// not a foot has room there, distances are widened by the squares' size, and heights by what the
+/// steepest slope explains. So "no ground leads there" is certain, up to beams that are narrower
+/// than a square, and "it leads there" says little.
+#pragma once
+
+#include <optional>
+
+#include "environments/ground/scene_ground.h"
+
+namespace amble {
+
+/// Where the ground ends that one walks on from the start, and where that of the goal begins.
+struct GroundGap {
+  Eigen::Vector3d near, far;  ///< middles of squares [m, World]
+
+  double width() const { return (far - near).head<2>().norm(); }  ///< in plan [m]
+  double rise() const { return far.z() - near.z(); }              ///< [m]
+};
+
+/// The gap between the ground at two places, or none where ground leads from one to the other or
+/// nothing is known of either. @param longest_step  of the middles of two feet [m, > 0]. Cost: next
+/// to nothing where steps join the two; else a flood over the squares.
+std::optional<GroundGap> findGap(const SceneGround& ground, const Eigen::Vector3d& from,
+                                 const Eigen::Vector3d& to, double longest_step);
+
+}  // namespace amble

@@ -1,0 +1,139 @@
+#include "planner/obstruction.h"
+
+#include <gtest/gtest.h>
+
+#include "base/rotation.h"
+#include "planner/plan_walk.h"
+#include "tests/planner/furnished_room.h"
+
+namespace amble {
+namespace {
+
+SteeringFailure contact(int part, int object, const Eigen::Vector3d& at, double gap = 0.0) {
+  return {WalkRule::kContact, part, object, gap, at, {at.x(), at.y(), 0.0}, 0.0};
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Obstruction, OfNothingIsNone) {
+  const FurnishedRoom& room = furnishedRoom();
+  EXPECT_FALSE(mostOften({}, room.scene, room.body).has_value());
+}
+
+TEST(Obstruction, IsTheRuleAndObjectThatRefusedMostOften) {
+  const FurnishedRoom& room = furnishedRoom();
+  const std::vector<SteeringFailure> refusals = {
+      contact(1, 5, {3, 1, 1}, 0.02), contact(2, 5, {3, 2, 1}, 0.01), contact(2, 5, {3, 3, 1}),
+      contact(3, 6, {4, 1, 0}),       {WalkRule::kTurnRate},          {WalkRule::kTurnRate}};
+  const auto why = mostOften(refusals, room.scene, room.body);
+  ASSERT_TRUE(why.has_value());
+  EXPECT_EQ(why->rule, WalkRule::kContact);
+  EXPECT_EQ(why->object, "wall");
+  EXPECT_EQ(why->part, room.body.parts[2].name);
+  EXPECT_EQ(why->count, 3);
+  EXPECT_EQ(why->gap, 0.0);
+  EXPECT_EQ(why->at, Eigen::Vector3d(3, 2, 1));  // the middle one
+}
+
+TEST(Obstruction, PartsOfMeshesAreNamedWithTheirObject) {
+  SceneObject object;
+  object.name = "house";
+  EXPECT_EQ(nameOf(object), "house");
+  object.part = "door";
+  EXPECT_EQ(nameOf(object), "house: door");
+}
+
+TEST(Obstruction, LineSaysRulePartObjectPlaceAndHowMuch) {
+  Obstruction why;
+  why.rule = WalkRule::kContact;
+  why.part = "left hand";
+  why.object = "wall";
+  why.other = "cupboard";
+  why.at = {1, 2, 0.8};
+  why.width = 0.5;
+  why.needed = 0.62;
+  const std::string line = describe(why);
+  for (const char* part : {"contact", "left hand", "wall", "cupboard", "(1.00, 2.00, 0.80)",
+                           "0.50 m", "0.62 m needed"}) {
+    EXPECT_TRUE(holds(line, part) || holds(line, "needed 0.62 m")) << line;
+  }
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+}
+
+PlanRequest requestIn(const FurnishedRoom& room) {
+  PlanRequest request;
+  request.synthesizer = &room.synthesizer;
+  request.world = &room.world;
+  request.ground = &room.ground;
+  request.bounds = room.bounds;
+  request.start = {{1, 1, 0}, 90 * kDegree, true};
+  request.goal = {{5.3, 2.5, 0}, -90 * kDegree, true};
+  request.limits.max_failures = 20;
+  return request;
+}
+
+TEST(Obstruction, ATooNarrowPassageIsMeasuredBetweenItsSides) {
+  Scene scene = furnishedScene();
+  scene.objects.push_back(boxObject("post", {0.1, 0.4, 2.5}, {3, 3.8, 1.25}));
+  const FurnishedRoom room(scene);  // 0.5 m are left between wall and post
+  const PlanOutcome outcome = planWalk(requestIn(room));
+  ASSERT_EQ(outcome.status, PlanStatus::kNoWalk);
+  ASSERT_TRUE(outcome.why.has_value());
+  ASSERT_TRUE(outcome.why->width.has_value()) << describe(*outcome.why);
+  EXPECT_NEAR(*outcome.why->width, 0.5, 0.05);
+  EXPECT_GT(*outcome.why->needed, 0.5);
+  const std::string line = describe(*outcome.why);
+  EXPECT_TRUE(holds(line, "wall") && holds(line, "post")) << line;
+  EXPECT_FALSE(outcome.proved);  // a search proves nothing
+}
+
+TEST(Obstruction, ABlockedEndSaysByWhatAndWhereItWouldDo) {
+  const FurnishedRoom& room = furnishedRoom();
+  PlanRequest request = requestIn(room);
+  request.start = {{0.05, 2, 0}, {}, true};
+  const PlanOutcome outcome = planWalk(request);
+  ASSERT_EQ(outcome.status, PlanStatus::kStartBlocked);
+  ASSERT_TRUE(outcome.why && outcome.why->free && outcome.why->width && outcome.why->needed);
+  EXPECT_EQ(outcome.why->object, "west");
+  EXPECT_NEAR(*outcome.why->width, 0.05, 0.03);
+  EXPECT_GT(*outcome.why->needed, 0.15);
+  EXPECT_LT(outcome.why->free->x(), 0.6);
+  EXPECT_TRUE(outcome.proved);
+  request.start.position = *outcome.why->free;
+  EXPECT_NE(planWalk(request).status, PlanStatus::kStartBlocked);  // it does
+}
+
+TEST(Obstruction, ARuleOfTheGroundNamesThePlaceAndTheHeight) {
+  Scene scene = furnishedScene();
+  scene.objects.push_back(boxObject("sill", {0.3, 0.9, 0.4}, {3, 3.55, 0.2}));
+  const FurnishedRoom room(scene);
+  SteeringFailure refusal{WalkRule::kStepHeight};
+  refusal.at = {1.5, 3.55, 0};
+  refusal.body = {4.5, 3.55, 0};
+  const auto why = whatStoodInTheWay({refusal}, requestIn(room));
+  ASSERT_TRUE(why && why->width && why->needed);
+  EXPECT_EQ(why->object, "sill");
+  EXPECT_NEAR(why->at.x(), 2.85, 0.06);
+  EXPECT_NEAR(*why->width, 0.4, 0.01);
+  EXPECT_EQ(*why->needed, 0.25);
+}
+
+TEST(Obstruction, WhereTheGroundEndsItsGapIsMeasured) {
+  Scene scene;
+  scene.objects = {boxObject("west", {3, 6, 0.1}, {1.5, 3, -0.05}),
+                   boxObject("east", {3, 6, 0.1}, {6.5, 3, -0.05})};
+  const FurnishedRoom room(scene);
+  SteeringFailure refusal{WalkRule::kNoGround};
+  refusal.at = {2, 3, 0};
+  refusal.body = {6, 3, 0};
+  const auto why = whatStoodInTheWay({refusal}, requestIn(room));
+  ASSERT_TRUE(why && why->width && why->needed);
+  EXPECT_NEAR(why->at.x(), 3.0, 0.05);
+  EXPECT_NEAR(*why->width, 2.0, 0.05);
+  EXPECT_LT(*why->needed, 1.5);
+}
+
+}  // namespace
+}  // namespace amble

@@ -1,0 +1,145 @@
+#include "planner/roadmap/sampled_roadmap.h"
+
+#include <gtest/gtest.h>
+
+#include "planner/roadmap/nearest_roadmap.h"
+#include "planner/roadmap/visibility_roadmap.h"
+#include "tests/planner/disc_steering.h"
+
+namespace amble {
+namespace {
+
+SearchLimits limitsOf(std::uint64_t seed, int max_failures = 200, int threads = 1) {
+  SearchLimits limits;
+  limits.seed = seed;
+  limits.max_failures = max_failures;
+  limits.threads = threads;
+  return limits;
+}
+
+/// An open map of 200 x 200 m with passages all over it, each between two places a metre apart.
+class OpenMap : public DiscSteering {
+ public:
+  std::vector<StancePair> passages() const override {
+    std::vector<StancePair> all;
+    for (double x = 5; x < 200; x += 20) {
+      for (double y = 5; y < 200; y += 20)
+        all.push_back({standing(x, y).stance, standing(x + 1, y).stance});
+    }
+    return all;
+  }
+};
+const Eigen::AlignedBox2d kMap = box(0, 0, 200, 200);
+
+TEST(SampledRoadmap, StartAndGoalAreAskedBeforeAnyPassage) {
+  const OpenMap steering;
+  VisibilityRoadmap roadmap({steering, kMap});
+  const int from = roadmap.insert(standing(20, 20), true, true),
+            to = roadmap.insert(standing(35, 20), true, true);
+  EXPECT_TRUE(roadmap.connect(from, to, limitsOf(1)));
+  EXPECT_EQ(roadmap.roadmap().size(), 2);
+  EXPECT_LE(steering.asked, 2);
+}
+
+TEST(SampledRoadmap, OnALargeMapPassagesAreAskedByNearness) {
+  OpenMap steering;
+  steering.boxes = {box(27, 18, 28, 22)};  // in the way
+  VisibilityRoadmap roadmap({steering, kMap});
+  const int from = roadmap.insert(standing(20, 20), true, true),
+            to = roadmap.insert(standing(35, 20), true, true);
+  EXPECT_TRUE(roadmap.connect(from, to, limitsOf(1)));
+  for (const RoadmapNode& node : roadmap.roadmap().nodes())
+    EXPECT_LT((node.at.stance.position.head<2>() - Eigen::Vector2d(27.5, 20)).norm(), 35.0);
+  EXPECT_LT(steering.asked, 200);  // of 100 passages all pairs would be 40,000
+}
+
+TEST(SampledRoadmap, FarWaysRoundAreFoundAsTheRegionWidens) {
+  OpenMap steering;
+  steering.boxes = {box(100, -1, 101, 160)};  // the way leads round its end, 140 m off
+  for (const int threads : {1, 3}) {
+    VisibilityRoadmap roadmap({steering, kMap});
+    const int from = roadmap.insert(standing(95, 20), true, true),
+              to = roadmap.insert(standing(106, 20), true, true);
+    EXPECT_TRUE(roadmap.connect(from, to, limitsOf(1, 400, threads)));
+    EXPECT_TRUE(roadmap.roadmap().shortestPath(from, to).has_value());
+  }
+}
+
+TEST(SampledRoadmap, ASearchEndsWhereTheWholeMapIsCovered) {
+  DiscSteering steering;
+  steering.boxes = {box(99, -1, 101, 201)};
+  VisibilityRoadmap roadmap({steering, kMap});
+  const int from = roadmap.insert(standing(20, 100), true, true),
+            to = roadmap.insert(standing(180, 100), true, true);
+  EXPECT_FALSE(roadmap.connect(from, to, limitsOf(1, 20)));
+  EXPECT_EQ(roadmap.failures(), 20);
+}
+
+TEST(SampledRoadmap, EachPairIsSteeredOnceThroughPassagesToo) {
+  OpenMap steering;
+  steering.boxes = {box(27, 18, 28, 22)};
+  steering.counts = true;
+  VisibilityRoadmap roadmap({steering, kMap});
+  const int from = roadmap.insert(standing(20, 20), true, true),
+            to = roadmap.insert(standing(35, 20), true, true);
+  ASSERT_TRUE(roadmap.connect(from, to, limitsOf(1)));
+  for (const auto& [pair, times] : steering.pairs) EXPECT_EQ(times, 1);
+  EXPECT_EQ(roadmap.steering().asked, steering.asked);
+}
+
+TEST(SampledRoadmap, ThreadsChangeNothing) {
+  DiscSteering steering;
+  twoRooms(steering, 0.8);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    NearestRoadmap one({steering, kRoom}), three({steering, kRoom});
+    for (auto [roadmap, threads] : {std::pair{&one, 1}, std::pair{&three, 3}}) {
+      const int from = roadmap->insert(standing(1, 1), true, true),
+                to = roadmap->insert(standing(7, 1), true, true);
+      roadmap->connect(from, to, limitsOf(seed, 60, threads));
+    }
+    ASSERT_EQ(one.roadmap().size(), three.roadmap().size());
+    for (int i = 0; i < one.roadmap().size(); ++i)
+      EXPECT_EQ(one.roadmap().nodes()[i].at.stance.position,
+                three.roadmap().nodes()[i].at.stance.position);
+    EXPECT_EQ(one.steering().refusals, three.steering().refusals);
+    EXPECT_EQ(one.samples(), three.samples());
+  }
+}
+
+TEST(SampledRoadmap, ClearedItIsAsNew) {
+  DiscSteering steering;
+  twoRooms(steering, 0.8);
+  VisibilityRoadmap roadmap({steering, kRoom});
+  std::vector<long long> samples;
+  for (int run = 0; run < 2; ++run) {
+    const int from = roadmap.insert(standing(1, 1), true, true),
+              to = roadmap.insert(standing(7, 1), true, true);
+    EXPECT_TRUE(roadmap.connect(from, to, limitsOf(5)));
+    samples.push_back(roadmap.samples());
+    roadmap.clear();
+    EXPECT_EQ(roadmap.roadmap().size(), 0);
+    EXPECT_EQ(roadmap.steering().asked, 0);
+  }
+  EXPECT_EQ(samples[0], samples[1]);
+}
+
+TEST(SampledRoadmap, ProgressIsToldOfEverySample) {
+  DiscSteering steering;
+  twoRooms(steering, 0.3);
+  VisibilityRoadmap roadmap({steering, kRoom});
+  const int from = roadmap.insert(standing(1, 1), true, true),
+            to = roadmap.insert(standing(7, 1), true, true);
+  SearchLimits limits = limitsOf(1, 30);
+  long long calls = 0, last = 0;
+  limits.progress = [&](const SearchProgress& at) {
+    ++calls;
+    last = at.done;
+    EXPECT_LE(at.done, at.total);
+  };
+  EXPECT_FALSE(roadmap.connect(from, to, limits));
+  EXPECT_EQ(calls, roadmap.samples());
+  EXPECT_EQ(last, 30);
+}
+
+}  // namespace
+}  // namespace amble

@@ -1,0 +1,98 @@
+#include "planner/steering/body_core.h"
+
+#include <gtest/gtest.h>
+
+#include "base/rotation.h"
+#include "base/sample_stream.h"
+#include "planner/steering/walk_steering.h"
+#include "tests/planner/furnished_room.h"
+
+namespace amble {
+namespace {
+
+class BodyCoreTest : public testing::Test {
+ protected:
+  static BodyCore coreOf(const FurnishedRoom& room) {
+    return {straightWalk(room.synthesizer, room.ground, 3.0), room.synthesizer.skeleton(),
+            room.synthesizer.roles(), room.body, room.synthesizer.stature()};
+  }
+  static RootPath line(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    const double heading = std::atan2((b - a).y(), (b - a).x());
+    return RootPath({makeBezier(a, heading, b, heading, 1.0 / 3.0)});
+  }
+  const FurnishedRoom& room = furnishedRoom();
+  const CollisionScratchPtr scratch = room.world.makeScratch();
+};
+
+TEST_F(BodyCoreTest, NeverRefusesAFreeWalk) {
+  const BodyCore core = coreOf(room);
+  SampleStream stream(11, 0);
+  AnimationBuffer buffer;
+  int free = 0;
+  for (int i = 0; i < 250; ++i) {
+    Stance from, to;
+    from.position << stream.uniform(0.3, 5.7), stream.uniform(0.3, 3.7), 0.0;
+    to.position << stream.uniform(0.3, 5.7), stream.uniform(0.3, 3.7), 0.0;
+    const Eigen::Vector3d way = to.position - from.position;
+    from.heading = std::atan2(way.y(), way.x()) + stream.uniform(-0.8, 0.8);
+    to.heading = std::atan2(way.y(), way.x()) + stream.uniform(-0.8, 0.8);
+    from.standing = stream.uniform() < 0.5;
+    to.standing = stream.uniform() < 0.5;
+    const RootPath path({makeBezier(from.position.head<2>(), from.heading, to.position.head<2>(),
+                                    to.heading, 0.4)});
+    if (room.synthesizer.walk(from, to, path, true, buffer).refused != WalkRule::kNone) continue;
+    if (room.world.check(buffer.poses, buffer.states, true, *scratch)) continue;
+    ++free;
+    EXPECT_FALSE(
+        core.touch({path, 0.0, from.standing, to.standing, room.ground}, room.world, *scratch));
+  }
+  EXPECT_GT(free, 10);
+}
+
+TEST_F(BodyCoreTest, RefusesAWayThroughAWallAndSaysWhere) {
+  const RootPath path = line({1.5, 1.5}, {5.0, 1.5});
+  const auto touch = coreOf(room).touch({path, 0.0, true, true, room.ground}, room.world, *scratch);
+  ASSERT_TRUE(touch.has_value());
+  EXPECT_EQ(room.scene.objects[touch->object].name, "wall");
+  EXPECT_NEAR(touch->at.x(), 3.0, 0.25);
+  EXPECT_NEAR(touch->at.y(), 1.5, 0.2);
+  EXPECT_NEAR(touch->heading, 0.0, 1e-9);
+}
+
+TEST_F(BodyCoreTest, WithoutAWalkItRefusesNothing) {
+  const BodyCore nothing({}, room.synthesizer.skeleton(), room.synthesizer.roles(), room.body, 1.7);
+  const RootPath path = line({1.5, 1.5}, {5.0, 1.5});
+  EXPECT_FALSE(
+      nothing.touch({path, 0.0, true, true, room.ground}, room.world, *scratch).has_value());
+}
+
+// Slats all over the floor but for its east end: most straight walks step over them.
+Scene slattedScene() {
+  Scene scene;
+  scene.objects = {boxObject("floor", {12, 12, 0.1}, {0, 0, -0.05})};
+  for (double x = -5.5; x < 2.0; x += 0.5)
+    scene.objects.push_back(boxObject("slat", {0.04, 12, 0.2}, {x, 0, 0.1}));
+  return scene;
+}
+
+TEST_F(BodyCoreTest, IsMeasuredWhereNothingIsSteppedOver) {
+  const FurnishedRoom slatted(slattedScene());
+  const StraightWalk walk = straightWalk(slatted.synthesizer, slatted.ground, 3.0);
+  ASSERT_GT(walk.buffer.size(), 0);
+  for (const Footprint& print : walk.buffer.footprints)
+    EXPECT_LE(print.gait.lift, slatted.synthesizer.capturedLift() + 0.011);
+}
+
+TEST_F(BodyCoreTest, FurnitureDoesNotMakeItThinner) {
+  const FurnishedRoom slatted(slattedScene());
+  const RootPath path = line({2.5, -1}, {2.5, 3});
+  Scene scene = slattedScene();
+  scene.objects.push_back(boxObject("post", {0.1, 0.1, 2.0}, {2.5, 1, 1.0}));
+  const FurnishedRoom with_post(scene);
+  const CollisionScratchPtr own = with_post.world.makeScratch();
+  EXPECT_TRUE(
+      coreOf(slatted).touch({path, 0.0, true, true, with_post.ground}, with_post.world, *own));
+}
+
+}  // namespace
+}  // namespace amble

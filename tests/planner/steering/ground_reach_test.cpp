@@ -1,0 +1,76 @@
+#include "planner/steering/ground_reach.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/environments/test_scenes.h"
+
+namespace amble {
+namespace {
+
+constexpr double kStep = 0.9;  // longest step [m]
+
+SceneObject platform(const std::string& name, double x0, double x1, double top) {
+  return makeObject(name, Box{{x1 - x0, 4, 0.1}}, {0.5 * (x0 + x1), 0, top - 0.05});
+}
+
+/// Of the ground from x = -2 to x = 2 beside each other.
+std::optional<GroundGap> gapIn(const std::vector<SceneObject>& objects, double goal_z = 0.0) {
+  const Scene scene = sceneOf(objects);
+  const SceneGround ground(scene);
+  return findGap(ground, {-2, 0, 0}, {2, 0, goal_z}, kStep);
+}
+
+TEST(GroundReach, OneFloorLeadsEverywhereOnIt) { EXPECT_FALSE(gapIn({floorSlab()}).has_value()); }
+
+TEST(GroundReach, AGapWiderThanAStepIsFoundWithItsWidth) {
+  const auto gap = gapIn({platform("west", -4, -1, 0), platform("east", 1, 4, 0)});
+  ASSERT_TRUE(gap.has_value());
+  EXPECT_NEAR(gap->width(), 2.0, 0.25);  // from the middle of a square to that of another
+  EXPECT_NEAR(gap->near.x(), -1.0, 0.15);
+  EXPECT_NEAR(gap->far.x(), 1.0, 0.15);
+  EXPECT_NEAR(gap->rise(), 0.0, 1e-9);
+}
+
+TEST(GroundReach, AGapThatAStepCrossesIsNone) {
+  EXPECT_FALSE(gapIn({platform("west", -4, -0.3, 0), platform("east", 0.3, 4, 0)}).has_value());
+}
+
+TEST(GroundReach, ALedgeThatNobodyClimbsIsAGap) {
+  const auto gap = gapIn({platform("west", -4, 0, 0), platform("east", 0, 4, 1.5)}, 1.5);
+  ASSERT_TRUE(gap.has_value());
+  EXPECT_NEAR(gap->rise(), 1.5, 1e-6);
+  EXPECT_LT(gap->width(), kStep);
+}
+
+TEST(GroundReach, StairsLeadUp) {
+  std::vector<SceneObject> objects = stairs(8, 0.17, 0.29);
+  objects.push_back(makeObject("upper", Box{{3, 3, 0.2}}, {8 * 0.29 + 1.5, 0, 9 * 0.17 - 0.1}));
+  objects.push_back(floorSlab());
+  const Scene scene = sceneOf(objects);
+  const SceneGround ground(scene);
+  EXPECT_FALSE(findGap(ground, {-2, 0, 0}, {3.5, 0, 9 * 0.17}, kStep).has_value());
+}
+
+TEST(GroundReach, AFloorOverTheOtherIsReachedByNothing) {
+  const auto gap = gapIn({floorSlab(), platform("upper", -4, 4, 2.8)}, 2.8);
+  ASSERT_TRUE(gap.has_value());
+  EXPECT_NEAR(gap->rise(), 2.8, 1e-6);
+}
+
+TEST(GroundReach, IsTheSameBothWays) {
+  const Scene scene = sceneOf({platform("west", -4, -1, 0), platform("east", 1, 4, 0)});
+  const SceneGround ground(scene);
+  const auto there = findGap(ground, {-2, 0, 0}, {2, 0, 0}, kStep);
+  const auto back = findGap(ground, {2, 0, 0}, {-2, 0, 0}, kStep);
+  ASSERT_TRUE(there && back);
+  EXPECT_NEAR(there->width(), back->width(), 1e-9);
+}
+
+TEST(GroundReach, WhereNothingIsKnownNothingIsSaid) {
+  const Scene scene = sceneOf({platform("west", -4, -1, 0)});
+  const SceneGround ground(scene);
+  EXPECT_FALSE(findGap(ground, {-2, 0, 0}, {9, 0, 0}, kStep).has_value());
+}
+
+}  // namespace
+}  // namespace amble
