@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
+#include <map>
 #include <vector>
+
+#include "base/union_find.h"
 
 namespace amble {
 namespace {
@@ -13,112 +15,144 @@ constexpr double kSameFloor = 0.3;
 constexpr int kNearSquares = 2;      // and to each side, where its own has no ground
 constexpr double kTwoFeet = 0.2;     // from one foot's line to the other's, and more [m]
 constexpr int kSweepsOfNearest = 4;  // from one side of a gap to the other
+constexpr double kLevel = GroundCells::kLevel;
 
-// A surface over a square.
+// Ground over a square.
 struct Spot {
   Eigen::Vector2i square;
-  const GroundCells::Span* span = nullptr;
+  double height = 0.0;
+  int floor = -1;  // of GroundCells
 };
 
-class Flood {
+class Reach {
  public:
-  Flood(const SceneGround& ground, double longest_step)
+  Reach(const SceneGround& ground, double longest_step)
       : cells_(ground.cells()),
         limits_(ground.settings().limits),
         reach_(longest_step + kTwoFeet + 2.0 * cells_.cell()) {}
 
+  /// The ground that somebody at p stands on.
   std::optional<Spot> spotAt(const Eigen::Vector3d& p) const;
-  /// Everything that is reached from `begin`; stops early at `end`.
-  std::vector<Spot> from(const Spot& begin, const Spot* end) const;
-  Eigen::Vector3d middle(const Spot& spot) const {
-    Eigen::Vector3d p;
-    p << cells_.middle(spot.square.x(), spot.square.y()), spot.span->height;
-    return p;
-  }
+  /// Floors that a step leads from one to another of become one set.
+  void joinFloors();
+  bool joins(const Spot& a, const Spot& b) { return setOf(a.floor) == setOf(b.floor); }
+  /// From where the ground that `from` is on ends to where that of `to` begins.
+  GroundGap gap(const Spot& from, const Spot& to);
 
  private:
-  // Ground over a square that a step from the spot may reach.
+  Eigen::Vector3d middle(const Spot& spot) const {
+    Eigen::Vector3d p;
+    p << cells_.middle(spot.square.x(), spot.square.y()), spot.height;
+    return p;
+  }
   template <typename Visit>
-  void eachOver(const Spot& from, const Eigen::Vector2i& square, Visit visit) const {
-    const double way = cells_.cell() * (square - from.square).cast<double>().norm();
-    const double most =
-        limits_.highestStep() + std::tan(limits_.max_slope) * (way + cells_.cell()) + kLevel;
+  void eachOver(const Eigen::Vector2i& square, Visit visit) const {
     for (const GroundCells::Span& span : cells_.spans(square.x(), square.y())) {
-      if (span.ground && std::abs(span.height - from.span->height) <= most)
-        visit(Spot{square, &span});
+      if (!span.ground) continue;
+      // Ground that no floor goes on to is one of its own.
+      const int own = -2 - (square.y() * cells_.columns() + square.x());
+      visit(Spot{square, span.height, span.floor >= 0 ? span.floor : own});
     }
   }
   bool isInner(const Spot& spot) const;
+  bool leads(const Spot& a, const Spot& b) const;
+  int numberOf(int floor) {
+    return numbers_.emplace(floor, static_cast<int>(numbers_.size())).first->second;
+  }
+  int setOf(int floor) { return sets_.find(numberOf(floor)); }
+  Eigen::Vector3d nearest(int set, const Eigen::Vector3d& p);
 
-  static constexpr double kLevel = GroundCells::kLevel;
   const GroundCells& cells_;
   const GroundLimits limits_;
   double reach_;
+  std::map<int, int> numbers_;  // of floors, as they were met
+  UnionFind sets_{0};           // of these numbers
+  std::vector<Spot> edges_;     // where ground ends, or something is over or under it
 };
 
-std::optional<Spot> Flood::spotAt(const Eigen::Vector3d& p) const {
+std::optional<Spot> Reach::spotAt(const Eigen::Vector3d& p) const {
   const Eigen::Vector2i at = cells_.squareAt(p.head<2>());
   std::optional<Spot> best;
   double least = HUGE_VAL;
   for (int j = -kNearSquares; j <= kNearSquares; ++j) {
     for (int i = -kNearSquares; i <= kNearSquares; ++i) {
-      const Eigen::Vector2i square = at + Eigen::Vector2i(i, j);
-      for (const GroundCells::Span& span : cells_.spans(square.x(), square.y())) {
-        const double off = std::abs(span.height - p.z());
-        if (!span.ground || off > kSameFloor) continue;
+      eachOver(at + Eigen::Vector2i(i, j), [&](const Spot& spot) {
+        const double off = std::abs(spot.height - p.z());
         const double distance = off + cells_.cell() * std::hypot(i, j);
-        if (distance >= least) continue;
+        if (off > kSameFloor || distance >= least) return;
         least = distance;
-        best = Spot{square, &span};
-      }
+        best = spot;
+      });
     }
   }
   return best;
 }
 
-// Whether the ground goes on all around, with nothing over or under it: what is reached from there
-// is reached from where it does not.
-bool Flood::isInner(const Spot& spot) const {
+// A step from a to b, be it as steep between them as ground may be.
+bool Reach::leads(const Spot& a, const Spot& b) const {
+  const double way = cells_.cell() * (b.square - a.square).cast<double>().norm();
+  if (way > reach_) return false;
+  const double slope = std::tan(limits_.max_slope) * (way + cells_.cell());
+  return std::abs(b.height - a.height) <= limits_.highestStep() + slope + kLevel;
+}
+
+// Whether the same floor goes on all around, with nothing over or under it: what is reached from
+// there is reached from where it does not.
+bool Reach::isInner(const Spot& spot) const {
   for (int j = -1; j <= 1; ++j) {
     for (int i = -1; i <= 1; ++i) {
-      const Eigen::Vector2i square = spot.square + Eigen::Vector2i(i, j);
-      if (cells_.spans(square.x(), square.y()).size() != 1) return false;
-      int reached = 0;
-      eachOver(spot, square, [&](const Spot&) { ++reached; });
-      if (reached != 1) return false;
+      const auto spans = cells_.spans(spot.square.x() + i, spot.square.y() + j);
+      if (spans.size() != 1 || !spans.front().ground || spans.front().floor != spot.floor)
+        return false;
     }
   }
   return true;
 }
 
-std::vector<Spot> Flood::from(const Spot& begin, const Spot* end) const {
-  std::vector<Spot> open = {begin};
-  std::unordered_set<const GroundCells::Span*> seen = {begin.span};
+void Reach::joinFloors() {
+  for (int row = 0; row < cells_.rows(); ++row) {
+    for (int column = 0; column < cells_.columns(); ++column) {
+      if (cells_.isPlainAround(column, row)) continue;
+      eachOver({column, row}, [&](const Spot& spot) {
+        numberOf(spot.floor);
+        if (!isInner(spot)) edges_.push_back(spot);
+      });
+    }
+  }
+  sets_ = UnionFind(static_cast<int>(numbers_.size()));
   const int far = static_cast<int>(std::ceil(reach_ / cells_.cell()));
-  for (size_t next = 0; next < open.size(); ++next) {
-    const Spot spot = open[next];
-    if (end != nullptr && spot.span == end->span) return open;
-    const int range = isInner(spot) ? 1 : far;
-    for (int j = -range; j <= range; ++j) {
-      for (int i = -range; i <= range; ++i) {
-        if (cells_.cell() * std::hypot(i, j) > reach_) continue;
-        eachOver(spot, spot.square + Eigen::Vector2i(i, j), [&](const Spot& other) {
-          if (seen.insert(other.span).second) open.push_back(other);
+  for (const Spot& spot : edges_) {
+    for (int j = -far; j <= far; ++j) {
+      for (int i = -far; i <= far; ++i) {
+        eachOver(spot.square + Eigen::Vector2i(i, j), [&](const Spot& other) {
+          if (other.floor == spot.floor || !leads(spot, other)) return;
+          sets_.join(numberOf(spot.floor), numberOf(other.floor));
         });
       }
     }
   }
-  return open;
 }
 
-Eigen::Vector3d nearest(const Flood& flood, const std::vector<Spot>& spots,
-                        const Eigen::Vector3d& p) {
-  Eigen::Vector3d best = flood.middle(spots.front());
-  for (const Spot& spot : spots) {
-    const Eigen::Vector3d at = flood.middle(spot);
-    if ((at - p).squaredNorm() < (best - p).squaredNorm()) best = at;
+Eigen::Vector3d Reach::nearest(int set, const Eigen::Vector3d& p) {
+  Eigen::Vector3d best = p;
+  double least = HUGE_VAL;
+  for (const Spot& spot : edges_) {
+    if (setOf(spot.floor) != set) continue;
+    const double distance = (middle(spot) - p).squaredNorm();
+    if (distance >= least) continue;
+    least = distance;
+    best = middle(spot);
   }
   return best;
+}
+
+GroundGap Reach::gap(const Spot& from, const Spot& to) {
+  GroundGap gap{middle(from), middle(to)};
+  for (int i = 0; i < kSweepsOfNearest; ++i) {
+    gap.near = nearest(setOf(from.floor), gap.far);
+    gap.far = nearest(setOf(to.floor), gap.near);
+  }
+  return gap;
 }
 
 }  // namespace
@@ -126,21 +160,12 @@ Eigen::Vector3d nearest(const Flood& flood, const std::vector<Spot>& spots,
 std::optional<GroundGap> findGap(const SceneGround& ground, const Eigen::Vector3d& from,
                                  const Eigen::Vector3d& to, double longest_step) {
   if (ground.cells().columns() == 0) return std::nullopt;
-  const Flood flood(ground, longest_step);
-  const auto begin = flood.spotAt(from), end = flood.spotAt(to);
-  if (!begin || !end) return std::nullopt;
-  if (begin->span->part >= 0 && begin->span->part == end->span->part) return std::nullopt;
-  const std::vector<Spot> here = flood.from(*begin, &*end);
-  const bool arrives = std::any_of(here.begin(), here.end(),
-                                   [&](const Spot& spot) { return spot.span == end->span; });
-  if (arrives) return std::nullopt;
-  const std::vector<Spot> there = flood.from(*end, nullptr);
-  GroundGap gap{from, to};
-  for (int i = 0; i < kSweepsOfNearest; ++i) {
-    gap.near = nearest(flood, here, gap.far);
-    gap.far = nearest(flood, there, gap.near);
-  }
-  return gap;
+  Reach reach(ground, longest_step);
+  const auto begin = reach.spotAt(from), end = reach.spotAt(to);
+  if (!begin || !end || begin->floor == end->floor) return std::nullopt;
+  reach.joinFloors();
+  if (reach.joins(*begin, *end)) return std::nullopt;
+  return reach.gap(*begin, *end);
 }
 
 }  // namespace amble

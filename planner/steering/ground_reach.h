@@ -24,7 +24,7 @@ struct GroundGap {
 
 /// The gap between the ground at two places, or none where ground leads from one to the other or
 /// nothing is known of either. @param longest_step  of the middles of two feet [m, > 0]. Cost: next
-/// to nothing where steps join the two; else a flood over the squares.
+/// to nothing where both are on one floor; else all squares at the edges of floors are looked at.
 std::optional<GroundGap> findGap(const SceneGround& ground, const Eigen::Vector3d& from,
                                  const Eigen::Vector3d& to, double longest_step);
 
