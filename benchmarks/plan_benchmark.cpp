@@ -76,7 +76,7 @@ void planScenario(benchmark::State& state, const std::filesystem::path& file) {
 const bool registered = [] {
   for (const auto& file : findScenarios({kScenarios})) {
     if (!missingData(readScenario(file)).empty()) continue;
-    const std::string name = "planScenario/" + file.file.stem().string();
+    const std::string name = "planScenario/" + file.file.file.stem().string();
     benchmark::RegisterBenchmark(
         name.c_str(), [file](benchmark::State& state) { planScenario(state, file.file); })
         ->Unit(benchmark::kMillisecond)
@@ -183,8 +183,8 @@ void logAll(const OmplOptions& options) {
   const auto& names = options.names;
   for (const auto& file : findScenarios({kScenarios})) {
     const bool is_asked =
-        names.empty() || std::find(names.begin(), names.end(), file.stem().string()) != names.end();
-    if (is_asked && missingData(readScenario(file)).empty()) logScenario(file, options);
+        names.empty() || std::find(names.begin(), names.end(), file.file.stem().string()) != names.end();
+    if (is_asked && missingData(readScenario(file)).empty()) logScenario(file.file, options);
   }
 }
 

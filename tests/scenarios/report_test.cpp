@@ -87,7 +87,10 @@ TEST(Report, WithoutAWalkThereIsAWhyAndNoLength) {
   Report report;
   report.status = PlanStatus::kNoWalk;
   report.why = "contact: head and beam";
-  report.obstruction = Obstruction{.rule = WalkRule::kContact, .part = "head", .object = "beam"};
+  report.obstruction.emplace();
+  report.obstruction->rule = WalkRule::kContact;
+  report.obstruction->part = "head";
+  report.obstruction->object = "beam";
   report.obstruction->at = {1, 2, 1.6};
   report.obstruction->width = 1.62;
   const Json json = Json::parse(textOf(report));

@@ -41,7 +41,7 @@ TEST_F(BodyCoreTest, NeverRefusesAFreeWalk) {
     const RootPath path({makeBezier(from.position.head<2>(), from.heading, to.position.head<2>(),
                                     to.heading, 0.4)});
     if (room.synthesizer.walk(from, to, path, true, buffer).refused != WalkRule::kNone) continue;
-    if (room.world.check(buffer.poses, buffer.states, true, *scratch)) continue;
+    if (room.world.check(buffer.poses, buffer.soles, true, *scratch)) continue;
     ++free;
     EXPECT_FALSE(
         core.touch({path, 0.0, from.standing, to.standing, room.ground}, room.world, *scratch));
