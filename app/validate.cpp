@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "base/rotation.h"
 #include "scenarios/validate_walk.h"
 
 namespace amble {
@@ -19,7 +20,8 @@ struct Options {
   double unit = 0.0;  // 0: guessed
   std::string up = "y";
   double floor = 0.0;
-  bool has_floor = false, json = false;
+  bool has_floor = false, json = false, allow_hover = false;
+  double max_slope_deg = 20.0;
   ValidateOptions validate;
 };
 
@@ -39,8 +41,12 @@ void printText(const std::string& walk, const WalkValidation& result) {
     fmt::print("  clearance    {:.3f} m, {} and {} at {:.3f} s\n", result.clearance,
                result.clearance_part, result.clearance_object, result.clearance_time);
   }
+  const StandingFeet& feet = result.feet;
   fmt::print("  foot skate   {:.1f} mm mean, {:.1f} mm largest, of {} plants\n",
-             1000.0 * result.foot_skate_mean, 1000.0 * result.foot_skate_max, result.plants);
+             1000.0 * feet.skate_mean, 1000.0 * feet.skate_max, feet.plants);
+  fmt::print("  hover        {:.1f} mm largest, over {:.0f} mm in {:.1f} % of the planted time{}\n",
+             1000.0 * feet.hover_max, 1000.0 * kHoverLimit, 100.0 * feet.hover_share,
+             result.hovers() ? ": feet hang in the air" : "");
   fmt::print("  penetration  {:.1f} mm largest\n", 1000.0 * result.ground_penetration);
 }
 
@@ -66,8 +72,12 @@ void printJson(const std::string& walk, const WalkValidation& result) {
         {"part", result.clearance_part},
         {"object", result.clearance_object},
         {"time", result.clearance_time}}},
-      {"plants", result.plants},
-      {"foot_skate", {{"mean", result.foot_skate_mean}, {"max", result.foot_skate_max}}},
+      {"plants", result.feet.plants},
+      {"foot_skate", {{"mean", result.feet.skate_mean}, {"max", result.feet.skate_max}}},
+      {"hover",
+       {{"max", result.feet.hover_max},
+        {"share", result.feet.hover_share},
+        {"limit", kHoverLimit}}},
       {"ground_penetration", {{"max", result.ground_penetration}}}};
   std::cout << all.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
@@ -76,6 +86,7 @@ int run(Options options) {
   ValidateOptions& how = options.validate;
   if (options.unit > 0.0) how.metres_per_unit = options.unit;
   if (options.has_floor) how.floor = options.floor;
+  how.limits.max_slope = options.max_slope_deg * kDegree;
   how.up = options.up == "y" ? UpAxis::kY : UpAxis::kZ;
   const WalkValidation result = validateWalk(options.walk, options.scene, how);
   if (options.json) {
@@ -83,7 +94,8 @@ int run(Options options) {
   } else {
     printText(options.walk, result);
   }
-  return result.contacts.empty() ? kExitDone : kExitNone;
+  const bool holds = result.contacts.empty() && (options.allow_hover || !result.hovers());
+  return holds ? kExitDone : kExitNone;
 }
 
 }  // namespace
@@ -91,7 +103,9 @@ int run(Options options) {
 void addValidate(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-      "validate", "Check any BVH against a scene: contacts, clearance, foot skate; 1 on contact");
+      "validate",
+      "Check any BVH against a scene: contacts, clearance, foot skate, hovering feet; 1 on contact "
+      "or where planted soles hang in the air");
   command->add_option("WALK", options->walk, "BVH file")->required();
   command->add_option("--scene", options->scene, "Scene file (YAML)")->required();
   command->add_option("--unit", options->unit, "Length of the BVH's unit; default: from its legs")
@@ -107,6 +121,19 @@ void addValidate(CLI::App& app, Command& chosen) {
   command->add_option("--floor", options->floor, "Height of the floor; default: below the feet")
       ->check(number(-1e5, 1e5, "m"))
       ->each([options](const std::string&) { options->has_floor = true; });
+  command->add_option("--max-slope", options->max_slope_deg, "Steepest ground of the walk")
+      ->check(number(0, 45, "degrees"))
+      ->capture_default_str();
+  command
+      ->add_option("--max-climb", options->validate.limits.max_climb, "Highest step up of the walk")
+      ->check(number(0, 1, "m"))
+      ->capture_default_str();
+  command
+      ->add_option("--max-drop", options->validate.limits.max_drop, "Highest step down of the walk")
+      ->check(number(0, 1, "m"))
+      ->capture_default_str();
+  command->add_flag("--allow-hover", options->allow_hover,
+                    "Feet in the air are said, and are no failure");
   command->add_flag("--json", options->json, "Print results for machines");
   const std::string example =
       "amble validate out/walk.bvh --scene environments/scenes/living-room/scene.yaml";

@@ -1,44 +1,40 @@
 #include "scenarios/check_junit.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "base/text.h"
+#include "base/xml.h"
 
 namespace amble {
 namespace {
 
-std::string xmlText(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
+// What is said of a test that is not as it should be; none of one that is.
+const char* elementOf(CheckVerdict verdict) {
+  switch (verdict) {
+    case CheckVerdict::kHolds:
+      return nullptr;
+    case CheckVerdict::kDiffers:
+      return "failure";
+    case CheckVerdict::kError:
+      return "error";
+    case CheckVerdict::kSkipped:
+    case CheckVerdict::kStopped:
+      return "skipped";
   }
-  return escaped;
+  return nullptr;
 }
 
-std::string joined(const std::vector<std::string>& notes) {
-  std::string text;
-  for (const std::string& note : notes) text += (text.empty() ? "" : "; ") + note;
-  return text;
-}
-
-std::string seconds(double time) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3f", time);
-  return text;
+void writeCase(XmlWriter& xml, const CheckRow& row) {
+  const XmlAttributes attributes = {{"classname", row.file.parent_path().generic_string()},
+                                    {"name", row.scenario},
+                                    {"time", row.total_time}};
+  const char* const element = elementOf(row.verdict);
+  if (element == nullptr) {
+    xml.empty("testcase", attributes);
+    return;
+  }
+  const XmlWriter::Element open = xml.open("testcase", attributes);
+  xml.empty(element, {{"message", joined(row.notes, "; ")}});
 }
 
 }  // namespace
@@ -50,25 +46,17 @@ void writeJUnit(std::ostream& out, const std::vector<CheckRow>& rows) {
   };
   double time = 0.0;
   for (const CheckRow& row : rows) time += row.total_time;
-  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
-      << "  <testsuite name=\"amble check\" tests=\"" << rows.size() << "\" failures=\""
-      << count(CheckVerdict::kDiffers) << "\" errors=\"" << count(CheckVerdict::kError)
-      << "\" skipped=\"" << count(CheckVerdict::kSkipped) + count(CheckVerdict::kStopped)
-      << "\" time=\"" << seconds(time) << "\">\n";
-  for (const CheckRow& row : rows) {
-    out << "    <testcase classname=\"" << xmlText(row.file.parent_path().generic_string())
-        << "\" name=\"" << xmlText(row.scenario) << "\" time=\"" << seconds(row.total_time) << "\"";
-    if (row.verdict == CheckVerdict::kHolds) {
-      out << "/>\n";
-      continue;
-    }
-    const char* element = row.verdict == CheckVerdict::kDiffers ? "failure"
-                          : row.verdict == CheckVerdict::kError ? "error"
-                                                                : "skipped";
-    out << ">\n      <" << element << " message=\"" << xmlText(joined(row.notes))
-        << "\"/>\n    </testcase>\n";
-  }
-  out << "  </testsuite>\n</testsuites>\n";
+  XmlWriter xml(out);
+  xml.declare();
+  const XmlWriter::Element suites = xml.open("testsuites");
+  const XmlWriter::Element suite = xml.open(
+      "testsuite", {{"name", "amble check"},
+                    {"tests", rows.size()},
+                    {"failures", count(CheckVerdict::kDiffers)},
+                    {"errors", count(CheckVerdict::kError)},
+                    {"skipped", count(CheckVerdict::kSkipped) + count(CheckVerdict::kStopped)},
+                    {"time", time}});
+  for (const CheckRow& row : rows) writeCase(xml, row);
 }
 
 }  // namespace amble

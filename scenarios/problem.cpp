@@ -8,15 +8,10 @@
 #include "base/error.h"
 #include "base/rotation.h"
 #include "environments/ground/ground_warnings.h"
+#include "scenarios/walker_ground.h"
 
 namespace amble {
 namespace {
-
-// Of stature. Who walks with the head lower than this crawls; by trial.
-constexpr double kHeadroomOfStature = 0.6;
-// A foot is 0.152 long and 0.055 broad (Drillis and Contini 1966); 70 % of it must be supported.
-constexpr double kFootRoomOfStature = 0.7 * 0.152;
-constexpr double kFootBreadthOfStature = 0.055;
 
 std::string metres(double value) {
   char text[32];
@@ -79,11 +74,7 @@ CharacterSettings settingsOf(const Scenario& scenario, double frame_time) {
 GroundSettings groundSettings(const Scenario& scenario, const MotionLibrary& library) {
   const CharacterSpec& character = scenario.character;
   const double stature = character.height > 0.0 ? character.height : library.stature;
-  GroundSettings settings;
-  settings.limits = character.limits;
-  settings.headroom = kHeadroomOfStature * stature;
-  settings.foot_length = kFootRoomOfStature * stature;
-  settings.foot_breadth = kFootBreadthOfStature * stature;
+  GroundSettings settings = walkerGround(stature, character.limits);
   for (const Place& place : {scenario.start, scenario.goal})
     settings.places.push_back({place.at, place.z});
   for (const Place& place : scenario.via) settings.places.push_back({place.at, place.z});
@@ -115,12 +106,12 @@ SceneGround makeGround(const Scene& scene, const Scenario& scenario, const Motio
   SceneGround ground(scene, settings, stop);
   if (ground.extent().isEmpty()) {
     const std::vector<std::string> hints = groundWarnings(scene, ground);
-    scenario.source.fail("scene",
-                         "the scene '" + scenario.scene.string() +
-                             "' holds nothing that can be walked on" +
-                             (hints.empty() ? "" : " (" + hints.front() + ")"),
-                         "a floor that faces up, no steeper than " + degrees(settings.limits.max_slope) +
-                             " degrees, with " + metres(settings.headroom) + " m of room above it");
+    scenario.source.fail(
+        "scene",
+        "the scene '" + scenario.scene.string() + "' holds nothing that can be walked on" +
+            (hints.empty() ? "" : " (" + hints.front() + ")"),
+        "a floor that faces up, no steeper than " + degrees(settings.limits.max_slope) +
+            " degrees, with " + metres(settings.headroom) + " m of room above it");
   }
   return ground;
 }

@@ -3,25 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "animation/analysis/foot_plants.h"
 #include "animation/body/foot_shape.h"
 #include "animation/captures/motion_reader.h"
 #include "base/error.h"
-#include "scenarios/foot_measures.h"
+#include "base/statistics.h"
+#include "base/text.h"
 #include "scenarios/problem.h"
 
 namespace amble {
 namespace {
 
-// Of a plant that was found at each end, as QUALITY.md trims it: when exactly a foot lands is not
-// known.
-constexpr double kTrim = 0.15;
-
-struct Character {
-  JointRoles roles;
-  double stature;
-  SoleHeight sole;
-};
+// Of the skeleton. Beyond it is no person, but a wrong unit [m].
+constexpr double kShortest = 0.4, kTallest = 3.0;
+// How far the floor may be from the feet that stand on it [m].
+constexpr double kNearFloor = 0.3;
 
 CapturedMotion readWalk(const std::filesystem::path& file, const ValidateOptions& options) {
   CapturedMotion walk =
@@ -48,33 +43,67 @@ double lowestAnkle(const Clip& clip, const JointRoles& roles) {
   return *tenth;
 }
 
-double nearestFloor(const Scene& scene, const Clip& clip, double foot, const std::string& file) {
-  const Eigen::Vector3d root = clip.poses.p_WR(0);
-  const std::vector<double> heights = SceneGround(scene).floors(root.x(), root.y());
-  if (heights.empty()) {
-    throw InputError(file, 0, "the walk begins where '" + scene.file.string() + "' has no floor",
-                     "a walk within the scene");
-  }
-  return *std::min_element(heights.begin(), heights.end(), [&](double a, double b) {
-    return std::abs(a - foot) < std::abs(b - foot);
-  });
+void requirePerson(const CapturedMotion& walk, const std::string& file) {
+  const double stature = statureOf(walk.clip.skeleton, walk.roles);
+  if (stature >= kShortest && stature <= kTallest) return;
+  throw InputError(file, 0,
+                   "the body is " + shortNumber(stature) + " m tall, with a file unit of " +
+                       shortNumber(walk.metres_per_unit.value) + " m",
+                   shortNumber(kShortest) + " to " + shortNumber(kTallest) +
+                       " m; --unit says what the file's is");
 }
 
-Character makeCharacter(const Clip& clip, const JointRoles& roles, double floor,
-                        const ValidateOptions& options) {
-  Character character;
-  character.roles = roles;
-  character.stature = options.height > 0.0 ? options.height : statureOf(clip.skeleton, roles);
-  if (roles.legs[kLeft].toe >= 0) {
-    const FootShape shape = makeFootShape(clip.skeleton, roles, kLeft, character.stature);
-    character.sole = {shape.ankle_height, shape.radius};
-  } else {
-    constexpr double kThinnest =
-        0.02;  // a foot whose ankle is lower than that is a broken capture [m]
-    character.sole.ankle = std::max(lowestAnkle(clip, roles) - floor, kThinnest);
-    character.sole.toe = 0.5 * kThinnest;
+// Under the lower ankle of a frame: how high the nearest floor is, and how far from the ankle.
+struct FloorBelow {
+  double height = 0.0, distance = 0.0;  // [m]
+};
+
+std::vector<FloorBelow> floorsBelow(const SceneGround& ground, const Clip& clip,
+                                    const JointRoles& roles) {
+  constexpr int kMostFrames = 200;  // asked about: a walk's way, no more than every few of them
+  const int step = std::max(1, clip.frames() / kMostFrames);
+  std::vector<JointFrame> joints(clip.skeleton.size());
+  std::vector<FloorBelow> below;
+  for (int frame = 0; frame < clip.frames(); frame += step) {
+    forwardKinematics(clip, frame, joints);
+    Eigen::Vector3d ankle = joints[roles.legs[kLeft].foot].p_WJ;
+    const Eigen::Vector3d& other = joints[roles.legs[kRight].foot].p_WJ;
+    if (other.z() < ankle.z()) ankle = other;
+    std::optional<FloorBelow> nearest;
+    for (const double height : ground.floors(ankle.x(), ankle.y())) {
+      const double distance = std::abs(height - ankle.z());
+      if (!nearest || distance < nearest->distance) nearest = {height, distance};
+    }
+    if (nearest) below.push_back(*nearest);
   }
-  return character;
+  return below;
+}
+
+// The floor that the walk begins on. Where its feet are near none, they hang over one or sink into
+// it: then it is that which most of the way lies over, and not a wall's top that is passed.
+double floorOf(const Scene& scene, const Clip& clip, const JointRoles& roles,
+               const GroundSettings& settings, const std::string& file) {
+  const std::vector<FloorBelow> below = floorsBelow(SceneGround(scene, settings), clip, roles);
+  if (below.empty()) {
+    throw InputError(file, 0, "the walk is where '" + scene.file.string() + "' has no floor",
+                     "a walk within the scene");
+  }
+  for (const FloorBelow& each : below) {
+    if (each.distance <= kNearFloor) return each.height;
+  }
+  std::vector<double> heights;
+  for (const FloorBelow& each : below) heights.push_back(each.height);
+  return median(heights);
+}
+
+SoleHeight soleOf(const Clip& clip, const JointRoles& roles, double floor, double stature) {
+  if (roles.legs[kLeft].toe >= 0) {
+    const FootShape shape = makeFootShape(clip.skeleton, roles, kLeft, stature);
+    return {shape.ankle_height, shape.radius};
+  }
+  // A foot whose ankle is lower is a broken capture; one that is higher hangs in the air [m].
+  constexpr double kThinnest = 0.02, kThickest = 0.12;
+  return {std::clamp(lowestAnkle(clip, roles) - floor, kThinnest, kThickest), 0.5 * kThinnest};
 }
 
 // The clip at the rate that it is checked at: each interval in equal parts, as a player shows them.
@@ -91,46 +120,25 @@ PoseArray densify(const PoseArray& poses, int parts) {
   return dense;
 }
 
-// Every contact of the motion, those of one pair on end put together.
-std::vector<ContactSpan> findContacts(const CollisionWorld& world, const PoseArray& poses,
-                                      std::span<const SolePhases> soles, double frame_time) {
-  std::vector<ContactSpan> spans;
-  const auto scratch = world.makeScratch();
-  for (int begin = 0; begin < poses.size();) {
-    PoseArray rest(poses.joints());
-    rest.append(poses, begin, poses.size() - begin);
-    const auto contact = world.check(rest, soles.subspan(begin), false, *scratch);
-    if (!contact) break;
-    const int frame = begin + contact->frame;
-    const double time = (frame + contact->between) * frame_time;
-    const std::string& part = world.body().parts.at(contact->part).name;
-    const std::string object = objectName(world.scene().objects.at(contact->object));
-    const auto same = std::find_if(spans.rbegin(), spans.rend(), [&](const ContactSpan& span) {
-      return span.part == part && span.object == object && time - span.end < 2.0 * frame_time;
-    });
-    if (same != spans.rend()) {
-      same->end = time;
-    } else {
-      spans.push_back({time, time, part, object});
-    }
-    begin = frame + 1;
+// Parts of each interval, asked before there is memory for them.
+int partsOf(const Clip& clip, double fps) {
+  const double parts = std::max(1.0, std::round(fps * clip.frame_time));
+  if (parts * clip.frames() * clip.skeleton.size() > kMostCheckedPoses) {
+    throw InputError("--fps", 0, shortNumber(fps) + " frames a second of so long a clip",
+                     "at most 10 million poses of joints");
   }
-  return spans;
+  return static_cast<int>(parts);
 }
 
-void measureFeet(const SoleTracks& soles, const FootPlants& plants, WalkValidation& result) {
-  double sum = 0.0;
-  for (const Side side : {kLeft, kRight}) {
-    for (const FootPlant& plant : plants.plants[side]) {
-      const int trim = static_cast<int>(std::lround(kTrim * (plant.last - plant.first + 1)));
-      const double slide = soles.slide(side, plant.first + trim, plant.last - trim);
-      result.foot_skate_max = std::max(result.foot_skate_max, slide);
-      sum += slide;
-      ++result.plants;
-    }
-  }
-  if (result.plants > 0) result.foot_skate_mean = sum / result.plants;
-  result.ground_penetration = soles.penetration();
+void measureClearance(const CollisionWorld& world, const PoseArray& poses, double frame_time,
+                      double limit, WalkValidation& result) {
+  const auto scratch = world.makeScratch();
+  const Clearance near = world.clearance(poses, limit, *scratch);
+  result.clearance = near.object < 0 ? limit : near.distance;
+  if (near.object < 0) return;
+  result.clearance_part = world.body().parts.at(near.part).name;
+  result.clearance_object = objectName(world.scene().objects.at(near.object));
+  result.clearance_time = near.frame * frame_time;
 }
 
 }  // namespace
@@ -140,37 +148,33 @@ WalkValidation validateWalk(const std::filesystem::path& bvh,
                             const ValidateOptions& options) {
   WalkValidation result;
   const CapturedMotion walk = readWalk(bvh, options);
+  requirePerson(walk, bvh.string());
   const Clip& clip = walk.clip;
-  result.metres_per_unit = walk.metres_per_unit.value;
-  const Scene scene = readScene(scene_file, options.load);
   const JointRoles& roles = walk.roles;
-  result.floor = options.floor ? *options.floor
-                               : nearestFloor(scene, clip, lowestAnkle(clip, roles), bvh.string());
-  const Character character = makeCharacter(clip, roles, result.floor, options);
+  const int parts = partsOf(clip, options.fps);
+  result.metres_per_unit = walk.metres_per_unit.value;
   result.frames = clip.frames();
   result.frame_time = clip.frame_time;
-  result.stature = character.stature;
+  result.stature = options.height > 0.0 ? options.height : statureOf(clip.skeleton, roles);
 
-  const Body body = makeBody(clip.skeleton, character.roles, character.stature, character.sole);
-  const SceneGround ground(scene, result.floor);
-  const CollisionWorld world(scene, ground, clip.skeleton, body);
-  const int parts = std::max(1, static_cast<int>(std::lround(options.fps * clip.frame_time)));
+  const Scene scene = readScene(scene_file, options.load);
+  GroundSettings settings = walkerGround(result.stature, options.limits);
+  result.floor =
+      options.floor ? *options.floor : floorOf(scene, clip, roles, settings, bvh.string());
+  settings.level = result.floor;
+  const SceneGround ground(scene, settings, options.load.stop);
+  const Body body = makeBody(clip.skeleton, roles, result.stature,
+                             soleOf(clip, roles, result.floor, result.stature));
+  const CollisionWorld world(scene, ground, clip.skeleton, body, options.load.stop);
   const PoseArray poses = densify(clip.poses, parts);
   const double frame_time = clip.frame_time / parts;
-  const std::vector<SolePhases> soles(poses.size());  // both feet planted
   result.poses_checked = poses.size();
-  result.contacts = findContacts(world, poses, soles, frame_time);
-
-  const auto scratch = world.makeScratch();
-  const Clearance near = world.clearance(poses, options.clearance_limit, *scratch);
-  result.clearance = near.object < 0 ? options.clearance_limit : near.distance;
-  if (near.object >= 0) {
-    result.clearance_part = body.parts.at(near.part).name;
-    result.clearance_object = objectName(scene.objects.at(near.object));
-    result.clearance_time = near.frame * frame_time;
-  }
-  measureFeet(SoleTracks(clip.skeleton, body, clip.poses, ground), detectPlants(clip, roles),
-              result);
+  result.contacts = findContacts(world, poses, frame_time);
+  measureClearance(world, poses, frame_time, options.clearance_limit, result);
+  const SoleTracks soles(clip.skeleton, body, clip.poses, ground);
+  result.feet =
+      measureStandingFeet(soles, plantsOver(clip, roles, ground, result.floor), clip.frame_time);
+  result.ground_penetration = soles.penetration();
   return result;
 }
 

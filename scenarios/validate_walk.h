@@ -1,4 +1,5 @@
-/// Any BVH against a scene: what it touches and when, how near it comes, how its feet slide.
+/// Any BVH against a scene: what it touches and when, how near it comes, how its feet slide and
+/// whether they stand on the ground.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +8,9 @@
 #include <vector>
 
 #include "animation/captures/bvh.h"
-#include "environments/collision/collision_world.h"
+#include "scenarios/find_contacts.h"
+#include "scenarios/standing_feet.h"
+#include "scenarios/walker_ground.h"
 
 namespace amble {
 
@@ -18,16 +21,10 @@ struct ValidateOptions {
   double height = 0.0;  ///< stature [m, 0.5 to 2.5]; 0: from the length of the legs
   double fps = 0.0;  ///< checked at this rate too, in between as a player shows it [1/s]; 0: at the
                      ///< frames only
-  std::optional<double>
-      floor;             ///< height of the floor [m]; none: the one below the first frame's feet
-  LoadLimits load = {};  ///< of the scene
+  std::optional<double> floor;   ///< height of the floor [m]; none: the one below the feet
+  LoadLimits load = {};          ///< of the scene
+  GroundLimits limits;           ///< what of the scene is ground: that of the walk's scenario
   double clearance_limit = 2.0;  ///< how far clearances are looked for [m, > 0]
-};
-
-/// A stretch of time in which one body part touches one object.
-struct ContactSpan {
-  double start = 0.0, end = 0.0;  ///< [s]
-  std::string part, object;
 };
 
 struct WalkValidation {
@@ -39,12 +36,16 @@ struct WalkValidation {
   double floor = 0.0;                 ///< [m]
   std::vector<ContactSpan> contacts;  ///< in order of start
   double clearance = 0.0;  ///< smallest, at frames; the limit where nothing is nearer [m]
-  std::string clearance_part, clearance_object;        ///< empty where nothing is within the limit
-  double clearance_time = 0.0;                         ///< [s]
-  int plants = 0;                                      ///< placings of feet that were found
-  double foot_skate_mean = 0.0, foot_skate_max = 0.0;  ///< of their slides [m]
-  double ground_penetration = 0.0;                     ///< largest depth of a sole [m]
+  std::string clearance_part, clearance_object;  ///< empty where nothing is within the limit
+  double clearance_time = 0.0;                   ///< [s]
+  StandingFeet feet;
+  double ground_penetration = 0.0;  ///< largest depth of a sole [m]
+
+  bool hovers() const { return feet.hover_max > kHoverLimit; }
 };
+
+/// The most poses that are checked, times the skeleton's joints: half a gigabyte.
+inline constexpr double kMostCheckedPoses = 1e7;
 
 /// A BVH does not say when its feet are planted, so soles may touch the floor at any time, no
 /// deeper than kSoleDepth: a foot that drags over it shows as skate. The motion between frames is

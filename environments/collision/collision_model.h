@@ -1,6 +1,7 @@
 /// A body in a scene as checks of motions have it, and a thread's memory for them.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "animation/body/pose.h"
@@ -92,6 +93,22 @@ struct CollisionModel {
     placeBody(body, scratch.joints, scratch.from, scratch.to);
     for (int i = 0; i < parts(); ++i)
       out[i] = {scratch.from[i], scratch.to[i], body.parts[i].radius};
+  }
+
+  /// The same of one pose, as frame 0 of the scratch memory.
+  void placeAlone(PoseView pose, CollisionScratch& scratch) const {
+    scratch.prepare(1);
+    place(pose, scratch, {&scratch.capsule(0, 0), static_cast<size_t>(parts())});
+  }
+
+  /// The first part from `begin` on of the standing body there that touches something.
+  std::optional<Contact> nextContact(int begin, CollisionScratch& scratch) const {
+    constexpr SolePhases standing = {SolePhase::kPlanted, SolePhase::kPlanted};
+    for (int part = begin; part < parts(); ++part) {
+      const int object = touched(scratch.capsule(0, part), part, standing, scratch);
+      if (object >= 0) return Contact{0, 0.0, part, object, 0.0};
+    }
+    return std::nullopt;
   }
 
   /// What the part touches, the ground included, or -1.

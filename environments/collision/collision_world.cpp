@@ -34,14 +34,18 @@ std::optional<Contact> CollisionWorld::check(const PoseArray& poses,
 }
 
 std::optional<Contact> CollisionWorld::checkPose(PoseView pose, CollisionScratch& scratch) const {
-  constexpr SolePhases standing = {SolePhase::kPlanted, SolePhase::kPlanted};
-  scratch.prepare(1);
-  model_->place(pose, scratch, {&scratch.capsule(0, 0), static_cast<size_t>(model_->parts())});
-  for (int part = 0; part < model_->parts(); ++part) {
-    const int object = model_->touched(scratch.capsule(0, part), part, standing, scratch);
-    if (object >= 0) return Contact{0, 0.0, part, object, 0.0};
+  model_->placeAlone(pose, scratch);
+  return model_->nextContact(0, scratch);
+}
+
+std::vector<Contact> CollisionWorld::contacts(PoseView pose, CollisionScratch& scratch) const {
+  std::vector<Contact> all;
+  model_->placeAlone(pose, scratch);
+  for (auto next = model_->nextContact(0, scratch); next;) {
+    all.push_back(*next);
+    next = model_->nextContact(next->part + 1, scratch);
   }
-  return std::nullopt;
+  return all;
 }
 
 int CollisionWorld::touched(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,

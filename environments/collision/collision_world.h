@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "animation/body/pose.h"
 #include "animation/body/skeleton.h"
@@ -58,6 +59,10 @@ class CollisionWorld {
 
   /// A standing body at one pose (both feet planted).
   std::optional<Contact> checkPose(PoseView pose, CollisionScratch& scratch) const;
+
+  /// Every part of a standing body (both feet planted) that touches something, each with the first
+  /// object, by number, that it touches.
+  std::vector<Contact> contacts(PoseView pose, CollisionScratch& scratch) const;
 
   /// The object, ground apart, that a capsule in World touches or lies in, or -1.
   int touched(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,

@@ -25,5 +25,28 @@ TEST(WriteJUnit, CountsAndEscapes) {
   EXPECT_TRUE(holds(xml, "expected &lt; 4; second")) << xml;
 }
 
+TEST(WriteJUnit, NamesOfAnyBytesGiveValidXml) {
+  CheckRow row;
+  row.file = "caf\xe9/gr\xfc\xdf.yaml";  // Latin-1
+  row.scenario = "\x01 a\x00b \xff\xfe \xed\xa0\x80 \xe2\x82\xac";
+  row.verdict = CheckVerdict::kStopped;
+  row.notes = {"\x1b[31m", "\xc3"};
+  std::ostringstream out;
+  writeJUnit(out, {row});
+  const std::string xml = out.str();
+  EXPECT_TRUE(holds(xml, "skipped=\"1\"")) << xml;
+  EXPECT_TRUE(holds(xml, "\xe2\x82\xac")) << "what is UTF-8 stays: " << xml;
+  EXPECT_TRUE(holds(xml, "caf\xef\xbf\xbd/")) << xml;
+  // Every byte is ASCII that XML may hold, or part of the two characters above.
+  std::string rest = xml;
+  for (const char* const character : {"\xe2\x82\xac", "\xef\xbf\xbd"}) {
+    for (size_t at; (at = rest.find(character)) != std::string::npos;) rest.erase(at, 3);
+  }
+  for (const char c : rest) {
+    const auto byte = static_cast<unsigned char>(c);
+    EXPECT_TRUE((byte >= 0x20 && byte < 0x7f) || c == '\n') << static_cast<int>(byte);
+  }
+}
+
 }  // namespace
 }  // namespace amble

@@ -77,10 +77,13 @@ TEST_P(ShippedWalk, MeetsItsGoalTouchesNothingAndHoldsTheBars) {
   ValidateOptions options;
   options.fps = 240.0;
   options.floor = result.problem->floor;
+  options.limits = scenario.character.limits;
   const WalkValidation found = validateWalk(walk, scenario.scene, options);
   for (const ContactSpan& contact : found.contacts) {
     ADD_FAILURE() << contact.part << " touches " << contact.object << " at " << contact.start;
   }
+  EXPECT_FALSE(found.hovers()) << found.feet.hover_max;
+  EXPECT_LE(found.feet.skate_mean, 0.004);
   fs::remove(walk);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/rotation.h"
 #include "scenarios/run_scenario.h"
 #include "tests/scenarios/small_room.h"
 
@@ -66,8 +67,74 @@ TEST_F(ValidateWalk, OurOwnWalkTouchesNothingAndHasTheReportsClearance) {
   EXPECT_NEAR(found.clearance, result_->report.clearance.min, 1e-4);
   EXPECT_EQ(found.clearance_object, result_->report.clearance.object);
   EXPECT_NEAR(found.floor, 0.0, 1e-9);
-  EXPECT_LE(found.foot_skate_mean, 0.002);
-  EXPECT_GE(found.plants, 6);
+  EXPECT_LE(found.feet.skate_mean, 0.002);
+  EXPECT_GE(found.feet.plants, 6);
+}
+
+TEST_F(ValidateWalk, OurOwnWalkStandsOnTheGround) {
+  const WalkValidation found = validate();
+  EXPECT_FALSE(found.hovers());
+  EXPECT_LT(found.feet.hover_max, 0.005);
+  EXPECT_EQ(found.feet.hover_share, 0.0);
+}
+
+TEST_F(ValidateWalk, AWalkThatIsLiftedHangsInTheAirByAsMuch) {
+  for (const double lift : {0.02, 0.5}) {
+    const WalkValidation found = validateMoved({0, 0, lift});
+    EXPECT_TRUE(found.hovers()) << lift;
+    EXPECT_NEAR(found.feet.hover_max, lift, 0.005);
+    EXPECT_GT(found.feet.hover_share, 0.9);
+    EXPECT_NEAR(found.floor, 0.0, 1e-9) << "lifted feet have no other floor";
+    EXPECT_TRUE(found.contacts.empty());
+  }
+  EXPECT_EQ(validateMoved({0, 0, 3.0}).feet.hover_max, kMostHover);
+}
+
+TEST_F(ValidateWalk, WhoIsNoPersonIsAnInputError) {
+  ValidateOptions options;
+  for (const double unit : {1e-6, 0.1, 4e6}) {
+    options.metres_per_unit = unit;
+    const std::string error = inputError([&] { validate(options); });
+    EXPECT_TRUE(holds(error, "walk.bvh: the body is ")) << unit << ": " << error;
+    EXPECT_TRUE(holds(error, "expected 0.4 to 3 m; --unit")) << error;
+  }
+}
+
+TEST_F(ValidateWalk, AThingThatTheWalkBeginsInIsNotItsFloor) {
+  // A block of 2.5 m about the start: what could be stood on there is its top.
+  write("block.yaml", std::string(kScene) +
+                          "  - {name: block, box: {size: [1, 1, 2.5]}, at: [0.8, 1.5, 1.25]}\n");
+  const WalkValidation found = validateWalk(walk_, folder_ / "block.yaml");
+  EXPECT_NEAR(found.floor, 0.0, 1e-9);
+  EXPECT_FALSE(found.hovers());
+  ASSERT_FALSE(found.contacts.empty());
+  EXPECT_EQ(found.contacts.front().object, "block");
+  EXPECT_EQ(found.contacts.front().start, 0.0);
+}
+
+TEST_F(ValidateWalk, MorePosesThanThereIsRoomForAreRefusedBeforeTheyAreMade) {
+  ValidateOptions options;
+  options.fps = 1e6;
+  EXPECT_TRUE(holds(inputError([&] { validate(options); }), "--fps: 1e+06 frames a second"));
+}
+
+TEST_F(ValidateWalk, WhatIsGroundIsAsSteepAndHighAsTheWalksLimits) {
+  // The floor is one plane of 24 degrees: ground to one who climbs 30, an obstacle to one of 20.
+  const double tilt = std::tan(24.0 * kDegree);
+  std::ostringstream plane;
+  plane << "v 0 0 0\nv 6 0 0\nv 6 3 " << 3 * tilt << "\nv 0 3 " << 3 * tilt << "\nf 1 2 3 4\n";
+  write("plane.obj", plane.str());
+  write("slope.yaml", "name: slope\nobjects:\n  - {name: plane, mesh: plane.obj, up: z}\n");
+  ValidateOptions options;
+  options.limits.max_slope = 30.0 * kDegree;
+  const std::filesystem::path walk = moved({0, 0, 1.5 * tilt});  // along the slope, at its middle
+  const WalkValidation able = validateWalk(walk, folder_ / "slope.yaml", options);
+  for (const ContactSpan& contact : able.contacts) {
+    EXPECT_EQ(contact.part.find("pelvis"), std::string::npos) << "nothing but feet is low";
+  }
+  EXPECT_NEAR(able.floor, 1.5 * tilt, 0.2);
+  const std::string error = inputError([&] { validateWalk(walk, folder_ / "slope.yaml"); });
+  EXPECT_TRUE(holds(error, "has no floor")) << error;
 }
 
 TEST_F(ValidateWalk, NothingIsTouchedBetweenTheFramesEither) {
@@ -114,7 +181,7 @@ TEST_F(ValidateWalk, ADragThatTheGaitDoesNotKnowIsSkate) {
   for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i).y() += 0.0005 * i;  // 3 cm/s sideways
   writeBvh(folder_ / "dragged.bvh", clip);
   const WalkValidation found = validateWalk(folder_ / "dragged.bvh", folder_ / "scene.yaml");
-  EXPECT_GT(found.foot_skate_mean, validate().foot_skate_mean + 0.002);
+  EXPECT_GT(found.feet.skate_mean, validate().feet.skate_mean + 0.002);
 }
 
 }  // namespace

@@ -1,0 +1,85 @@
+#include "scenarios/standing_feet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "base/statistics.h"
+
+namespace amble {
+namespace {
+
+constexpr double kTrim = 0.15;  // of a plant, at each end
+
+// First and last frame of each stay on the ground within [first, last].
+std::vector<std::pair<int, int>> staysOf(const SoleTracks& soles, Side side, int first, int last,
+                                         double gap_frames) {
+  std::vector<std::pair<int, int>> stays;
+  for (int frame = first; frame <= last; ++frame) {
+    if (soles.height(side, frame) > kTouchHeight) continue;
+    if (stays.empty() || frame - stays.back().second - 1 > gap_frames) {
+      stays.emplace_back(frame, frame);
+    }
+    stays.back().second = frame;
+  }
+  return stays;
+}
+
+double slideOf(const SoleTracks& soles, Side side, int first, int last, double gap_frames) {
+  double slide = 0.0;
+  for (const auto& [begin, end] : staysOf(soles, side, first, last, gap_frames)) {
+    slide = std::max(slide, soles.slide(side, begin, end));
+  }
+  return slide;
+}
+
+double hoverOf(const SoleTracks& soles, Side side, int first, int last) {
+  std::vector<double> heights;
+  for (int frame = first; frame <= last; ++frame) heights.push_back(soles.height(side, frame));
+  return std::clamp(median(std::move(heights)), 0.0, kMostHover);
+}
+
+}  // namespace
+
+FootPlants plantsOver(const Clip& clip, const JointRoles& roles, const Ground& ground,
+                      double floor) {
+  FootPaths paths = footPaths(clip, roles);
+  for (Eigen::MatrixXd& path : paths) {
+    for (Eigen::Index frame = 0; frame < path.rows(); ++frame) {
+      for (const Eigen::Index joint : {0, 3}) {
+        double& z = path(frame, joint + 2);
+        z -= ground.height(path(frame, joint), path(frame, joint + 1), z, kMostHover)
+                 .value_or(floor);
+      }
+    }
+  }
+  return detectPlants(paths, legLengths(clip, roles), clip.frame_time);
+}
+
+StandingFeet measureStandingFeet(const SoleTracks& soles, const FootPlants& plants,
+                                 double frame_time) {
+  StandingFeet feet;
+  double slides = 0.0;
+  int frames = 0, hovering = 0;
+  for (const Side side : {kLeft, kRight}) {
+    for (const FootPlant& plant : plants.plants[side]) {
+      const int trim = static_cast<int>(std::lround(kTrim * (plant.last - plant.first + 1)));
+      const int first = plant.first + trim, last = plant.last - trim;
+      if (first > last) continue;
+      const double slide = slideOf(soles, side, first, last, kShortestGap / frame_time);
+      const double hover = hoverOf(soles, side, first, last);
+      feet.skate_max = std::max(feet.skate_max, slide);
+      feet.hover_max = std::max(feet.hover_max, hover);
+      slides += slide;
+      ++feet.plants;
+      frames += last - first + 1;
+      hovering += hover > kHoverLimit ? last - first + 1 : 0;
+    }
+  }
+  if (feet.plants > 0) feet.skate_mean = slides / feet.plants;
+  if (frames > 0) feet.hover_share = static_cast<double>(hovering) / frames;
+  return feet;
+}
+
+}  // namespace amble

@@ -1,0 +1,41 @@
+/// What the feet of any clip do on the ground of a scene: when they are planted, how they slide,
+/// how far they hang over it.
+#pragma once
+
+#include "animation/analysis/foot_plants.h"
+#include "animation/ground/ground.h"
+#include "scenarios/foot_measures.h"
+
+namespace amble {
+
+/// A planted sole that is higher over its ground is seen to hang in the air [m].
+inline constexpr double kHoverLimit = 0.015;
+
+/// Plants as detectPlants finds them on one level floor, on ground of any shape: each joint's
+/// height is taken from the ground below it. @param floor  is below what has no ground below it [m]
+FootPlants plantsOver(const Clip& clip, const JointRoles& roles, const Ground& ground,
+                      double floor);
+
+struct StandingFeet {
+  int plants = 0;
+  double skate_mean = 0.0, skate_max = 0.0;  ///< of the plants' slides [m]
+  /// Highest that a sole hangs over its ground in a plant: the median of its lowest point's height,
+  /// since a step in place that is taken for one plant is none; at most kMostHover [m, >= 0].
+  double hover_max = 0.0;
+  double hover_share = 0.0;  ///< of the planted time, that of plants that hang over kHoverLimit
+                             ///< [0 to 1]
+};
+
+/// Ground that is farther below a sole is not looked for [m].
+inline constexpr double kMostHover = 1.0;
+
+/// 15 % of each plant is left out at both ends (QUALITY.md): when exactly a foot lands is not
+/// known. Where a foot leaves the ground within a plant for longer than kShortestGap it is put down
+/// anew, and each stay slides for itself.
+StandingFeet measureStandingFeet(const SoleTracks& soles, const FootPlants& plants,
+                                 double frame_time);
+
+/// As plants are told apart (PlantOptions::shortest_gap) [s].
+inline constexpr double kShortestGap = 0.08;
+
+}  // namespace amble
