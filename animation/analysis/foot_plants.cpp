@@ -161,8 +161,9 @@ FootPlant refined(const FootPlant& run, const FootSignals& signals, const std::v
                               {run.last, reach, 1.0, kLeavingShare * signals.swing[1],
                                options.clear_velocity, run.lift_off});
     plant.lift_off = std::max(peak - options.lift_off_lead * rate, last_still + 0.5);
+    const double planted_until = plant.lift_off - options.lift_off_contact * rate;
     plant.last =
-        std::clamp(static_cast<int>(std::ceil(plant.lift_off)) - 1, plant.first, frames - 1);
+        std::clamp(static_cast<int>(std::ceil(planted_until)) - 1, plant.first, frames - 1);
   }
   return plant;
 }

@@ -22,12 +22,14 @@ namespace amble {
 
 /// A foot on the ground from strike to lift-off.
 struct FootPlant {
-  int first = 0;  ///< first and last frame on the ground, both included
-  int last = 0;
+  int first = 0;  ///< first and last frame on the ground, both included [>= 0]
+  int last = 0;   ///< [>= first]
   /// When the foot comes down, between frames [frames]: first - 1 < strike, and at most strike_lead
   /// after `first`.
   double strike = 0.0;
-  double lift_off = 0.0;  ///< last < lift_off <= last + 1
+  /// When it leaves, between frames [frames]: last < lift_off, and at most lift_off_contact after
+  /// last + 1.
+  double lift_off = 0.0;
 };
 
 /// By Side. A plant that touches the clip's first or last frame began before it or went on after
@@ -45,27 +47,30 @@ struct FootPlants {
 FootPlants plantsOf(const std::array<std::vector<bool>, 2>& planted);
 
 /// Defaults found by trial on CMU and ACCAD walks and runs, but for the two durations (thesis: a
-/// window of some frames). The cut-off and the two leads are from the eight trials with force
-/// plates, each in the middle of a range in which the scores hardly change (8 to 10 Hz, 8 to 10
-/// ms, 13 to 16 ms). Found on three of the four children only, the lead of the strike comes out the
-/// same to 2 ms, that of the lift-off as 12 to 14 ms but for one choice of three, as 20 ms.
+/// window of some frames). The cut-off and the lead of the lift-off are from the eight trials with
+/// force plates, each in the middle of a range in which the scores hardly change (8 to 10 Hz, 13 to
+/// 16 ms). Which frames count is not: a plate's frame is planted when its mean force is over 20 N,
+/// which a foot that is down for a moment of it does not reach. Plants that took such frames in
+/// were long at both ends, against plates of other people too: precision below recall.
 struct PlantOptions {
   double cutoff = 8.5;   ///< low-pass of the joints' places [Hz, > 0]
   double height = 0.06;  ///< a planted joint is lower over its standing height [leg lengths, > 0]
-  double speed_of_swing =
-      0.18;  ///< and slower than this share of the foot's 95th percentile of speed [> 0]
-  double min_speed = 0.35;  ///< but that limit stays within these [leg lengths a second]
-  double max_speed = 0.9;
-  double shortest_gap = 0.08;    ///< shorter gaps are closed [s]
-  double shortest_plant = 0.06;  ///< then shorter plants are dropped [s]
-  double reach =
-      0.15;  ///< how far strike and lift-off are looked for from the thresholds' crossing [s]
-  double clear_velocity =
-      0.1;  ///< a trough or peak below it says nothing: the crossing stands [leg lengths a second]
+  /// And slower than this share of the foot's 95th percentile of speed [> 0, < 1],
+  double speed_of_swing = 0.18;
+  /// but that limit stays within these [leg lengths a second, 0 < min <= max].
+  double min_speed = 0.35, max_speed = 0.9;
+  double shortest_gap = 0.08;    ///< shorter gaps are closed [s, >= 0]
+  double shortest_plant = 0.06;  ///< then shorter plants are dropped [s, >= 0]
+  /// How far strike and lift-off are looked for from the thresholds' crossing [s, >= 0].
+  double reach = 0.15;
+  /// A trough or peak below it says nothing: the crossing stands [leg lengths a second, >= 0].
+  double clear_velocity = 0.1;
   /// Frames are planted from so long before the strike: a frame of a force plate is the mean over
-  /// the time until the next, and has some force in it when the foot comes down in that time [s].
-  double strike_lead = 0.009;
+  /// the time until the next, and has force enough in it when the foot comes down early in that
+  /// time [s, >= 0].
+  double strike_lead = 0.007;
   double lift_off_lead = 0.0155;  ///< the foot is off so long before its middle rises fastest [s]
+  double lift_off_contact = 0.0015;  ///< its last frame has it down for longer than this [s, >= 0]
 };
 
 /// Ankle and toe (footPaths) of both feet against the fitted floor. Slow clips are interpolated to
