@@ -39,6 +39,10 @@ constexpr double kFootBreadth = fraction(0.101);
 // fraction of stature.
 constexpr double kThinnestSole = 0.006;
 
+// Of the ankle's height over the sole: a rig's ankle may be lower than an ankle is thick, and the
+// shank, which leans by thirty degrees while its foot stands, must not reach the ground.
+constexpr double kShankOverSole = 0.6;
+
 const std::array<std::string, 2> kSideNames = {"left ", "right "};
 
 Eigen::Vector3d nearestAxis(const Eigen::Vector3d& v) {
@@ -161,7 +165,8 @@ class BodyMaker {
     const LegJoints& leg = roles_.legs[side];
     addLimb(kSideNames[side] + "thigh", leg.up_leg, rest_[leg.leg] - rest_[leg.up_leg], kThigh,
             kKnee);
-    addLimb(kSideNames[side] + "shank", leg.leg, rest_[leg.foot] - rest_[leg.leg], kCalf, kAnkle);
+    addLimb(kSideNames[side] + "shank", leg.leg, rest_[leg.foot] - rest_[leg.leg], kCalf,
+            std::min(kAnkle, kShankOverSole * sole_.ankle / stature_));
   }
 
   // The sole is two capsules from the heel to either side of the ball, the toes one more, the
@@ -194,7 +199,8 @@ class BodyMaker {
         radius, side);
     // As thick as the ankle, but not below the sole.
     const Eigen::Vector3d middle = 0.5 * ball;
-    const double instep = std::min(kAnkle * stature_, 0.5 * (sole_.ankle + sole_.toe));
+    const double instep =
+        std::min({kAnkle * stature_, 0.5 * (sole_.ankle + sole_.toe), sole_.ankle});
     add(name + "instep", leg.foot, Eigen::Vector3d::Zero(), middle, instep, side);
   }
 
