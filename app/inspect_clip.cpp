@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "animation/library/motion_library.h"
+#include "animation/library/motion_library_reader.h"
 #include "app/findings.h"
 #include "app/read_options.h"
 #include "base/rotation.h"
@@ -149,6 +149,9 @@ Findings inspectLibrary(const std::filesystem::path& file) {
                        {"credit", source.credit}};
     out.facts.emplace_back(motion.name, text + from);
     out.data["motions"].push_back(std::move(entry));
+  }
+  if (const MotionLack lack = whatItLacks(library); !lack.problem.empty()) {
+    out.warnings.push_back(lack.problem + ": it cannot walk; expected " + lack.expected);
   }
   return out;
 }

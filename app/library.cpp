@@ -4,7 +4,9 @@
 
 #include <memory>
 
-#include "animation/library/motion_library.h"
+#include "animation/library/motion_library_reader.h"
+#include "animation/library/motion_library_writer.h"
+#include "animation/preparation/motion_library_build.h"
 #include "app/command.h"
 #include "app/findings.h"
 #include "app/library_add.h"
@@ -43,7 +45,7 @@ void addBuild(CLI::App& library, Command& chosen) {
                                                              : std::filesystem::path(options->out);
       const MotionLibrary built = buildMotionLibrary(options->recipe, options->captures);
       writeMotionLibrary(built, out);
-      fmt::print(stderr, "{}: {} motions\n", out.string(), built.motions.size());
+      sayWritten(built, out);
       return kExitDone;
     };
   });
@@ -61,7 +63,7 @@ void addShow(CLI::App& library, Command& chosen) {
   command->add_flag("--json", options->json, "Print results for machines");
   command->callback([options, &chosen] {
     chosen = [options] {
-      printFindings({inspectLibrary(openMotionLibrary(options->name).file)}, options->json);
+      printFindings({inspectLibrary(motionLibraryFile(options->name))}, options->json);
       return kExitDone;
     };
   });

@@ -2,12 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
+#include "animation/library/motion_library_reader.h"
+#include "animation/library/motion_library_writer.h"
 #include "animation/preparation/motion_library_add.h"
+#include "animation/synthesis/walk_synthesizer.h"
 #include "app/read_options.h"
+#include "base/error.h"
 #include "base/rotation.h"
+#include "environments/body/body.h"
+#include "environments/collision/sunk_parts.h"
 
 namespace amble {
 namespace {
@@ -34,8 +41,8 @@ std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip, const O
   request.file = clip;
   request.read = options.read.forReader();
   request.source.clip = clip.filename().string();
-  request.source.licence = options.licence;
-  request.source.credit = options.credit;
+  request.source.licence = options.licence.empty() ? "unknown" : options.licence;
+  request.source.credit = options.credit.empty() ? "unknown" : options.credit;
   if (options.frames.size() == 2) request.frames = {options.frames[0], options.frames[1]};
   std::vector<MotionRequest> requests = {request};
   if (request.kind == MotionKind::kWalk && !options.no_mirror) {
@@ -63,15 +70,39 @@ void sayAdded(const Motion& motion) {
              cycle.residual / kDegree);
 }
 
+// A name beside the library that nothing has but, at most, another library's skeleton: captures
+// often are called what is made of them.
+std::string skeletonName(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  for (int i = 1;; ++i) {
+    std::string name = stem;
+    if (i > 1) name += "-skeleton";
+    if (i > 2) name += "-" + std::to_string(i - 1);
+    const std::filesystem::path skeleton = file.parent_path() / (name + ".bvh");
+    if (!std::filesystem::exists(skeleton) || isLibrarySkeleton(skeleton)) return name + ".bvh";
+  }
+}
+
+MotionLibrary libraryAt(const std::filesystem::path& file) {
+  if (std::filesystem::exists(file)) return readMotionLibrary(file);
+  if (file.extension() != ".yaml" && file.extension() != ".yml") {
+    throw InputError(file.string(), 0, "is no name of a library", "NAME.yaml");
+  }
+  std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  while (!std::filesystem::exists(folder)) folder = folder.parent_path();
+  if (!std::filesystem::is_directory(folder)) {
+    throw InputError(file.string(), 0, "lies in " + folder.string() + ", which is no folder",
+                     "a folder, or one that can be made");
+  }
+  MotionLibrary library;
+  library.file = file;
+  library.skeleton_file = skeletonName(file);
+  return library;
+}
+
 int run(const Options& options) {
   const std::filesystem::path file = options.library;
-  MotionLibrary library;
-  if (std::filesystem::exists(file)) {
-    library = readMotionLibrary(file);
-  } else {
-    library.file = file;
-    library.skeleton_file = file.stem().string() + ".bvh";
-  }
+  MotionLibrary library = libraryAt(file);
   for (const std::string& clip : options.clips) {
     for (const MotionRequest& request : requestsOf(clip, options)) {
       addMotion(library, request);
@@ -79,11 +110,40 @@ int run(const Options& options) {
     }
   }
   writeMotionLibrary(library, file);
-  fmt::print(stderr, "{}: {} motions\n", file.string(), library.motions.size());
+  sayWritten(library, file);
   return kExitDone;
 }
 
+// Standing on level ground: what of the body is in it.
+std::string sunkText(const MotionLibrary& library) {
+  const FlatGround ground;
+  const WalkSynthesizer synthesizer(library, ground, {});
+  AnimationBuffer stood;
+  synthesizer.stand({}, stood);
+  const Body body = makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
+                             {synthesizer.ankleHeight(), synthesizer.toeHeight()});
+  std::string text;
+  for (const SunkPart& part : sunkParts(body, synthesizer.skeleton(), stood.poses[0])) {
+    text += fmt::format("{}{} by {:.0f} mm", text.empty() ? "" : ", ", part.name,
+                        std::ceil(1000.0 * part.depth));
+  }
+  return text;
+}
+
 }  // namespace
+
+void sayWritten(const MotionLibrary& library, const std::filesystem::path& file) {
+  fmt::print(stderr, "{}: {} motions\n", file.string(), library.motions.size());
+  if (const MotionLack lack = whatItLacks(library); !lack.problem.empty()) {
+    fmt::print(stderr, "warning: {}: {}: nobody walks with it yet; add {}\n", file.string(),
+               lack.problem, lack.expected);
+    return;
+  }
+  if (const std::string sunk = sunkText(library); !sunk.empty()) {
+    fmt::print(stderr, "warning: {}: standing, its body is in the floor: {}; no walk will begin\n",
+               file.string(), sunk);
+  }
+}
 
 void addLibraryAdd(CLI::App& library, Command& chosen) {
   const auto options = std::make_shared<Options>();
@@ -99,7 +159,7 @@ void addLibraryAdd(CLI::App& library, Command& chosen) {
       ->check(CLI::IsMember({"straight", "turn"}));
   command->add_option("--joints", options->chains, "Chains that a movement or posture moves: all")
       ->delimiter(',')
-      ->check(CLI::IsMember({"left_arm", "right_arm", "trunk", "head", "left_leg", "right_leg"}));
+      ->check(CLI::IsMember(chainNames()));
   command->add_option("--frames", options->frames, "First and last frame to look at; default: all")
       ->expected(2);
   command->add_flag("--no-mirror", options->no_mirror, "Leave out a walk's mirror image");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "animation/library/motion_library_reader.h"
 #include "animation/preparation/motion_library_add.h"
 #include "base/error.h"
 #include "base/rotation.h"
@@ -68,7 +69,7 @@ std::string facts(const Motion& motion) {
 }
 
 int run(const Options& options) {
-  const MotionLibrary library = openMotionLibrary(options.library);  // refuses what cannot be
+  const MotionLibrary library = readMotionLibrary(motionLibraryFile(options.library));
   int wrong = 0;
   for (const Motion& motion : library.motions) {
     std::string problem;
@@ -83,6 +84,10 @@ int run(const Options& options) {
     fmt::print("{:<6} {:<26} {:<9} {}\n", problem.empty() ? "ok" : "WRONG", motion.name,
                motionKindNames()[static_cast<size_t>(motion.kind)],
                problem.empty() ? facts(motion) : problem);
+  }
+  if (const MotionLack lack = whatItLacks(library); !lack.problem.empty()) {
+    ++wrong;
+    fmt::print("WRONG  {}; expected {}\n", lack.problem, lack.expected);
   }
   fmt::print("{} motions, {} wrong{}\n", library.motions.size(), wrong,
              options.captures.empty() ? "; captures were not read: give --captures DIR" : "");

@@ -7,7 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "animation/library/motion_library.h"
+#include "animation/library/motion_library_reader.h"
 #include "app/analysed_clip.h"
 #include "app/clip_sources.h"
 #include "app/progress.h"
@@ -91,7 +91,7 @@ std::vector<Found> search(const Options& options, MotionType type, bool& wrong) 
       clip_paths.push_back(path);
       continue;
     }
-    const std::vector<Found> motions = foundIn(openMotionLibrary(path), type);
+    const std::vector<Found> motions = foundIn(readMotionLibrary(motionLibraryFile(path)), type);
     all.insert(all.end(), motions.begin(), motions.end());
   }
   const std::vector<std::filesystem::path> files = findClips(clip_paths);

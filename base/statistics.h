@@ -24,6 +24,14 @@ inline double quantile(std::vector<double> values, double share) {
   return *nth;
 }
 
+/// The middle value, of two the greater. @pre values are not empty
+inline double upperMedian(std::vector<double> values) {
+  assert(!values.empty());
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 /// The middle value, between two the mean of both; 0 of none.
 inline double median(std::vector<double> values) {
   if (values.empty()) return 0.0;

@@ -10,7 +10,7 @@
 #include <memory>
 #include <random>
 
-#include "animation/library/motion_library.h"
+#include "animation/library/motion_library_reader.h"
 #include "animation/steps/foothold.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "environments/ground/scene_ground.h"

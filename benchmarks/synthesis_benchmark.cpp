@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "animation/ground/ground.h"
+#include "animation/library/motion_library_reader.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "base/rotation.h"
 

@@ -62,14 +62,4 @@ ExportedWalk exportWalk(const std::string& name, const Skeleton& skeleton,
   return exported;
 }
 
-std::vector<std::string> bvhJointNames(const Skeleton& skeleton) {
-  Clip rest;
-  rest.name = "rest pose";
-  rest.skeleton = skeleton;
-  rest.poses = PoseArray(skeleton.size());
-  rest.poses.resize(1);
-  std::string bytes;
-  return namesOf(writtenAndRead(rest, 1.0, bytes), fileOrder(skeleton));
-}
-
 }  // namespace amble

@@ -21,7 +21,4 @@ struct ExportedWalk {
 ExportedWalk exportWalk(const std::string& name, const Skeleton& skeleton,
                         const AnimationBuffer& walk, double unit);
 
-/// Joint names as a BVH of the skeleton has them, by joint.
-std::vector<std::string> bvhJointNames(const Skeleton& skeleton);
-
 }  // namespace amble

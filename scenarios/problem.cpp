@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "animation/library/motion_library_reader.h"
 #include "animation/synthesis/action.h"
 #include "base/error.h"
 #include "base/rotation.h"

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "animation/captures/bvh.h"
 #include "base/sha256.h"
 #include "base/strict_yaml.h"
 #include "base/version.h"

@@ -51,13 +51,15 @@ ClipClass classifyTokens(std::span<const Support> tokens);
 /// What is done to the tokens before, and what the thesis' definition of standing adds. By trial,
 /// on the captures of CMU and ACCAD; all are far from what they part (steps take 0.3 s and more).
 struct ClassifyOptions {
-  double shortest_flight = 0.04;  ///< a shorter one within steps is none: a fast walk's [s]
+  double shortest_flight = 0.04;  ///< a shorter one within steps is none: a fast walk's [s, >= 0]
   /// Nor is one that is shorter than this and the only one: among double supports (a run flies from
-  /// every step), or at the clip's end, where nobody sees whether a foot was about to land [s].
+  /// every step), or at the clip's end, where nobody sees whether a foot was about to land [s, >=
+  /// 0].
   double lone_flight = 0.1;
-  double together = 0.12;     ///< feet that leave or land so close to each other do it together [s]
-  double long_support = 2.0;  ///< both feet down for longer is standing ("an extended period of
-                              ///< time"), whatever comes before and after [s]
+  double together = 0.12;  ///< feet that leave or land so close do it together [s, >= 0]
+  /// Both feet down for longer is standing ("an extended period of time"), whatever comes before
+  /// and after [s, > 0].
+  double long_support = 2.0;
 };
 
 /// Tokens of a clip's frames, as planted.

@@ -5,7 +5,9 @@
 
 namespace amble {
 
-double FrequencyLaw::operator()(double V) const { return factor * std::pow(V, power); }
+double FrequencyLaw::operator()(double V) const {
+  return factor * std::pow(V, power);  // Glardon eq. 4 and 6
+}
 
 FrequencyFit fitFrequencyLaw(std::span<const FrequencySample> samples) {
   assert(!samples.empty());

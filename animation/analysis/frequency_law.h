@@ -8,7 +8,7 @@ namespace amble {
 
 /// f = factor V^power, cycles (two steps) a second.
 struct FrequencyLaw {
-  double factor = 0.743;
+  double factor = 0.743;  ///< [> 0]
   double power = 0.5;
 
   /// @param V  speed over leg length [1/s, >= 0] @return [Hz]
@@ -28,8 +28,8 @@ struct FrequencySample {
 struct FrequencyFit {
   FrequencyLaw law;
   bool own_power = false;  ///< the power was fitted; else it is Inman's, and only the factor ours
-  double residual = 0.0;   ///< rms of ln f, about the relative error [1]
-  int samples = 0;
+  double residual = 0.0;   ///< rms of ln f, about the relative error [1, >= 0]
+  int samples = 0;         ///< [>= 1]
 };
 
 /// Least squares of ln f over ln V. The power is fitted only where the speeds spread: a standard

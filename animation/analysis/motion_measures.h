@@ -21,23 +21,24 @@ inline constexpr double kMeasureRate = 30.0;  ///< at which differences are take
 inline constexpr double kRootMeasureCutoff = 8.0;
 inline constexpr double kJointMeasureCutoff = 10.0;
 
-/// Largest second difference of the root at 30 Hz [m/s²]; 0 for clips shorter than that takes.
+/// Largest second difference of the root at 30 Hz [m/s², >= 0]; 0 for clips shorter than that
+/// takes.
 double rootAcceleration(const Clip& clip);
 
 /// Mean over joints and frames of the size of the third difference of joints' places at 30 Hz
-/// [m/s³].
+/// [m/s³, >= 0].
 double jointJerk(const Clip& clip);
 
 /// Largest angular acceleration of a joint over that joint's own 99th percentile, the largest over
-/// joints, at the clip's own rate [1]. A joint that hardly turns (99th percentile below 1 rad/s²)
-/// is measured against that.
+/// joints, at the clip's own rate [1, >= 0]. A joint that hardly turns (99th percentile below 1
+/// rad/s²) is measured against that.
 double pops(const Clip& clip);
 
 /// Share of frames in which a knee is bent backwards by more than 8 degrees, against the pelvis'
 /// left-right axis [0, 1].
 double kneeBackwardsShare(const Clip& clip, const JointRoles& roles);
 
-/// Largest change of a bone's length over the clip: of moving joints only [m].
+/// Largest change of a bone's length over the clip: of moving joints only [m, >= 0].
 double boneLengthChange(const Clip& clip);
 
 /// A moving average over `window` seconds, centred; at the ends over what is there on both sides
@@ -52,11 +53,10 @@ struct PlannedPoint {
 };
 
 struct PathError {
-  double mean = 0.0;     ///< distance of the root, smoothed over 0.25 s, from the planned path [m]
-  double largest = 0.0;  ///< [m]
-  double end = 0.0;      ///< distance at the last frame from the last planned point [m]
-  double end_heading =
-      0.0;  ///< of the pelvis at the last frame against the planned one [rad, >= 0]
+  double mean = 0.0;         ///< of the root, smoothed over 0.25 s, from the planned path [m, >= 0]
+  double largest = 0.0;      ///< [m, >= 0]
+  double end = 0.0;          ///< at the last frame from the last planned point [m, >= 0]
+  double end_heading = 0.0;  ///< of the pelvis then against the planned one [rad, >= 0]
 };
 
 /// Of the root joint, smoothed. Its distance is to the nearest point of the path within half a

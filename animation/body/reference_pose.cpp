@@ -4,6 +4,7 @@
 
 #include "animation/body/foot_shape.h"
 #include "animation/body/pelvis.h"
+#include "animation/body/rotation_mean.h"
 #include "base/rotation.h"
 
 namespace amble {
@@ -53,19 +54,6 @@ bool isUpright(const Skeleton& skeleton, const JointRoles& roles, const Referenc
   }
   return roles.head < 0 || height(roles.head) - height(roles.hips) > kUprightTrunk * leg;
 }
-
-// Quaternions that lie near each other: their mean is their sum.
-class RotationMean {
- public:
-  void add(const Eigen::Quaterniond& q) {
-    sum_ += q.coeffs().dot(sum_) < 0.0 ? Eigen::Vector4d(-q.coeffs()) : q.coeffs();
-  }
-  bool empty() const { return sum_.isZero(); }
-  Eigen::Quaterniond mean() const { return Eigen::Quaterniond(Eigen::Vector4d(sum_.normalized())); }
-
- private:
-  Eigen::Vector4d sum_ = Eigen::Vector4d::Zero();
-};
 
 ReferencePose meanPose(const Clip& clip, const JointRoles& roles) {
   const int joints = clip.skeleton.size();

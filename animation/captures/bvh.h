@@ -57,6 +57,8 @@ struct BvhWriteOptions {
 /// Reading and writing it again gives the same bytes.
 /// @pre the clip has no joint_positions that move (they are flattened to the skeleton's offsets).
 void writeBvh(std::ostream& out, const Clip& clip, const BvhWriteOptions& options = {});
+/// The names that writeBvh gives a skeleton's joints, by joint.
+std::vector<std::string> bvhJointNames(const Skeleton& skeleton);
 /// Written beside and renamed, so that no half-written file is left. @throws InputError if it
 /// cannot be written.
 void writeBvh(const std::filesystem::path& file, const Clip& clip,

@@ -127,20 +127,6 @@ bool isNameCharacter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// Letters, digits and `_`; a number behind a name that was there before.
-std::vector<std::string> cleanNames(const Skeleton& skeleton) {
-  std::vector<std::string> names;
-  std::set<std::string> taken;
-  for (const Joint& joint : skeleton.joints()) {
-    std::string name = joint.name.empty() ? "joint" : joint.name;
-    for (char& c : name) c = isNameCharacter(c) ? c : '_';
-    std::string unique = name;
-    for (int i = 2; !taken.insert(unique).second; ++i) unique = name + "_" + std::to_string(i);
-    names.push_back(unique);
-  }
-  return names;
-}
-
 class BvhWriter {
  public:
   BvhWriter(const Clip& clip, const BvhWriteOptions& options);
@@ -169,7 +155,7 @@ BvhWriter::BvhWriter(const Clip& clip, const BvhWriteOptions& options)
       units_per_metre_(1.0 / options.metres_per_unit),
       children_(clip.skeleton.size()),
       angles_(clip.skeleton.size(), Ticks{0, 0, 0}),
-      names_(cleanNames(clip.skeleton)) {
+      names_(bvhJointNames(clip.skeleton)) {
   if (clip.skeleton.size() == 0 || clip.poses.joints() != clip.skeleton.size()) {
     throw std::invalid_argument("writeBvh: the clip's poses are not its skeleton's");
   }
@@ -275,6 +261,19 @@ void BvhWriter::appendFrame(int frame) {
 }
 
 }  // namespace
+
+std::vector<std::string> bvhJointNames(const Skeleton& skeleton) {
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const Joint& joint : skeleton.joints()) {
+    std::string name = joint.name.empty() ? "joint" : joint.name;
+    for (char& c : name) c = isNameCharacter(c) ? c : '_';
+    std::string unique = name;
+    for (int i = 2; !taken.insert(unique).second; ++i) unique = name + "_" + std::to_string(i);
+    names.push_back(unique);
+  }
+  return names;
+}
 
 void writeBvh(std::ostream& out, const Clip& clip, const BvhWriteOptions& options) {
   BvhWriter(clip, options).write(out);

@@ -13,10 +13,10 @@ namespace amble {
 /// The polynomials are kept times tau^2 (1 - tau)^2, so that a swing begins and ends at rest on its
 /// footprints: captured feet slide, ours do not.
 struct FootCycle {
-  double strike = 0.0;    ///< captured phase at which the heel lands [cycles]
-  double lift_off = 0.0;  ///< captured phase at which the toe leaves [cycles]
+  double strike = 0.0;    ///< captured phase at which the heel lands [cycles, 0 <= . < 1]
+  double lift_off = 0.0;  ///< captured phase at which the toe leaves [cycles, 0 <= . < 1]
   /// How far the captured sole moves on from its footprint between strike and lift-off, as it rolls
-  /// and slides [m].
+  /// and slides [m, 0 to 1].
   double slip = 0.0;
   /// Progress from print to print beyond 3 tau^2 - 2 tau^3 [1]; height over the line between them
   /// [m]; straying to the left of that line [m]; roll and yaw of the sole against the heading that
@@ -34,11 +34,12 @@ struct FootCycle {
 /// Mean of the feet of several cycles; phases by the shorter way around the cycle. @pre one or more
 FootCycle meanFoot(const std::vector<FootCycle>& feet);
 
-/// The polynomials and the pitch of a foot.
+/// Sum of coefficients[k] tau^k, times tau^2 (1 - tau)^2. @param tau  [0, 1]
 double swingPolynomial(const std::array<double, 4>& coefficients, double tau);
+/// Share of the way from print to print that is done at tau [0, 1].
 double swingProgress(const FootCycle& foot, double tau);
 /// Pitch at x: 0 to 1 is the stance from strike to lift-off, 1 to 2 the swing [rad]. Smooth, with
-/// period 2.
+/// period 2. @param x  [0, 2]
 double footPitch(const FootCycle& foot, double x);
 
 }  // namespace amble

@@ -30,6 +30,16 @@ FourierSeries fitFourier(const Eigen::MatrixXd& samples, const std::vector<doubl
   return series;
 }
 
+Eigen::VectorXd fourierAt(const FourierSeries& series, double phase) {
+  std::vector<double> basis(2 * static_cast<size_t>(series.harmonics()) + 2);
+  fourierBasis(phase, series.harmonics(), basis.data());
+  Eigen::VectorXd value = Eigen::VectorXd::Zero(series.channels());
+  for (int k = 0; k <= series.harmonics(); ++k) {  // Pettré eq. 2
+    value += basis[2 * k] * series.alpha.col(k) + basis[2 * k + 1] * series.beta.col(k);
+  }
+  return value;
+}
+
 void fourierBasis(double phase, int harmonics, double* basis) {
   const double c1 = std::cos(2.0 * kPi * phase), s1 = std::sin(2.0 * kPi * phase);
   double c = 1.0, s = 0.0;

@@ -1,200 +1,6 @@
 #include "animation/library/motion_library.h"
 
-#include <array>
-#include <cmath>
-
-#include "animation/captures/bvh.h"
-#include "animation/library/motion_library_yaml.h"
-#include "base/data_directory.h"
-#include "base/error.h"
-#include "base/rotation.h"
-#include "base/strict_yaml.h"
-
 namespace amble {
-namespace {
-
-std::array<double, 2> degreePair(const YamlNode& node) {
-  const Eigen::Vector2d v = node.asVec2("angles [degrees]");
-  return {v[0] * kDegree, v[1] * kDegree};
-}
-
-std::array<double, 4> coefficients(const YamlNode& node) {
-  const Eigen::VectorXd v = node.asVec(4, "coefficients");
-  return {v[0], v[1], v[2], v[3]};
-}
-
-FootCycle readFoot(const YamlNode& node) {
-  node.requireKeys(
-      {"strike", "lift_off", "slip", "progress", "height", "sideways", "roll", "yaw", "pitch"});
-  FootCycle foot;
-  foot.strike = node.at("strike").asDouble(0.0, 1.0, "phase [cycles]");
-  foot.lift_off = node.at("lift_off").asDouble(0.0, 1.0, "phase [cycles]");
-  foot.slip = node.at("slip").asDouble(0.0, 1.0, "slip [m]");
-  foot.progress = coefficients(node.at("progress"));
-  foot.height = coefficients(node.at("height"));
-  foot.sideways = coefficients(node.at("sideways"));
-  foot.roll = coefficients(node.at("roll"));
-  foot.yaw = coefficients(node.at("yaw"));
-  const Eigen::VectorXd pitch =
-      node.at("pitch").asVec(FootCycle::kStanceSamples + FootCycle::kSwingSamples,
-                             "pitch of the sole [degrees]", -180, 180);
-  for (const double p : pitch) foot.pitch.push_back(p * kDegree);
-  return foot;
-}
-
-Eigen::MatrixXd readMatrix(const YamlNode& node, int rows, int columns, const std::string& what) {
-  const std::vector<YamlNode> items = node.items();
-  if (static_cast<int>(items.size()) != rows) {
-    node.fail(std::to_string(items.size()) + " channels", std::to_string(rows) + ", " + what);
-  }
-  Eigen::MatrixXd matrix(rows, columns);
-  for (int i = 0; i < rows; ++i)
-    matrix.row(i) = items[i].asVec(columns, "coefficients").transpose();
-  return matrix;
-}
-
-CaptureQuality readCapture(const YamlNode& node) {
-  node.requireKeys({"toe_skate", "root_acceleration", "joint_jerk", "pops"});
-  CaptureQuality quality;
-  quality.toe_skate = node.at("toe_skate").asDouble(0.0, 100.0, "speed [m/s]");
-  quality.root_acceleration = node.at("root_acceleration").asDouble(0.0, 1e4, "[m/s^2]");
-  quality.joint_jerk = node.at("joint_jerk").asDouble(0.0, 1e6, "[m/s^3]");
-  quality.pops = node.at("pops").asDouble(0.0, 1e9, "a ratio");
-  return quality;
-}
-
-WalkCycle readCycle(const YamlNode& node, int joints) {
-  node.requireKeys({"speed", "turn_rate", "period", "cycles", "closure", "capture", "residual",
-                    "slide", "step_width", "foot_forward", "toe_out", "left", "right", "harmonics",
-                    "alpha", "beta"});
-  WalkCycle cycle;
-  cycle.speed = node.at("speed").asPositive("speed [m/s]", 5.0);
-  cycle.turn_rate = node.at("turn_rate").asDouble(-360, 360, "turn rate [degrees/s]") * kDegree;
-  cycle.period = node.at("period").asDouble(0.2, 5.0, "period [s]");
-  cycle.cycles = node.at("cycles").asInt(1, 1000, "cycles");
-  cycle.capture = readCapture(node.at("capture"));
-  cycle.closure = node.at("closure").asDouble(0.0, 10.0, "closure [m]");
-  cycle.residual = node.at("residual").asDouble(0.0, 360.0, "residual [degrees]") * kDegree;
-  cycle.slide = node.at("slide").asDouble(0.0, 10.0, "slide [m]");
-  cycle.step_width = node.at("step_width").asDouble(-0.5, 1.0, "step width [m]");
-  cycle.foot_forward = node.at("foot_forward").asDouble(-1.0, 1.0, "distance [m]");
-  cycle.toe_out = degreePair(node.at("toe_out"));
-  cycle.feet = {readFoot(node.at("left")), readFoot(node.at("right"))};
-  const int harmonics = node.at("harmonics").asInt(1, kMaxHarmonics, "harmonics");
-  const int channels = 3 + 3 * joints;
-  const std::string what = "three of the root and three a joint";
-  cycle.series.alpha = readMatrix(node.at("alpha"), channels, harmonics + 1, what);
-  cycle.series.beta = Eigen::MatrixXd::Zero(channels, harmonics + 1);
-  cycle.series.beta.rightCols(harmonics) = readMatrix(node.at("beta"), channels, harmonics, what);
-  return cycle;
-}
-
-Posture readPosture(const YamlNode& node, int joints) {
-  node.requireKeys({"root_height", "root_forward", "step_width", "toe_out", "rotations"});
-  Posture posture;
-  posture.root_height = node.at("root_height").asPositive("height [m]", 5.0);
-  posture.root_forward = node.at("root_forward").asDouble(-1.0, 1.0, "distance [m]");
-  posture.step_width = node.at("step_width").asDouble(0.0, 1.0, "step width [m]");
-  posture.toe_out = degreePair(node.at("toe_out"));
-  const std::vector<YamlNode> rotations = node.at("rotations").items();
-  if (static_cast<int>(rotations.size()) != joints) {
-    node.at("rotations")
-        .fail(std::to_string(rotations.size()) + " rotations",
-              std::to_string(joints) + ", one a joint");
-  }
-  for (const YamlNode& item : rotations) {
-    const Eigen::Vector4d q = item.asVec(4, "a quaternion [w, x, y, z]");
-    if (std::abs(q.norm() - 1.0) > 1e-6) item.fail("not a rotation", "a unit quaternion");
-    posture.rotations.push_back(Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized());
-  }
-  return posture;
-}
-
-MotionSource readSource(const YamlNode& node) {
-  node.requireKeys({"clip", "frames", "mirrored", "licence", "credit"});
-  MotionSource source;
-  source.clip = node.at("clip").asString();
-  const std::vector<YamlNode> frames = node.at("frames").items();
-  if (frames.size() != 2) node.at("frames").fail("not two frames", "[first, last]");
-  source.frames = {frames[0].asInt(0, 10000000, "frame"), frames[1].asInt(0, 10000000, "frame")};
-  if (const YamlNode m = node["mirrored"]) source.mirrored = m.asBool();
-  source.licence = node.at("licence").asString();
-  source.credit = node.at("credit").asString();
-  return source;
-}
-
-Transition readTransition(const YamlNode& node) {
-  node.requireKeys({"speed", "first_speed", "acceleration"});
-  Transition transition;
-  transition.speed = node.at("speed").asPositive("speed [m/s]", 10.0);
-  transition.first_speed = node.at("first_speed").asPositive("speed [m/s]", 10.0);
-  transition.acceleration = node.at("acceleration").asPositive("acceleration [m/s^2]", 100.0);
-  return transition;
-}
-
-void readTurning(const YamlNode& node, Motion& motion) {
-  motion.turning = node.at("turning").asEnum<bool>({{"straight", false}, {"turn", true}});
-  const double rate = std::abs(motion.cycle.turn_rate);
-  if (motion.turning == (rate > kStraightTurnRate)) return;
-  node.at("turning").fail("a walk of " + std::to_string(rate / kDegree) + " degrees/s is called " +
-                              (motion.turning ? "a turn" : "straight"),
-                          motion.turning ? "more than 8.6 degrees/s" : "less than 8.6 degrees/s");
-}
-
-Motion readLibraryMotion(const YamlNode& node, int joints) {
-  node.requireKeys(
-      {"name", "kind", "turning", "valid", "joints", "cycle", "posture", "transition", "source"});
-  Motion motion;
-  motion.name = node.at("name").asString();
-  motion.kind = static_cast<MotionKind>(node.at("kind").indexIn(motionKindNames()));
-  if (const YamlNode valid = node["valid"]) motion.valid = readValidity(valid, motion.kind);
-  if (const YamlNode which = node["joints"]) motion.chains = readChains(which);
-  motion.source = readSource(node.at("source"));
-  switch (motion.kind) {
-    case MotionKind::kWalk:
-    case MotionKind::kMovement:
-      motion.cycle = readCycle(node.at("cycle"), joints);
-      if (motion.kind == MotionKind::kWalk) readTurning(node, motion);
-      break;
-    case MotionKind::kPosture:
-    case MotionKind::kBlocking:
-      motion.posture = readPosture(node.at("posture"), joints);
-      break;
-    case MotionKind::kStart:
-    case MotionKind::kStop:
-      motion.transition = readTransition(node.at("transition"));
-      break;
-  }
-  return motion;
-}
-
-JointRoles readRoles(const YamlNode& node, const Skeleton& skeleton) {
-  JointRoles roles;
-  for (const auto& [role, name] : node.entries()) {
-    const int joint = skeleton.find(name.asString());
-    if (joint < 0) name.fail("no joint " + name.asString(), "a joint of the skeleton");
-    if (!setRole(roles, role, joint)) name.fail("no role " + role, "hips, left_up_leg, ...");
-  }
-  for (const LegJoints& leg : roles.legs) {
-    if (leg.up_leg < 0 || leg.leg < 0 || leg.foot < 0 || leg.toe < 0) {
-      node.fail("a leg's joint is missing", "up_leg, leg, foot and toe, left and right");
-    }
-  }
-  return roles;
-}
-
-void checkMotions(const YamlNode& root, const MotionLibrary& library) {
-  const Motion* stand = library.find("stand");
-  if (stand == nullptr || stand->kind != MotionKind::kPosture) {
-    root.fail("no posture `stand`", "a motion of that name and kind");
-  }
-  for (const Motion& motion : library.motions) {
-    if (motion.kind == MotionKind::kWalk && !motion.turning) return;
-  }
-  root.fail("no straight walk", "a motion of kind walk, turning straight");
-}
-
-}  // namespace
 
 const std::vector<std::string>& motionKindNames() {
   static const std::vector<std::string> kNames = {"walk",  "movement", "posture",
@@ -202,60 +8,26 @@ const std::vector<std::string>& motionKindNames() {
   return kNames;
 }
 
-Validity readValidity(const YamlNode& node, MotionKind kind) {
-  using When = Validity::When;
-  if (kind == MotionKind::kWalk && (node.isMap() || node.asString() != "always")) {
-    node.fail("a walk that is not always valid",
-              "always: every walk of a library is blended with the others");
-  }
-  if (!node.isMap()) {
-    constexpr std::array<When, 3> kWhen = {When::kAlways, When::kAtStart, When::kAtEnd};
-    return {kWhen[node.indexIn({"always", "at_start", "at_end"})]};
-  }
-  node.requireKeys({"from", "to", "clearance_above"});
-  Validity valid;
-  if (node.has("clearance_above")) {
-    valid.when = When::kClearanceAbove;
-    valid.clearance = node.at("clearance_above").asDouble(0.0, 100.0, "clearance [m]");
-    return valid;
-  }
-  valid.when = When::kBetween;
-  valid.from = node.at("from").asDouble(0.0, 1e6, "time [s]");
-  valid.to = node.at("to").asDouble(valid.from, 1e6, "time [s] after `from`");
-  return valid;
-}
-
-std::vector<std::string> readChains(const YamlNode& node) {
-  std::vector<std::string> chains;
-  if (node.isScalar()) {
-    node.indexIn({"all"});
-    return chains;
-  }
-  for (const YamlNode& item : node.items()) {
-    item.indexIn({"left_arm", "right_arm", "trunk", "head", "left_leg", "right_leg"});
-    chains.push_back(item.asString());
-  }
-  return chains;
+const std::vector<std::string>& chainNames() {
+  static const std::vector<std::string> kNames = {"left_arm", "right_arm", "trunk", "head"};
+  return kNames;
 }
 
 std::vector<int> chainJoints(const Skeleton& skeleton, const JointRoles& roles,
                              const std::string& chain) {
-  const auto below = [&](int top, int without) {
+  const auto below = [&](int top) {
     std::vector<int> joints;
     for (int j = 0; top >= 0 && j < skeleton.size(); ++j) {
-      if (skeleton.isAncestor(top, j) && (without < 0 || !skeleton.isAncestor(without, j))) {
-        joints.push_back(j);
-      }
+      if (skeleton.isAncestor(top, j)) joints.push_back(j);
     }
     return joints;
   };
   for (const Side side : {kLeft, kRight}) {
     const std::string name = side == kLeft ? "left_" : "right_";
     const ArmJoints& arm = roles.arms[side];
-    if (chain == name + "arm") return below(arm.shoulder >= 0 ? arm.shoulder : arm.arm, -1);
-    if (chain == name + "leg") return below(roles.legs[side].up_leg, -1);
+    if (chain == name + "arm") return below(arm.shoulder >= 0 ? arm.shoulder : arm.arm);
   }
-  if (chain == "head") return below(roles.neck >= 0 ? roles.neck : roles.head, -1);
+  if (chain == "head") return below(roles.neck >= 0 ? roles.neck : roles.head);
   if (chain != "trunk" || roles.spine < 0 || roles.chest < 0) return {};
   std::vector<int> joints;  // on the way from the hips to the chest
   for (int j = roles.chest; j > roles.hips; j = skeleton.joint(j).parent) joints.push_back(j);
@@ -274,31 +46,15 @@ std::array<FootShape, 2> MotionLibrary::feet() const {
           makeFootShape(skeleton, roles, kRight, stature)};
 }
 
-MotionLibrary readMotionLibrary(const std::filesystem::path& file) {
-  const YamlNode root = readYaml(file);
-  root.requireKeys({"skeleton", "stature", "joints", "motions"});
-  MotionLibrary library;
-  library.file = file;
-  library.skeleton_file = root.at("skeleton").asString();
-  library.skeleton = readBvh(root.at("skeleton").asPath()).skeleton;
-  library.roles = readRoles(root.at("joints"), library.skeleton);
-  library.stature = root.at("stature").asDouble(0.3, 3.0, "stature [m]");
-  for (const YamlNode& node : root.at("motions").items()) {
-    library.motions.push_back(readLibraryMotion(node, library.skeleton.size()));
-    const std::string& name = library.motions.back().name;
-    if (library.find(name) != &library.motions.back()) {
-      node.fail("motion " + name + " is there twice", "names that differ");
-    }
+MotionLack whatItLacks(const MotionLibrary& library) {
+  const Motion* stand = library.find("stand");
+  if (stand == nullptr || stand->kind != MotionKind::kPosture) {
+    return {"no posture `stand`", "a motion of that name and kind"};
   }
-  checkMotions(root, library);
-  return library;
-}
-
-MotionLibrary openMotionLibrary(const std::string& name, const std::filesystem::path& relative_to) {
-  if (name == "default")
-    return readMotionLibrary(dataDirectory() / "animation/motions/default.yaml");
-  const std::filesystem::path path = name;
-  return readMotionLibrary(path.is_absolute() ? path : relative_to / path);
+  for (const Motion& motion : library.motions) {
+    if (motion.kind == MotionKind::kWalk && !motion.turning) return {};
+  }
+  return {"no straight walk", "a motion of kind walk, turning straight"};
 }
 
 }  // namespace amble

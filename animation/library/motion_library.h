@@ -1,6 +1,7 @@
 /// The motion library (Pettré §4.1): prepared motions of one skeleton, with where they come from.
 ///
-/// Written by `amble library build RECIPE` from captures, and read as YAML (DESIGN.md, section 5).
+/// Data only: motion_library_reader.h reads it, motion_library_writer.h writes it (DESIGN.md,
+/// section 5); preparation/ makes it from captures.
 #pragma once
 
 #include <array>
@@ -31,20 +32,20 @@ const std::vector<std::string>& motionKindNames();  ///< as files have them, by 
 struct Validity {
   enum class When { kAlways, kAtStart, kAtEnd, kBetween, kClearanceAbove };
   When when = When::kAlways;
-  double from = 0.0, to = 0.0;  ///< of kBetween [s]
-  double clearance = 0.0;       ///< of kClearanceAbove [m]
+  double from = 0.0, to = 0.0;  ///< of kBetween [s, 0 <= from <= to]
+  double clearance = 0.0;       ///< of kClearanceAbove [m, >= 0]
 };
 
 /// How walking begins or ends, measured along the root's way.
 struct Transition {
-  double speed = 0.0;         ///< of the walk that it leads to or comes from [m/s]
-  double first_speed = 0.0;   ///< at the first strike, or the last lift-off [m/s]
+  double speed = 0.0;         ///< of the walk that it leads to or comes from [m/s, > 0]
+  double first_speed = 0.0;   ///< at the first strike, or the last lift-off [m/s, > 0]
   double acceleration = 0.0;  ///< mean between 10 % and 90 % of the speed [m/s^2, > 0]
 };
 
 struct MotionSource {
   std::string clip;                    ///< path below the captures' folder
-  std::array<int, 2> frames = {0, 0};  ///< of the clip: first and last
+  std::array<int, 2> frames = {0, 0};  ///< of the clip: first and last [>= 0]
   bool mirrored = false;
   std::string licence;
   std::string credit;
@@ -69,7 +70,7 @@ struct MotionLibrary {
   std::string skeleton_file;  ///< BVH beside the library; its hierarchy only is read
   Skeleton skeleton;          ///< [m]
   JointRoles roles;
-  double stature = 0.0;  ///< of the captured subject, from leg length [m]
+  double stature = 0.0;  ///< of the captured subject, from leg length [m, 0.3 to 3]
   std::vector<Motion> motions;
 
   const Motion* find(const std::string& motion) const;  ///< by name; null where there is none
@@ -78,24 +79,18 @@ struct MotionLibrary {
   std::array<FootShape, 2> feet() const;  ///< by Side
 };
 
-/// @throws InputError with file and line: unknown keys, sizes that do not fit the skeleton, a walk
-/// that is called straight and turns, no posture `stand`, no straight walk.
-MotionLibrary readMotionLibrary(const std::filesystem::path& file);
-/// The library called `default`, or the one at a path (relative to `relative_to`). @throws
-/// InputError
-MotionLibrary openMotionLibrary(const std::string& name,
-                                const std::filesystem::path& relative_to = {});
-/// Writes the library and, beside it, the BVH of its skeleton. @throws InputError
-void writeMotionLibrary(const MotionLibrary& library, const std::filesystem::path& file);
+/// What a library lacks that walking needs; `problem` is empty where it lacks nothing.
+struct MotionLack {
+  std::string problem, expected;
+};
+/// A posture `stand` and a straight walk are needed.
+MotionLack whatItLacks(const MotionLibrary& library);
 
-/// The joints of a chain: `left_arm`, `right_arm`, `trunk`, `head`, `left_leg`, `right_leg`. None
-/// where the name is no chain's.
+/// The chains of joints that a movement or a posture may move beside the steps: `left_arm`,
+/// `right_arm`, `trunk`, `head`. Not the legs: where feet go is the steps'.
+const std::vector<std::string>& chainNames();
+/// The joints of a chain; none where the name is no chain's, or the rig has no such joint.
 std::vector<int> chainJoints(const Skeleton& skeleton, const JointRoles& roles,
                              const std::string& chain);
-
-/// Reads a recipe and its captures, and prepares every motion. `captures` is the folder that clip
-/// paths are relative to; where it is empty, the recipe's own `captures:`. @throws InputError
-MotionLibrary buildMotionLibrary(const std::filesystem::path& recipe,
-                                 const std::filesystem::path& captures = {});
 
 }  // namespace amble

@@ -25,38 +25,36 @@ inline constexpr double kStraightTurnRate = 0.15;
 
 /// QUALITY.md's measures of the clip that a cycle was cut from: its anchors.
 struct CaptureQuality {
-  double toe_skate = 0.0;          ///< [m/s]
-  double root_acceleration = 0.0;  ///< [m/s^2]
-  double joint_jerk = 0.0;         ///< [m/s^3]
-  double pops = 0.0;               ///< [1]
+  double toe_skate = 0.0;          ///< [m/s, >= 0]
+  double root_acceleration = 0.0;  ///< [m/s^2, >= 0]
+  double joint_jerk = 0.0;         ///< [m/s^3, >= 0]
+  double pops = 0.0;               ///< [1, >= 0]
 };
 
 struct WalkCycle {
-  double speed = 0.0;      ///< along the fitted line or circle [m/s]
+  double speed = 0.0;      ///< along the fitted line or circle [m/s, > 0]
   double turn_rate = 0.0;  ///< [rad/s], left positive
-  double period = 0.0;     ///< of a cycle, two steps [s]
-  int cycles = 0;          ///< of the capture that were averaged
+  double period = 0.0;     ///< of a cycle, two steps [s, > 0]
+  int cycles = 0;          ///< of the capture that were averaged [>= 1]
   /// Measured error of the cycle, the largest of those averaged: rms distance of joints between its
-  /// ends [m].
+  /// ends [m, >= 0].
   double closure = 0.0;
-  double residual = 0.0;  ///< rms of what the low-pass leaves out, over joints' angles [rad]
-  double slide = 0.0;     ///< largest distance a standing ankle moves in the capture, the anchor of
-                          ///< foot skate [m]
-  /// Channels: errors of the root around the fitted line or circle, captured minus fitted (forward,
-  /// left, height over the ground [m]) - the paper's eps is the negative of it - then the rotation
-  /// vector [rad] of the root against the heading and of each further joint, each against the
-  /// library's reference rotation: q = q_reference * exp(v).
+  double residual = 0.0;  ///< rms of what the low-pass leaves out, over joints' angles [rad, >= 0]
+  double slide = 0.0;     ///< largest way of a standing ankle in the capture [m, >= 0]
   CaptureQuality capture;
+  /// Rows are channels: errors of the root around the fitted line or circle, captured minus fitted
+  /// (forward, left, height over the ground [m]) - the paper's eps is the negative of it - then the
+  /// rotation vector [rad] of the root against the heading and of each further joint, each against
+  /// the library's reference rotation: q = q_reference * exp(v).
   FourierSeries series;
   std::array<FootCycle, 2> feet;  ///< by Side
   double step_width = 0.0;        ///< between the lines of left and right footprints [m]
   double foot_forward = 0.0;  ///< mean of the two footprints of phase 0 before the path's point [m]
-  std::array<double, 2> toe_out = {
-      0, 0};  ///< heading of the footprint against the path, left positive [rad], by Side
+  /// Heading of the footprint against the path, left positive, by Side [rad].
+  std::array<double, 2> toe_out = {0, 0};
 
-  double stepLength() const {
-    return 0.5 * speed * period;
-  }  ///< of the capture (the papers' "stride") [m]
+  /// Of the capture (the papers' "stride") [m, > 0].
+  double stepLength() const { return 0.5 * speed * period; }
   /// The step that the same swing of the legs makes on feet that are held where they are: a slip
   /// shorter. Cadence makes up for it.
   double plantedStepLength() const {
@@ -66,11 +64,11 @@ struct WalkCycle {
 
 /// A pose to hold.
 struct Posture {
-  double root_height = 0.0;   ///< over the ground [m]
+  double root_height = 0.0;   ///< over the ground [m, > 0]
   double root_forward = 0.0;  ///< of the root before the middle of the footprints [m]
-  std::vector<Eigen::Quaterniond>
-      rotations;            ///< of the root against the heading, then of each joint in its parent
-  double step_width = 0.0;  ///< between the footprints [m]
+  /// Of the root against the heading, then of each joint in its parent.
+  std::vector<Eigen::Quaterniond> rotations;
+  double step_width = 0.0;                 ///< between the footprints [m]
   std::array<double, 2> toe_out = {0, 0};  ///< [rad], left positive, by Side
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "animation/clips/loop_clip.h"
 #include "animation/preparation/foot_cycle_fit.h"
 #include "animation/preparation/walk_cycle_fit.h"
 #include "base/error.h"
@@ -42,22 +43,9 @@ std::vector<double> doubleSupports(const GaitTrack& track, Side leading) {
   return middles;
 }
 
-// Root mean square distance of the joints at two times, each seen from the root's place and
-// heading.
 double closureOf(const GaitTrack& track, double a, double b) {
-  const auto seen = [&](double frame) {
-    const Eigen::Quaterniond back = aboutZ(-track.headingAt(frame));
-    std::vector<JointFrame> joints = track.jointsAt(frame);
-    const Eigen::Vector3d root = joints[0].p_WJ;
-    for (JointFrame& j : joints) {
-      j.p_WJ = back * Eigen::Vector3d(j.p_WJ.x() - root.x(), j.p_WJ.y() - root.y(), j.p_WJ.z());
-    }
-    return joints;
-  };
-  const auto ja = seen(a), jb = seen(b);
-  double squares = 0.0;
-  for (size_t i = 0; i < ja.size(); ++i) squares += (ja[i].p_WJ - jb[i].p_WJ).squaredNorm();
-  return std::sqrt(squares / static_cast<double>(ja.size()));
+  const std::vector<JointFrame> from = track.jointsAt(a);
+  return poseGap(from, track.jointsAt(b), track.roles());
 }
 
 Stretch stretchOf(const GaitTrack& track, double begin, double middle, double end, Side leading) {
@@ -76,7 +64,9 @@ bool within(const CycleOptions& options, double begin, double end) {
   return !options.frames || (begin >= options.frames->first && end <= options.frames->second);
 }
 
-std::vector<Stretch> allStretches(const GaitTrack& track, const CycleOptions& options) {
+}  // namespace
+
+std::vector<Stretch> wholeCycles(const GaitTrack& track, const CycleOptions& options) {
   std::vector<Stretch> found;
   for (const Side leading : {kLeft, kRight}) {
     const auto own = doubleSupports(track, leading);
@@ -93,6 +83,8 @@ std::vector<Stretch> allStretches(const GaitTrack& track, const CycleOptions& op
   }
   return found;
 }
+
+namespace {
 
 // Of stretches for a straight walk, those that turn are no choice.
 void keepStraight(std::vector<Stretch>& found, const CycleOptions& options, double frame_time) {
@@ -123,7 +115,7 @@ bool walksLike(const Stretch& s, const Stretch& best, bool turning) {
 }  // namespace
 
 std::vector<Stretch> findStretches(const GaitTrack& track, const CycleOptions& options) {
-  std::vector<Stretch> found = allStretches(track, options);
+  std::vector<Stretch> found = wholeCycles(track, options);
   if (found.empty()) {
     throw InputError(options.clip, 0, "no whole cycle of a walk was found",
                      "two steps in a row, each foot planted before and after");

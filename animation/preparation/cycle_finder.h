@@ -10,15 +10,18 @@
 
 namespace amble {
 
-/// A cycle, from one double support to the next but one, in fractions of the clip's frames.
+/// A cycle, from one double support to the next but one.
 struct Stretch {
-  double begin, middle, end;  ///< middles of the double supports
+  double begin, middle, end;  ///< middles of the double supports [frames, rising]
   Side leading;               ///< in front at begin
-  double closure;  ///< rms distance of the joints between the ends, seen from the root [m]
+  double closure;  ///< rms distance of the joints between the ends, seen from the root [m, >= 0]
   double turn;     ///< of the pelvis [rad], left positive
-  double speed;    ///< from end to end [m/s]
-  double aside;    ///< between travel and the pelvis' heading: 0 ahead, pi backwards [rad]
+  double speed;    ///< from end to end [m/s, >= 0]
+  double aside;    ///< between travel and the pelvis' heading: 0 ahead, pi backwards [rad, 0 to pi]
 };
+
+/// Every whole cycle in the clip, of steps with either foot in front, steady or not.
+std::vector<Stretch> wholeCycles(const GaitTrack& track, const CycleOptions& options);
 
 /// The most cyclic stretch first, then those that walk like it: as fast, turning as much, nearly
 /// as closed. Stretches that begin with either foot count; those of neighbouring steps overlap.

@@ -24,9 +24,10 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
 struct FootPlacing {
   double width = 0.0;    ///< between the lines of left and right footprints [m]
   double forward = 0.0;  ///< mean of front and rear footprint before the path's point [m]
-  std::array<double, 2> toe_out = {0, 0};  ///< [rad], left positive
-  double slide = 0.0;  ///< largest distance of a standing ankle from its mean, in the middle half
-                       ///< of its stance [m]
+  std::array<double, 2> toe_out = {0, 0};  ///< by Side, left positive [rad]
+  /// Largest distance of a standing ankle from its mean, in the middle half of its stance [m, >=
+  /// 0].
+  double slide = 0.0;
 };
 
 /// At the double support at frame `begin`, whose front foot is `leading`, against the path's point

@@ -7,6 +7,7 @@
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
 #include "base/rotation.h"
+#include "base/statistics.h"
 
 namespace amble {
 namespace {
@@ -69,8 +70,7 @@ void GaitTrack::findPlants() {
     }
   }
   if (durations.empty()) return;
-  std::nth_element(durations.begin(), durations.begin() + durations.size() / 2, durations.end());
-  const double usual = durations[durations.size() / 2];
+  const double usual = upperMedian(durations);
   for (const Side side : {kLeft, kRight}) {
     for (const FootPlant& p : found.plants[side]) {
       Plant plant{p.strike, p.lift_off};

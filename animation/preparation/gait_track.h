@@ -12,11 +12,10 @@
 
 namespace amble {
 
-/// A foot on the ground: from strike to lift-off, in fractions of frames. One that the clip cuts
-/// off is as long as the others.
+/// A foot on the ground. One that the clip cuts off is as long as the others.
 struct Plant {
-  double strike;
-  double lift_off;
+  double strike;    ///< [frames]
+  double lift_off;  ///< [frames, > strike]
 };
 
 class GaitTrack {

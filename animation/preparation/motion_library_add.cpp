@@ -4,9 +4,14 @@
 
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
+#include "animation/captures/bvh.h"
+#include "animation/clips/add_toes.h"
 #include "animation/clips/carry_over.h"
 #include "animation/clips/level_capture.h"
+#include "animation/clips/loop_clip.h"
 #include "animation/clips/mirror_clip.h"
+#include "animation/library/motion_library_reader.h"
+#include "animation/preparation/mirror_cycle.h"
 #include "animation/preparation/transition_fit.h"
 #include "animation/preparation/walk_cycle_fit.h"
 #include "base/error.h"
@@ -20,6 +25,19 @@ constexpr double kSameOffset = 1e-3;  // of joints of one subject in two clips [
 constexpr double kTurnOfClip = 25.0 * kDegree;  // walkers sway by ten
 constexpr double kLargestResidual = 2.0;        // of a cycle's angles [degrees]
 constexpr double kLargestSlide = 0.06;          // of a standing ankle [m]
+// A posture's joints keep so close to that of its middle; standing people sway by five degrees, and
+// one who walks swings a leg by forty.
+constexpr double kStillPosture = 12.0 * kDegree;
+constexpr int kLoopRuns = 4;  // of a loop: two whole cycles are among them, whatever it begins with
+constexpr double kHeldFor = 0.3;  // shortest hold that is looked for [s]
+
+// Joints called what the BVH beside the library calls them, so that a rig is known again.
+Skeleton withBvhNames(const Skeleton& skeleton) {
+  const std::vector<std::string> names = bvhJointNames(skeleton);
+  std::vector<Joint> joints = skeleton.joints();
+  for (size_t j = 0; j < joints.size(); ++j) joints[j].name = names[j];
+  return Skeleton(std::move(joints));
+}
 
 bool sameSkeleton(const Skeleton& a, const Skeleton& b) {
   bool same = a.size() == b.size();
@@ -30,10 +48,7 @@ bool sameSkeleton(const Skeleton& a, const Skeleton& b) {
   return same;
 }
 
-void adoptSkeleton(MotionLibrary& library, const LevelCapture& capture, const std::string& file) {
-  for (const LegJoints& leg : capture.motion.roles.legs) {
-    if (leg.toe < 0) throw InputError(file, 0, "a foot without a toe joint", "a rig with both");
-  }
+void adoptSkeleton(MotionLibrary& library, const LevelCapture& capture) {
   std::vector<Joint> joints = capture.motion.clip.skeleton.joints();
   joints[0].offset.setZero();
   library.skeleton = Skeleton(std::move(joints));
@@ -100,6 +115,23 @@ void requireFit(const WalkCycle& cycle, const std::string& file) {
   }
 }
 
+// Of the clip; of a clip that is one cycle only, and ends as it began, of that cycle repeated.
+WalkCycle cycleOf(const MotionLibrary& library, const Clip& clip, const CycleOptions& options,
+                  std::pair<int, int>& used) {
+  const auto prepared = [&](const Clip& of) {
+    return prepareWalkCycle(of, library.roles, library.feet(), library.stand().rotations, options,
+                            &used);
+  };
+  if (options.frames || hasCycle(clip, library.roles, library.feet(), options)) {
+    return prepared(clip);
+  }
+  const std::optional<Clip> loop = repeatedLoop(clip, library.roles, kLoopRuns);
+  if (!loop) return prepared(clip);  // which says what is missing
+  const WalkCycle cycle = prepared(*loop);
+  used = {0, clip.frames() - 1};
+  return cycle;
+}
+
 void prepareCycle(const MotionLibrary& library, const MotionRequest& request, const Clip& clip,
                   Motion& motion) {
   const std::string file = request.file.string();
@@ -108,9 +140,12 @@ void prepareCycle(const MotionLibrary& library, const MotionRequest& request, co
                         ? *request.turning
                         : motion.kind == MotionKind::kWalk && isTurn(clip, library.roles);
   std::pair<int, int> used;
-  motion.cycle = prepareWalkCycle(clip, library.roles, library.feet(), library.stand().rotations,
-                                  options, &used);
+  motion.cycle = cycleOf(library, clip, options, used);
   requireFit(motion.cycle, file);
+  if (request.source.mirrored) {
+    motion.cycle =
+        mirrorCycle(motion.cycle, library.skeleton, library.roles, library.stand().rotations);
+  }
   motion.turning = options.turning;
   motion.source.frames = {used.first, used.second};
   if (motion.turning && std::abs(motion.cycle.turn_rate) <= kStraightTurnRate) {
@@ -118,13 +153,65 @@ void prepareCycle(const MotionLibrary& library, const MotionRequest& request, co
   }
 }
 
+// How far each frame's joints are turned from the frame in the middle, the most over the joints
+// that the posture is of [rad].
+double turnedWithin(const Clip& clip, const std::vector<int>& joints, int first, int last) {
+  const auto& held = clip.poses.rotations((first + last) / 2);
+  double most = 0.0;
+  for (int i = first; i <= last; ++i) {
+    for (const int j : joints) {
+      most = std::max(most, clip.poses.rotations(i)[j].angularDistance(held[j]));
+    }
+  }
+  return most;
+}
+
+std::vector<int> jointsOf(const MotionLibrary& library, const MotionRequest& request) {
+  std::vector<int> joints;
+  for (const std::string& chain : request.chains) {
+    const std::vector<int> some = chainJoints(library.skeleton, library.roles, chain);
+    if (some.empty()) {
+      throw InputError(request.file.string(), 0, "the rig has no joints of the chain " + chain,
+                       "another chain");
+    }
+    joints.insert(joints.end(), some.begin(), some.end());
+  }
+  for (int j = 1; request.chains.empty() && j < library.skeleton.size(); ++j) joints.push_back(j);
+  return joints;
+}
+
+// A posture is the mean of frames in which somebody holds it; a mean of moving ones is nobody's.
+void requireStill(const MotionLibrary& library, const MotionRequest& request, const Clip& clip,
+                  std::pair<int, int> frames, int first_frame) {
+  const std::vector<int> joints = jointsOf(library, request);
+  const double turned = turnedWithin(clip, joints, frames.first, frames.second);
+  if (turned <= kStillPosture) return;
+  const int window = std::max(1, static_cast<int>(std::lround(kHeldFor / clip.frame_time)));
+  int stillest = frames.first;
+  double least = turned;
+  for (int i = frames.first; i + window <= frames.second; ++i) {
+    const double here = turnedWithin(clip, joints, i, i + window);
+    if (here < least) least = here, stillest = i;
+  }
+  const std::string most = std::to_string(std::lround(kStillPosture / kDegree)) + " degrees";
+  const int first = first_frame + stillest;
+  throw InputError(request.file.string(), 0,
+                   "does not hold still: joints turn by " +
+                       std::to_string(std::lround(turned / kDegree)) + " degrees",
+                   least <= kStillPosture
+                       ? "frames within " + most + ", such as " + std::to_string(first) + " to " +
+                             std::to_string(first + window)
+                       : "frames within " + most);
+}
+
 void preparePose(const MotionLibrary& library, const MotionRequest& request, const Clip& clip,
-                 Motion& motion) {
+                 int first_frame, Motion& motion) {
   const auto frames = request.frames.value_or(std::pair{0, clip.frames() - 1});
   if (frames.first < 0 || frames.second >= clip.frames()) {
     throw InputError(request.file.string(), 0, "frames that the clip does not have",
                      "up to " + std::to_string(clip.frames() - 1) + " of its motion");
   }
+  requireStill(library, request, clip, frames, first_frame);
   motion.posture = preparePosture(clip, library.roles, library.feet(), frames.first, frames.second);
   motion.source.frames = {frames.first, frames.second};
 }
@@ -137,14 +224,17 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
     throw InputError(file, 0, "the library has a motion " + asked.name, "another name");
   }
   MotionRequest request = asked;
-  const LevelCapture capture = readLevelCapture(request.file, request.read);
-  if (library.skeleton.size() == 0) adoptSkeleton(library, capture, file);
+  LevelCapture capture = readLevelCapture(request.file, request.read);
+  addToes(capture.motion.clip, capture.motion.roles, file);
+  capture.motion.clip.skeleton = withBvhNames(capture.motion.clip.skeleton);
+  if (library.skeleton.size() == 0) adoptSkeleton(library, capture);
   const bool is_stand = request.name == "stand" && request.kind == MotionKind::kPosture;
   if (!is_stand && library.find("stand") == nullptr) borrowStand(library, capture.motion.clip);
   Clip clip = is_stand && library.motions.empty() ? capture.motion.clip
                                                   : onLibrarySkeleton(library, capture);
   clip.skeleton = library.skeleton;
-  if (request.source.mirrored) clip = mirrorClip(clip, library.roles);
+  const bool cyclic = request.kind == MotionKind::kWalk || request.kind == MotionKind::kMovement;
+  if (request.source.mirrored && !cyclic) clip = mirrorClip(clip, library.roles);
   if (request.frames) {
     request.frames->first -= capture.first_frame;
     request.frames->second -= capture.first_frame;
@@ -162,7 +252,7 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
       break;
     case MotionKind::kPosture:
     case MotionKind::kBlocking:
-      preparePose(library, request, clip, motion);
+      preparePose(library, request, clip, capture.first_frame, motion);
       break;
     case MotionKind::kStart:
     case MotionKind::kStop:

@@ -1,7 +1,8 @@
+#include "animation/preparation/motion_library_build.h"
+
 #include <algorithm>
 
-#include "animation/library/motion_library.h"
-#include "animation/library/motion_library_yaml.h"
+#include "animation/library/motion_library_reader.h"
 #include "animation/preparation/motion_library_add.h"
 #include "base/strict_yaml.h"
 

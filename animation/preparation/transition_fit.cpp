@@ -8,6 +8,7 @@
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
 #include "base/error.h"
+#include "base/statistics.h"
 
 namespace amble {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 constexpr double kHalfWindow = 0.1;                // over which speed is taken, both ways [s]
 constexpr double kStanding = 0.1, kWalking = 0.9;  // of the speed that is reached
 constexpr double kSlowestWalk = 0.4;               // [m/s]
+constexpr double kUsualSpeed = 0.75;               // quantile of speeds: most of the clip walks
 
 // Speed of the pelvis along the ground at each frame, [m/s].
 std::vector<double> walkingSpeeds(const Clip& clip, const JointRoles& roles) {
@@ -63,10 +65,8 @@ Transition fitTransition(const Clip& level, const JointRoles& roles, bool start,
     std::reverse(speeds.begin(), speeds.end());
     plants = reversed(plants);
   }
-  std::vector<double> sorted = speeds;
-  std::sort(sorted.begin(), sorted.end());
   Transition transition;
-  transition.speed = sorted[sorted.size() * 3 / 4];  // most of the clip walks
+  transition.speed = quantile(speeds, kUsualSpeed);
   const auto walking = std::find_if(speeds.begin(), speeds.end(),
                                     [&](double v) { return v > kWalking * transition.speed; });
   const auto standing = std::find_if(std::make_reverse_iterator(walking), speeds.rend(),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "animation/analysis/gait_measures.h"
+#include "animation/body/rotation_mean.h"
 #include "animation/preparation/cycle_finder.h"
 #include "animation/preparation/foot_cycle_fit.h"
 #include "animation/preparation/gait_track.h"
@@ -98,13 +99,8 @@ Eigen::MatrixXd closedSamples(const GaitTrack& track, const Stretch& s, const Fi
 double residualOf(const FourierSeries& series, const Eigen::MatrixXd& samples,
                   const std::vector<double>& phases) {
   double squares = 0.0;
-  std::vector<double> basis(2 * static_cast<size_t>(series.harmonics()) + 2);
   for (Eigen::Index i = 0; i < samples.cols(); ++i) {
-    fourierBasis(phases[i], series.harmonics(), basis.data());
-    Eigen::VectorXd value = Eigen::VectorXd::Zero(series.channels());
-    for (int k = 0; k <= series.harmonics(); ++k) {
-      value += basis[2 * k] * series.alpha.col(k) + basis[2 * k + 1] * series.beta.col(k);
-    }
+    const Eigen::VectorXd value = fourierAt(series, phases[i]);
     squares += (samples.col(i) - value).tail(series.channels() - 3).squaredNorm();
   }
   return std::sqrt(squares / static_cast<double>(samples.cols() * (series.channels() - 3)));
@@ -204,6 +200,11 @@ WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
   return cycle;
 }
 
+bool hasCycle(const Clip& level, const JointRoles& roles, const std::array<FootShape, 2>& feet,
+              const CycleOptions& options) {
+  return !wholeCycles(GaitTrack(level, roles, feet), options).empty();
+}
+
 Posture preparePosture(const Clip& level, const JointRoles& roles,
                        const std::array<FootShape, 2>& feet, int first, int last) {
   const GaitTrack track(level, roles, feet);
@@ -211,18 +212,14 @@ Posture preparePosture(const Clip& level, const JointRoles& roles,
   Posture posture;
   posture.rotations.assign(joints, Eigen::Quaterniond::Identity());
   const int count = last - first + 1;
-  std::vector<Eigen::Vector4d> sum(joints, Eigen::Vector4d::Zero());
+  std::vector<RotationMean> mean(joints);
   for (int i = first; i <= last; ++i) {
     const double heading = track.headingAt(i);
     Pose pose;
     pose.rotations.resize(joints);
     track.poseAt(i, pose);
     pose.rotations[0] = aboutZ(-heading) * pose.rotations[0];
-    for (int j = 0; j < joints;
-         ++j) {  // quaternions that lie near each other: their mean is their sum
-      const Eigen::Vector4d q = pose.rotations[j].coeffs();
-      sum[j] += q.dot(sum[j]) < 0.0 ? Eigen::Vector4d(-q) : q;
-    }
+    for (int j = 0; j < joints; ++j) mean[j].add(pose.rotations[j]);
     Eigen::Vector3d middle = Eigen::Vector3d::Zero(), across = Eigen::Vector3d::Zero();
     for (const Side side : {kLeft, kRight}) {
       const Plant here{static_cast<double>(i), static_cast<double>(i)};
@@ -236,7 +233,7 @@ Posture preparePosture(const Clip& level, const JointRoles& roles,
     posture.root_forward += back.x() / count;
     posture.step_width += (aboutZ(-heading) * across).y() / count;
   }
-  for (int j = 0; j < joints; ++j) posture.rotations[j].coeffs() = sum[j].normalized();
+  for (int j = 0; j < joints; ++j) posture.rotations[j] = mean[j].mean();
   return posture;
 }
 

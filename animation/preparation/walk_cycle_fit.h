@@ -33,6 +33,10 @@ WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
                            const std::vector<Eigen::Quaterniond>& reference,
                            const CycleOptions& options, std::pair<int, int>* used_frames = nullptr);
 
+/// Whether there is a whole cycle in the clip, steady or not.
+bool hasCycle(const Clip& level, const JointRoles& roles, const std::array<FootShape, 2>& feet,
+              const CycleOptions& options);
+
 /// The mean pose of a standing clip's frames [first, last].
 Posture preparePosture(const Clip& level, const JointRoles& roles,
                        const std::array<FootShape, 2>& feet, int first, int last);

@@ -1,6 +1,7 @@
 /// The default library's character as the placing of steps sees it.
 #pragma once
 
+#include "animation/library/motion_library_reader.h"
 #include "animation/steps/step_placer.h"
 #include "animation/synthesis/gait_blend.h"
 #include "base/rotation.h"

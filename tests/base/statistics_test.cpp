@@ -14,6 +14,8 @@ TEST(Statistics, TheMedianIsTheMiddleOrTheMeanOfTheTwoMiddles) {
   EXPECT_EQ(median({5, 1, 9}), 5.0);
   EXPECT_EQ(median({5, 1, 9, 7}), 6.0);
   EXPECT_EQ(median({2}), 2.0);
+  EXPECT_EQ(upperMedian({5, 1, 9, 7}), 7.0);
+  EXPECT_EQ(upperMedian({5, 1, 9}), 5.0);
 }
 
 TEST(Statistics, QuantilesGoFromTheLeastToTheLargest) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "animation/captures/bvh.h"
 #include "base/rotation.h"
 
 namespace amble {

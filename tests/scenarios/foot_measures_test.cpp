@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "animation/library/motion_library.h"
+#include "animation/library/motion_library_reader.h"
 #include "animation/synthesis/walk_synthesizer.h"
 
 namespace amble {

@@ -5,7 +5,7 @@
 #include "animation/captures/bvh.h"
 #include "animation/clips/floor_fit.h"
 #include "animation/clips/mirror_clip.h"
-#include "animation/library/motion_library.h"
+#include "animation/library/motion_library_reader.h"
 #include "animation/library/walk_cycle.h"
 #include "base/error.h"
 #include "base/rotation.h"

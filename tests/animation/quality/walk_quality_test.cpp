@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "animation/library/motion_library.h"
+#include "animation/library/motion_library_reader.h"
 #include "animation/synthesis/walk_synthesizer.h"
 
 namespace amble {

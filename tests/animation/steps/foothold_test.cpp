@@ -6,7 +6,7 @@
 
 #include "animation/ground/slope_ground.h"
 #include "animation/ground/stair_ground.h"
-#include "animation/library/motion_library.h"
+#include "animation/library/motion_library_reader.h"
 #include "base/rotation.h"
 
 namespace amble {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "animation/ground/stair_ground.h"
-#include "animation/library/motion_library.h"
+#include "animation/library/motion_library_reader.h"
 #include "tests/animation/walk_paths.h"
 
 namespace amble {

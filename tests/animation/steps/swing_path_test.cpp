@@ -7,6 +7,7 @@
 
 #include "animation/ground/slope_ground.h"
 #include "animation/ground/stair_ground.h"
+#include "animation/library/motion_library_reader.h"
 #include "animation/preparation/foot_cycle_fit.h"
 #include "animation/synthesis/foot_controller.h"
 #include "animation/synthesis/gait_blend.h"

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "animation/library/motion_library_reader.h"
+
 namespace amble {
 namespace {
 

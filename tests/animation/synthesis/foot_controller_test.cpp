@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "animation/clips/carry_over.h"
+#include "animation/library/motion_library_reader.h"
 #include "animation/synthesis/leg_reach.h"
 #include "animation/synthesis/walk_controller.h"
 #include "base/rotation.h"

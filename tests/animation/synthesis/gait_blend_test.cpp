@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "animation/library/motion_library_reader.h"
 #include "base/rotation.h"
 
 namespace amble {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "animation/library/motion_library_reader.h"
 #include "animation/synthesis/action.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "tests/animation/walk_paths.h"

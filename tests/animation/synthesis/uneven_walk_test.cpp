@@ -8,6 +8,7 @@
 
 #include "animation/ground/slope_ground.h"
 #include "animation/ground/stair_ground.h"
+#include "animation/library/motion_library_reader.h"
 #include "animation/quality/step_measures.h"
 #include "animation/quality/walk_quality.h"
 #include "animation/synthesis/walk_synthesizer.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "animation/library/motion_library_reader.h"
 #include "base/rotation.h"
 #include "tests/animation/random_clip.h"
 

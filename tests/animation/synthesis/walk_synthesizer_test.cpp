@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "animation/body/foot_shape.h"
+#include "animation/library/motion_library_reader.h"
 #include "base/rotation.h"
 #include "tests/animation/random_clip.h"
 #include "tests/animation/walk_paths.h"

@@ -2,7 +2,7 @@
 // it.
 #include <cstdio>
 
-#include "animation/library/motion_library.h"
+#include "animation/library/motion_library_reader.h"
 
 int main() {
   const amble::MotionLibrary library = amble::openMotionLibrary("default");

@@ -1,0 +1,33 @@
+/// Motion libraries as files (DESIGN.md, section 5, Motion library), read.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "animation/library/motion_library.h"
+#include "base/strict_yaml.h"
+
+namespace amble {
+
+/// @throws InputError with file and line: unknown keys, sizes that do not fit the skeleton, a walk
+/// that is called straight and turns. Whether it can walk is another question: whyItCannotWalk.
+MotionLibrary readMotionLibrary(const std::filesystem::path& file);
+
+/// The library called `default`, or the one at a path (relative to `relative_to`), to walk with.
+/// @throws InputError, also where it cannot walk
+MotionLibrary openMotionLibrary(const std::string& name,
+                                const std::filesystem::path& relative_to = {});
+/// The file of that library.
+std::filesystem::path motionLibraryFile(const std::string& name,
+                                        const std::filesystem::path& relative_to = {});
+
+/// `valid:` always | at_start | at_end | {from: , to: } | {clearance_above: }, of libraries and
+/// their recipes; of a walk always, since every walk of a library is blended with the others.
+/// @throws InputError
+Validity readValidity(const YamlNode& node, MotionKind kind);
+/// `joints:` all, or a list of chains. @throws InputError for what is no chain, and for a leg: legs
+/// walk
+std::vector<std::string> readChains(const YamlNode& node);
+
+}  // namespace amble

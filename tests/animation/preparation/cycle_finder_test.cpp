@@ -1,0 +1,92 @@
+#include "animation/preparation/cycle_finder.h"
+
+#include <gtest/gtest.h>
+
+#include "animation/clips/level_capture.h"
+#include "base/error.h"
+#include "base/rotation.h"
+#include "tests/animation/captures.h"
+
+namespace amble {
+namespace {
+
+/// A capture and what the finder looks at.
+struct Walk {
+  explicit Walk(const std::string& path)
+      : capture(readLevelCapture(sharedFolder() / "mocap" / path)),
+        feet{shape(kLeft), shape(kRight)},
+        track(capture.motion.clip, capture.motion.roles, feet) {}
+  FootShape shape(Side side) const {
+    const Skeleton& skeleton = capture.motion.clip.skeleton;
+    return makeFootShape(skeleton, capture.motion.roles, side,
+                         statureOf(skeleton, capture.motion.roles));
+  }
+  LevelCapture capture;
+  std::array<FootShape, 2> feet;
+  GaitTrack track;
+};
+
+std::string refusal(const Walk& walk, const CycleOptions& options) {
+  try {
+    findStretches(walk.track, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(CycleFinder, StretchesOfASteadyWalkAreAlike) {
+  AMBLE_NEEDS_CAPTURES();
+  const Walk walk("accad_female1/Female1_B03_Walk1.bvh");
+  const auto stretches = findStretches(walk.track, {"walk", false, 0, {}});
+  ASSERT_GE(stretches.size(), 6u);
+  const Stretch& best = stretches.front();
+  for (const Stretch& s : stretches) {
+    EXPECT_LT(s.begin, s.middle);
+    EXPECT_LT(s.middle, s.end);
+    EXPECT_GE(s.closure, best.closure);
+    EXPECT_NEAR(s.speed, best.speed, 0.08 * best.speed);
+    EXPECT_NEAR(s.end - s.begin, best.end - best.begin, 0.1 * (best.end - best.begin));
+    EXPECT_LT(s.aside, 0.5);
+  }
+}
+
+TEST(CycleFinder, AllThatIsFoundAreWholeCycles) {
+  AMBLE_NEEDS_CAPTURES();
+  const Walk walk("cmu_mb2/08_03.bvh");
+  const CycleOptions options{"walk", false, 0, {}};
+  const auto whole = wholeCycles(walk.track, options);
+  for (const Stretch& s : findStretches(walk.track, options)) {
+    bool among = false;
+    for (const Stretch& w : whole) among = among || (w.begin == s.begin && w.end == s.end);
+    EXPECT_TRUE(among);
+  }
+}
+
+TEST(CycleFinder, OnlyFramesThatAreAskedForAreLookedAt) {
+  AMBLE_NEEDS_CAPTURES();
+  const Walk walk("accad_female1/Female1_B03_Walk1.bvh");
+  for (const Stretch& s : findStretches(walk.track, {"walk", false, 0, std::pair{60, 140}})) {
+    EXPECT_GE(s.begin, 60.0);
+    EXPECT_LE(s.end, 140.0);
+  }
+  EXPECT_NE(refusal(walk, {"walk", false, 0, std::pair{60, 80}}).find("no whole cycle"),
+            std::string::npos);
+}
+
+TEST(CycleFinder, WhatIsNoWalkAheadIsRefusedWithTheReason) {
+  AMBLE_NEEDS_CAPTURES();
+  const Walk back("accad_female1/Female1_B05_WalkBackwards.bvh");
+  EXPECT_NE(refusal(back, {"back", false, 0, {}}).find("back: walks backwards"), std::string::npos);
+}
+
+TEST(CycleFinder, ATurnThatIsCalledStraightIsRefusedUnlessPartOfItIsStraight) {
+  AMBLE_NEEDS_CAPTURES();
+  const Walk turn("accad_female1/Female1_B09_WalkTurnLeft90.bvh");
+  for (const Stretch& s : findStretches(turn.track, {"turn", true, 0, {}})) {
+    EXPECT_GT(s.turn / ((s.end - s.begin) * turn.track.clip().frame_time), kStraightTurnRate);
+  }
+}
+
+}  // namespace
+}  // namespace amble

@@ -1,0 +1,234 @@
+// amble library add, show, check and build, from the outside.
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "test_paths.h"
+#include "tests/app/program.h"
+
+namespace amble {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const std::string kCaptures = std::string(AMBLE_SHARED) + "/mocap/";
+const std::string kWalk = kCaptures + "accad_female1/Female1_B03_Walk1.bvh";
+const std::string kTurn = kCaptures + "accad_female1/Female1_B09_WalkTurnLeft90.bvh";
+const std::string kStand = kCaptures + "accad_female1/Female1_A01_Stand.bvh";
+
+class Library : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    if (!fs::exists(kWalk)) GTEST_SKIP() << "no captures in " << AMBLE_SHARED;
+    write(
+        "in/floor.yaml",
+        "name: floor\nobjects:\n  - {name: floor, box: {size: [8, 4, 0.1]}, at: [4, 2, -0.05]}\n");
+  }
+  void copy(const std::string& from, const std::string& to) const {
+    fs::create_directories((folder_ / to).parent_path());
+    fs::copy_file(from, folder_ / to);
+  }
+  void add(const std::string& arguments) const {
+    const Ran ran = run("library add " + arguments);
+    ASSERT_EQ(ran.status, 0) << arguments << ": " << ran.err;
+  }
+  /// A library that was made of one clip is shown, and a person walks with it.
+  void expectWalks(const std::string& library) const {
+    const Ran shown = run("library show --json '" + library + "'");
+    ASSERT_EQ(shown.status, 0) << shown.err;
+    const json found = json::parse(shown.out)[0];
+    EXPECT_EQ(found["motions"].size(), 3u) << library;  // stand, the walk and its mirror image
+    EXPECT_TRUE(found["warnings"].empty()) << found["warnings"];
+    write("in/scenario.yaml",
+          "scene: floor.yaml\n"
+          "character: {library: '../" +
+              library +
+              "'}\n"
+              "start: {at: [1, 2], heading: 0}\ngoal: {at: [5, 2], heading: 0}\n");
+    const Ran planned = run("plan in/scenario.yaml -o out --formats bvh,json");
+    EXPECT_EQ(planned.status, 0) << library << ": " << planned.err << planned.out;
+  }
+};
+
+// One clip of each rig that there is.
+TEST_F(Library, OfOneClipOfAnyRigWalks) {
+  for (const char* const clip :
+       {"accad_female1/Female1_B03_Walk1.bvh", "accad_male1/Male1_B3_Walk.bvh",
+        "cmu_asfamc/07_05-walk.amc", "cmu_daz/07_01.bvh", "cmu_max/131_01.bvh",
+        "cmu_max/scaled_131_01.bvh", "cmu_mb2/07_01.bvh", "cmu_style_loops/142_08_EDIT_LOOP.bvh",
+        "formats/mass_walk.bvh", "../gait/trials/zoo_HC002D06.bvh",
+        "../cases/captures/a30_mixamo_names_walk.bvh"}) {
+    SCOPED_TRACE(clip);
+    const std::string library = "made/" + fs::path(clip).stem().string() + ".yaml";
+    const Ran ran = run("library add '" + library + "' '" + kCaptures + clip + "'");
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_EQ(ran.err.find("warning"), std::string::npos) << ran.err;
+    expectWalks(library);
+  }
+}
+
+// MotionBuilder's names of a rig, and what Mixamo and Biped call the same joints.
+std::string renamed(std::string text, const std::string& make) {
+  const std::map<std::string, std::string> biped = {
+      {"Hips", "Bip01 Pelvis"},       {"ToSpine", "Bip01 Spine"},       {"Spine", "Bip01 Spine1"},
+      {"Spine1", "Bip01 Spine2"},     {"Neck", "Bip01 Neck"},           {"Head", "Bip01 Head"},
+      {"UpLeg", "Bip01 % Thigh"},     {"Leg", "Bip01 % Calf"},          {"Foot", "Bip01 % Foot"},
+      {"ToeBase", "Bip01 % Toe0"},    {"Shoulder", "Bip01 % Clavicle"}, {"Arm", "Bip01 % UpperArm"},
+      {"ForeArm", "Bip01 % Forearm"}, {"Hand", "Bip01 % Hand"}};
+  std::string result;
+  std::smatch match;
+  const std::regex joint("(ROOT|JOINT) (Left|Right)?([A-Za-z0-9]+)");
+  while (std::regex_search(text, match, joint)) {
+    std::string name = "mixamorig:" + match[2].str() + match[3].str();
+    if (make == "biped" && biped.contains(match[3].str())) {
+      name = biped.at(match[3].str());
+      if (const size_t side = name.find('%'); side != name.npos) name[side] = match[2].str()[0];
+    }
+    result += match.prefix().str() + match[1].str() + " " + name;
+    text = match.suffix().str();
+  }
+  return result + text;
+}
+
+TEST_F(Library, OfAClipWithMixamosOrBipedsNamesWalks) {
+  copy(kWalk, "in/walk.bvh");
+  const std::string own = read("in/walk.bvh");
+  for (const std::string make : {"mixamo", "biped"}) {
+    SCOPED_TRACE(make);
+    write("in/" + make + ".bvh", renamed(own, make));
+    add(make + ".yaml in/" + make + ".bvh");
+    expectWalks(make + ".yaml");
+    // The same subject again is known as such: nothing is carried over.
+    add(make + ".yaml in/" + make + ".bvh --name again --no-mirror");
+    const json motions =
+        json::parse(run("library show --json " + make + ".yaml").out)[0]["motions"];
+    EXPECT_EQ(motions.back()["speed"], motions[1]["speed"]);
+  }
+}
+
+TEST_F(Library, MotionsAndFilesMayBeCalledAnything) {
+  const std::string file = "in/my walk: #3 * [left] & 'right'.bvh";
+  fs::copy_file(kWalk, folder_ / file);
+  add("made.yaml \"" + file + "\"");
+  add("made.yaml \"" + file +
+      "\" --name '- *a: #b {c} & !d' --no-mirror --credit '@e, f: \"g\" \\\\'");
+  const Ran shown = run("library show --json made.yaml");
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  const json motions = json::parse(shown.out)[0]["motions"];
+  ASSERT_EQ(motions.size(), 4u);
+  EXPECT_EQ(motions[1]["name"], "my walk: #3 * [left] & 'right'");
+  EXPECT_EQ(motions[1]["source"]["clip"], "my walk: #3 * [left] & 'right'.bvh");
+  EXPECT_EQ(motions[3]["name"], "- *a: #b {c} & !d");
+  EXPECT_EQ(motions[3]["source"]["credit"], "@e, f: \"g\" \\\\");
+}
+
+TEST_F(Library, FoldersThatAreNotThereAreMade) {
+  add("new/dir/mine.yaml " + kWalk);
+  EXPECT_EQ(files(),
+            (std::set<std::string>{"in/floor.yaml", "new/dir/mine.bvh", "new/dir/mine.yaml"}));
+  write("in/file", "no folder");
+  expectRefused("library add in/file/mine.yaml " + kWalk, {"in/file", "no folder"});
+  expectRefused("library add mine.bvh " + kWalk, {"mine.bvh: ", "NAME.yaml"});
+}
+
+TEST_F(Library, WithoutAStraightWalkIsSaidWhenItIsMade) {
+  const Ran made = run("library add turns.yaml " + kTurn);
+  EXPECT_EQ(made.status, 0);
+  EXPECT_NE(made.err.find("no straight walk"), std::string::npos) << made.err;
+  EXPECT_NE(run("library show turns.yaml").out.find("no straight walk"), std::string::npos);
+  EXPECT_EQ(run("library check turns.yaml").status, 1);
+  const Ran more = run("library add turns.yaml " + kWalk);
+  EXPECT_EQ(more.status, 0);
+  EXPECT_EQ(more.err.find("no straight walk"), std::string::npos) << more.err;
+  EXPECT_EQ(run("library check turns.yaml").status, 0);
+}
+
+TEST_F(Library, NeverWritesOverTheCaptureThatItReads) {
+  copy(kWalk, "in/mine.bvh");
+  const std::string own = read("in/mine.bvh");
+  add("in/mine.yaml in/mine.bvh");
+  EXPECT_EQ(read("in/mine.bvh"), own);
+  EXPECT_EQ(run("library show in/mine.yaml").status, 0);
+  add("in/mine.yaml in/mine.bvh --name again --no-mirror");
+  EXPECT_EQ(read("in/mine.bvh"), own);
+  EXPECT_TRUE(fs::exists(folder_ / "in/mine-skeleton.bvh"));
+}
+
+TEST_F(Library, NeverWritesOverTheCaptureThatItNamesAsItsSkeleton) {
+  copy(kWalk, "in/mine.bvh");
+  add("in/mine.yaml in/mine.bvh");
+  // As DESIGN.md's example has it: the hierarchy of a capture.
+  std::string text = read("in/mine.yaml");
+  text.replace(text.find("mine-skeleton.bvh"), 17, "capture.bvh");
+  write("in/mine.yaml", text);
+  std::string capture = read("in/mine-skeleton.bvh");
+  const size_t motion = capture.find("MOTION");
+  const std::string frame = capture.substr(capture.find('\n', capture.find("Frame Time")) + 1);
+  capture = capture.substr(0, motion) + "MOTION\nFrames: 2\nFrame Time: 0.033333\n" + frame + frame;
+  write("in/capture.bvh", capture);
+  add("in/mine.yaml in/mine.bvh --name again --no-mirror");
+  EXPECT_EQ(read("in/capture.bvh"), capture);
+  // Another rig's skeleton does not replace it either.
+  write("in/other.recipe.yaml",
+        "skeleton: capture.bvh\ncaptures: " + kCaptures +
+            "\nlicence: none\ncredit: none\nmotions:\n"
+            "  - {name: walk, kind: walk, clip: accad_male1/Male1_B3_Walk.bvh}\n");
+  expectRefused("library build in/other.recipe.yaml", {"capture.bvh: is a capture"});
+  EXPECT_EQ(read("in/capture.bvh"), capture);
+}
+
+TEST_F(Library, IsNotWrittenOverWhatIsNoLibrary) {
+  write("in/it.recipe.yaml",
+        "skeleton: it.bvh\ncaptures: " + kCaptures +
+            "\nlicence: none\ncredit: none\nmotions:\n"
+            "  - {name: walk, kind: walk, clip: accad_male1/Male1_B3_Walk.bvh}\n");
+  expectRefused("library build in/it.recipe.yaml -o in/it.recipe.yaml",
+                {"it.recipe.yaml: is no motion library"});
+  EXPECT_EQ(run("library build in/it.recipe.yaml").status, 0);
+  EXPECT_EQ(run("library build in/it.recipe.yaml").status, 0);  // over itself
+}
+
+TEST_F(Library, LegsAreNoChainsOfMovements) {
+  expectRefused("library add mine.yaml " + kWalk + " --kind movement --joints left_leg",
+                {"--joints", "left_leg"});
+  write("in/it.recipe.yaml", "skeleton: it.bvh\ncaptures: " + kCaptures +
+                                 "\nlicence: none\ncredit: none\nmotions:\n"
+                                 "  - {name: kick, kind: movement, joints: [right_leg], clip: "
+                                 "accad_male1/Male1_B3_Walk.bvh}\n");
+  expectRefused("library build in/it.recipe.yaml", {"it.recipe.yaml:6: ", "leg"});
+}
+
+TEST_F(Library, APostureIsOfFramesInWhichItIsHeld) {
+  expectRefused("library add mine.yaml " + kWalk + " --kind posture --name freeze",
+                {"does not hold still", "degrees"});
+  add("mine.yaml " + kStand + " --kind posture --name wait");
+  // What the refusal names can be taken.
+  const std::string clip = kCaptures + "accad_female1/Female1_B24_WalkToCrouch.bvh";
+  const Ran refused = run("library add mine.yaml " + clip + " --kind posture --name crouch");
+  ASSERT_EQ(refused.status, 2);
+  std::smatch frames;
+  ASSERT_TRUE(std::regex_search(refused.err, frames, std::regex("such as ([0-9]+) to ([0-9]+)")))
+      << refused.err;
+  add("mine.yaml " + clip + " --kind posture --name crouch --frames " + frames[1].str() + " " +
+      frames[2].str());
+}
+
+TEST_F(Library, TheMirrorImageOfAClipIsThatOfItsCycle) {
+  for (const std::string& clip : {kWalk, kTurn, kCaptures + "cmu_mb2/08_03.bvh"}) {
+    SCOPED_TRACE(clip);
+    fs::remove(folder_ / "mine.yaml");
+    add("mine.yaml '" + clip + "'");
+    const json motions = json::parse(run("library show --json mine.yaml").out)[0]["motions"];
+    ASSERT_EQ(motions.size(), 3u);
+    EXPECT_EQ(motions[2]["speed"], motions[1]["speed"]);
+    EXPECT_EQ(motions[2]["period"], motions[1]["period"]);
+    EXPECT_EQ(motions[2]["turn_rate"].get<double>(), -motions[1]["turn_rate"].get<double>());
+  }
+}
+
+}  // namespace
+}  // namespace amble
