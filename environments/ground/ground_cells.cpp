@@ -45,7 +45,11 @@ struct GroundCells::Builder {
   const StopRequest& stop;
   Eigen::Vector2d extent;  // of what could be ground [m]
   std::vector<Hit> hits = {};
-  std::vector<int> inside = {};  // closed pieces that the line is in
+  // Of the line, where it is: which closed pieces it is in, of each object solids less hollows, and
+  // objects in whose solid it is.
+  std::vector<bool> inside = std::vector<bool>(pieces.pieces.size(), false);
+  std::vector<int> depth = std::vector<int>(scene.objects.size(), 0);
+  int solids = 0;
   std::vector<bool> said = {};   // of each span: of an object that is said to be ground
   std::vector<int> parent = {};  // of each span, union-find
 
@@ -55,7 +59,7 @@ struct GroundCells::Builder {
   void makeTiles();
   bool isPlain(int i, int j);
   void fillTile(int i, int j);
-  bool isSolid() const;
+  void cross(int piece);
   void collect(const Eigen::Vector2d& p);
   void addSpans(int column, int row);
   bool hasRoom(const Eigen::Vector3d& p) const;
@@ -94,33 +98,27 @@ void GroundCells::Builder::collect(const Eigen::Vector2d& p) {
   hits.erase(std::unique(hits.begin(), hits.end(), doubled), hits.end());
 }
 
-// Whether the line is in more solids of an object than in hollows of solids: in something.
-bool GroundCells::Builder::isSolid() const {
-  for (const int piece : inside) {
-    int solid = 0;
-    for (const int other : inside) {
-      if (pieces.pieces[other].object == pieces.pieces[piece].object)
-        solid += pieces.pieces[other].hollow ? -1 : 1;
-    }
-    if (solid > 0) return true;
-  }
-  return false;
+// The line enters or leaves a closed piece. Of an object it may be in solids, and in hollows of
+// them.
+void GroundCells::Builder::cross(int piece) {
+  const int object = pieces.pieces[piece].object;
+  inside[piece] = !inside[piece];
+  const bool adds = inside[piece] != pieces.pieces[piece].hollow;
+  const int before = depth[object];
+  depth[object] += adds ? 1 : -1;
+  solids += (depth[object] > 0) - (before > 0);
 }
 
 void GroundCells::Builder::addSpans(int column, int row) {
   const Eigen::Vector2d p = cells.middle(column, row);
   collect(p);
-  inside.clear();
   for (size_t begin = 0, end; begin < hits.size(); begin = end) {
     bool stands = false, is_said = false;
     for (end = begin; end < hits.size() && hits[end].height - hits[begin].height < kTouching;
          ++end) {
       const Hit& hit = hits[end];
       const ScenePiece& piece = pieces.pieces[hit.piece];
-      if (piece.closed) {
-        const auto found = std::find(inside.begin(), inside.end(), hit.piece);
-        found == inside.end() ? inside.push_back(hit.piece) : (void)inside.erase(found);
-      }
+      if (piece.closed) cross(hit.piece);
       stands = stands || up[hit.triangle];
       is_said = is_said || (up[hit.triangle] && scene.objects[piece.object].role == Role::kGround);
     }
@@ -128,10 +126,13 @@ void GroundCells::Builder::addSpans(int column, int row) {
     Span span;
     span.height = hits[end - 1].height;
     const bool open = end == hits.size() || hits[end].height - span.height >= settings.headroom;
-    span.standable = !isSolid() && open && hasRoom({p.x(), p.y(), span.height});
+    span.standable = solids == 0 && open && hasRoom({p.x(), p.y(), span.height});
     cells.spans_.push_back(span);
     said.push_back(is_said);
   }
+  // A surface that is met an odd number of times, by its edge, leaves something open.
+  for (const Hit& hit : hits)
+    if (inside[hit.piece]) cross(hit.piece);
 }
 
 // The surface beside p that a slope from there could lead to, the nearest in height.
