@@ -22,6 +22,8 @@ AnalysedClip analyseFile(const std::filesystem::path& file, const ClipReading& h
     const GoodFrames good = goodFrames(clip);
     result.first_frame = good.first;
     clip = levelled(trimmed(clip, good.first, good.last), result.motion.roles, &result.floor);
+    const std::string doubt = doubtOf(result.floor);
+    if (!doubt.empty()) result.motion.warnings.push_back("the floor " + doubt);
   }
   result.analysis = analyseClip(clip, result.motion.roles);
   clip.poses.clear();

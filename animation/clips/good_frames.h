@@ -9,7 +9,7 @@ namespace amble {
 /// First and last frame of the clip that are motion; all of it where nothing is wrong. What comes
 /// before a leap within the first moments is left out, and the frozen or sliding frames after it;
 /// where the root jumps (capture_checks.h) the longest stretch without a jump is kept.
-/// @pre the clip has a frame
+/// @pre the clip has a frame and is in metres
 struct GoodFrames {
   int first = 0;
   int last = 0;

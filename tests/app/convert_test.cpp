@@ -127,6 +127,18 @@ TEST_F(Convert, AThingThatIsNoPersonIsConvertedButNotMirrored) {
                 {"snake.bvh: no joint looks like"});
 }
 
+TEST_F(Convert, AFrameRateThatIsSaidHoldsForABvhToo) {
+  ASSERT_EQ(run("convert in/walk.bvh -o out.bvh --file-fps 120").status, 0);
+  EXPECT_NEAR(written("out.bvh").frame_time, 1.0 / 120.0, 1e-7);
+  EXPECT_EQ(written("out.bvh").frames(), walk_.frames());
+  expectRefused("convert in/walk.bvh -o out.bvh --file-fps 10000", {"--file-fps", "1 to 1000"});
+  expectRefused("convert in/walk.bvh -o out.bvh --fps 10000", {"--fps", "1 to 1000"});
+}
+
+TEST_F(Convert, WhatHasNoEndIsRefusedAtItsLimit) {
+  expectRefused("convert - -o out.bvh < /dev/zero", {"-: is larger than 400 MiB; expected a BVH"});
+}
+
 TEST_F(Convert, InspectSaysWhatIsGuessedAndWhatNot) {
   const Ran ran = run("inspect in/walk.bvh --json --up y");
   ASSERT_EQ(ran.status, 0) << ran.err;
@@ -143,6 +155,29 @@ TEST_F(Convert, InspectSaysWhatIsGuessedAndWhatNot) {
   write("in/roles.yaml", "left_toe: none\n");
   EXPECT_NE(run("inspect in/walk.bvh --roles in/roles.yaml").out.find("LeftFoot > -\n"),
             std::string::npos);
+}
+
+TEST_F(Convert, TakesOfAFileAreChosenByName) {
+  const auto file = sharedFolder() / "cases/captures/g4_idle_and_walk.gltf";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+  const std::string in = "convert '" + file.string() + "' -o out.bvh";
+  const Ran walk = run(in);
+  ASSERT_EQ(walk.status, 0) << walk.err;
+  EXPECT_NE(walk.err.find("'Walk' is read, in which most moves"), std::string::npos) << walk.err;
+  EXPECT_EQ(written("out.bvh").frames(), 121);
+  ASSERT_EQ(run(in + " --take Idle").status, 0);
+  EXPECT_EQ(written("out.bvh").frames(), 400);
+}
+
+TEST_F(Convert, AHostileFrameTimeIsOneLineForEveryCommand) {
+  const auto folder = sharedFolder() / "cases/hostile";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder;
+  for (const char* const name : {"ft1e9.bvh", "ft1e-300.bvh"}) {
+    for (const char* const command : {"analyse", "inspect"}) {
+      expectRefused(std::string(command) + " '" + (folder / name).string() + "'",
+                    {name, ":134: frame time ", "; expected 0.0001 to 1 s"});
+    }
+  }
 }
 
 TEST_F(Convert, AnAcclaimTrialIsItsBvh) {

@@ -172,6 +172,56 @@ TEST(NodeAnimation, SamplingBetweenKeysIsLinearInPlaceAndBySlerp) {
   }
 }
 
+TEST(NodeAnimation, SplinesAreSampledAsSplines) {
+  Generator generator(4);
+  AnimatedNodes scene = nodesOf(smoothClip(generator), yUpMetres(), generator);
+  // About one axis by 0.3 sin, whose slopes the keys know: four numbers' slopes are q' = q w / 2.
+  KeyTrack<Eigen::Quaterniond>& track = scene.nodes[2].tracks.rotations;
+  track = {};
+  track.shape = KeyShape::kCubic;
+  const auto angle = [](double t) { return 0.6 * std::sin(2.0 * t); };
+  for (int i = 0; i <= 4; ++i) {
+    const double t = 0.25 * i, slope = 1.2 * std::cos(2.0 * t);
+    const Eigen::Quaterniond q = expRotation({angle(t), 0, 0});
+    const Eigen::Quaterniond half(0.0, 0.5 * slope, 0.0, 0.0);
+    track.times.push_back(2.0 + t);
+    track.values.push_back(q);
+    track.in.push_back(q * half);
+    track.out.push_back(q * half);
+  }
+  AnimatedNodes linear = scene;
+  linear.nodes[2].tracks.rotations.shape = KeyShape::kLinear;
+  const Clip cubic = clipOfNodes(scene, "nodes", 1.0 / 60.0);
+  const Clip straight = clipOfNodes(linear, "nodes", 1.0 / 60.0);
+  const auto turned = [](const Clip& clip, int frame) {
+    const auto q0 = clip.poses.rotations(0)[2], q = clip.poses.rotations(frame)[2];
+    return (q0.conjugate() * q).angularDistance(Eigen::Quaterniond::Identity());
+  };
+  double cubic_error = 0.0, straight_error = 0.0;
+  for (int i = 0; i <= 60; ++i) {
+    const double wanted = std::abs(angle(i / 60.0));
+    cubic_error = std::max(cubic_error, std::abs(turned(cubic, i) - wanted));
+    straight_error = std::max(straight_error, std::abs(turned(straight, i) - wanted));
+  }
+  EXPECT_LT(cubic_error, 5e-4);
+  EXPECT_GT(straight_error, 10.0 * cubic_error);
+}
+
+TEST(NodeAnimation, SparseKeysAreFramesAmongThirtyASecond) {
+  Generator generator(4);
+  for (const double distance : {0.5, 1.0 / 6.0, 1.0 / 12.0}) {
+    AnimatedNodes scene = nodesOf(smoothClip(generator), yUpMetres(), generator);
+    for (AnimatedNode& node : scene.nodes) {
+      for (auto* times : {&node.tracks.translations.times, &node.tracks.rotations.times}) {
+        for (size_t i = 0; i < times->size(); ++i) (*times)[i] = distance * i;
+      }
+    }
+    const double frame_time = clipOfNodes(scene, "nodes").frame_time;
+    EXPECT_LE(frame_time, 1.03 / 30.0);
+    EXPECT_NEAR(std::round(distance / frame_time), distance / frame_time, 1e-9);
+  }
+}
+
 TEST(NodeAnimation, WhatMovesAboveTheHipsIsInTheRootsPlace) {
   Generator generator(5);
   const Clip clip = smoothClip(generator);

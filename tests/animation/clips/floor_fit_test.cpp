@@ -46,6 +46,28 @@ TEST(FloorFit, ATiltedFloorIsFoundWhereTheFeetSpread) {
   EXPECT_LT(angle, 0.1 * kDegree);  // held towards level by a few percent
 }
 
+TEST(FloorFit, ARampIsNoTiltOfTheCapture) {
+  const Rig rig;
+  for (const double degrees : {2.0, 5.0}) {
+    const Eigen::Quaterniond tilt(Eigen::AngleAxisd(degrees * kDegree, Eigen::Vector3d::UnitY()));
+    const FloorFit fit = fitFloor(moved(rig.walk(onACircle()), tilt, {0, 0, 0}), rig.roles);
+    EXPECT_NEAR(fit.tilt(), degrees * kDegree, 0.2 * kDegree);
+    EXPECT_EQ(doubtOf(fit).empty(), degrees < 3.0) << doubtOf(fit);
+    EXPECT_EQ(levelPlane(fit).normal, Eigen::Vector3d::UnitZ());
+  }
+}
+
+TEST(FloorFit, OneOrTwoPlantsSpanNoFloor) {
+  FloorFit fit;
+  fit.normal = Eigen::Vector3d(0.04, 0.0, 1.0).normalized();
+  fit.plants = 2;
+  EXPECT_NE(doubtOf(fit).find("from 2 places where a foot stood"), std::string::npos);
+  fit.plants = 3;
+  EXPECT_EQ(doubtOf(fit), "");
+  const Rig rig;
+  EXPECT_GT(fitFloor(rig.walk(onACircle()), rig.roles).plants, 10);
+}
+
 TEST(FloorFit, ALevelledClipStandsAtItsAnkleHeightWithItsFloorLevel) {
   const Rig rig;
   const Eigen::Quaterniond tilt(Eigen::AngleAxisd(1.5 * kDegree, Eigen::Vector3d::UnitY()));

@@ -52,6 +52,14 @@ TEST(GoodFrames, FrozenFramesAfterTheReferencePoseAreLeftOut) {
   EXPECT_EQ(goodFrames(clip).first, 7);
 }
 
+TEST(GoodFrames, WhereTheRootJumpsTheLongestStretchIsKept) {
+  Clip clip = swinging();
+  for (int i = 0; i < 120; ++i) clip.poses.p_WR(i).x() = 0.02 * i + (i >= 40 ? 1.5 : 0.0);
+  const GoodFrames good = goodFrames(clip);
+  EXPECT_EQ(good.first, 40);
+  EXPECT_EQ(good.last, 119);
+}
+
 TEST(GoodFrames, AClipTooShortToJudgeIsTakenAsItIs) {
   Clip clip = trimmed(swinging(), 0, 20);
   setFrame(clip, 0, 1.5);
@@ -70,7 +78,10 @@ TEST(GoodFrames, TrimmingKeepsThePosesOfItsFrames) {
 TEST(GoodFrames, StartsOfCapturesAreFoundWhereTheManifestHasThem) {
   AMBLE_NEEDS_CAPTURES();
   for (const Capture& capture : captures()) {
-    EXPECT_NEAR(goodFrames(readBvh(capture.file)).first, capture.skip, 2) << capture.path;
+    EXPECT_NEAR(
+        goodFrames(readBvh(capture.file, {.metres_per_unit = capture.metres_per_unit})).first,
+        capture.skip, 2)
+        << capture.path;
   }
 }
 
