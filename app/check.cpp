@@ -6,12 +6,12 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "app/command.h"
 #include "app/progress.h"
 #include "app/stop.h"
 #include "base/output_file.h"
+#include "base/parallel.h"
 #include "scenarios/check_junit.h"
 #include "scenarios/check_scenarios.h"
 #include "scenarios/find_scenarios.h"
@@ -123,7 +123,7 @@ int run(const Options& options) {
 
 void addCheck(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<Options>();
-  options->threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+  options->threads = usualThreads();
   CLI::App* command = app.add_subcommand(
       "check", "Run every scenario found at the paths and compare with its `expect`");
   command

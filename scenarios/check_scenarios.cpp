@@ -1,13 +1,13 @@
 #include "scenarios/check_scenarios.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <new>
 
 #include "base/error.h"
 #include "base/output_file.h"
 #include "base/stop_request.h"
+#include "base/stopwatch.h"
 #include "scenarios/find_scenarios.h"
 #include "scenarios/update_expectation.h"
 
@@ -171,10 +171,9 @@ std::vector<CheckRow> checkScenarios(const std::vector<ScenarioFile>& files,
     if (options.started) {
       options.started(files[i], static_cast<int>(i), static_cast<int>(files.size()));
     }
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     rows.push_back(runGuardedFromFaults(files[i], options));
-    rows.back().total_time =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    rows.back().total_time = watch.seconds();
     if (options.finished) options.finished(rows.back());
   }
   return rows;

@@ -1,10 +1,10 @@
 #include "scenarios/write_results.h"
 
 #include <algorithm>
-#include <chrono>
 #include <system_error>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 
 namespace amble {
 namespace {
@@ -60,7 +60,7 @@ std::vector<fs::path> obsolete(const std::vector<fs::path>& names, const fs::pat
 }  // namespace
 
 void writeResults(RunResult& result, const fs::path& folder, const WriteOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const bool walk = result.report.status == PlanStatus::kSolved;
   MadeFolder made(folder);
   std::vector<ResultFile> files;
@@ -69,12 +69,10 @@ void writeResults(RunResult& result, const fs::path& folder, const WriteOptions&
   }
   for (const ResultFile& more : options.more) files.push_back({folder / more.file, more.write});
   if (options.json) {
-    files.push_back(
-        {folder / "report.json", [&](std::ostream& out) {
-           result.report.times.export_ =
-               std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-           writeJson(out, result.report);
-         }});
+    files.push_back({folder / "report.json", [&](std::ostream& out) {
+                       result.report.times.export_ = watch.seconds();
+                       writeJson(out, result.report);
+                     }});
   }
   writeFiles(files, obsolete(options.names, folder, files));
   made.keep();

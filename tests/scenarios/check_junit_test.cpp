@@ -1,7 +1,9 @@
 #include "scenarios/check_junit.h"
 
+#include <pugixml.hpp>
 #include <sstream>
 
+#include "base/text.h"
 #include "tests/scenarios/small_room.h"
 
 namespace amble {
@@ -46,6 +48,26 @@ TEST(WriteJUnit, NamesOfAnyBytesGiveValidXml) {
     const auto byte = static_cast<unsigned char>(c);
     EXPECT_TRUE((byte >= 0x20 && byte < 0x7f) || c == '\n') << static_cast<int>(byte);
   }
+}
+
+TEST(WriteJUnit, NamesOfAnyBytesAreReadBack) {
+  CheckRow row;
+  row.file =
+      "K\xFC"
+      "che/1\x01.yaml";
+  row.scenario =
+      "K\xFC"
+      "che \xED\xA0\x80";
+  row.verdict = CheckVerdict::kDiffers;
+  row.notes = {"'\x1b[31m' <is> \"unknown\""};
+  std::ostringstream out;
+  writeJUnit(out, {row});
+  pugi::xml_document read;
+  ASSERT_TRUE(read.load_string(out.str().c_str())) << out.str();
+  const pugi::xml_node test = read.child("testsuites").child("testsuite").child("testcase");
+  EXPECT_EQ(test.attribute("name").value(), utf8Text(row.scenario));
+  EXPECT_EQ(test.child("failure").attribute("message").value(), utf8Text(row.notes[0]));
+  EXPECT_EQ(out.str(), utf8Text(out.str())) << "not all of it is text of XML";
 }
 
 }  // namespace
