@@ -25,8 +25,11 @@ namespace amble {
 namespace {
 
 // What can be written, and under which name.
-constexpr std::pair<const char*, const char*> kFormats[] = {
-    {"bvh", "walk.bvh"}, {"json", "report.json"}, {"svg", "top.svg"}, {"png", "walk.png"}};
+constexpr std::pair<const char*, const char*> kFormats[] = {{"bvh", "walk.bvh"},
+                                                            {"json", "report.json"},
+                                                            {"svg", "top.svg"},
+                                                            {"png", "walk.png"},
+                                                            {"strip", "strip.png"}};
 
 std::vector<std::string> formatNames() {
   std::vector<std::string> names;
@@ -97,6 +100,12 @@ void writeAll(const Options& options, RunResult& result, const std::filesystem::
     write.more.push_back({"walk.png", [&](std::ostream& out) {
                             writePng(out, renderWalk(view, {.threads = options.threads}));
                           }});
+  }
+  if (wants(options, "strip") && view.hasBody()) {
+    StripSettings strip = stripOfWhole(*view.animation);
+    strip.threads = options.threads;
+    write.more.push_back(
+        {"strip.png", [=](std::ostream& out) { writePng(out, renderStrip(view, strip)); }});
   }
   writeResults(result, folder, write);
 }

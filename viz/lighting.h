@@ -18,8 +18,8 @@ struct LightSettings {
   float corner_reach = 0.25f;  ///< how far away a surface darkens another [m, > 0]
   int shadow_size = 2048;      ///< samples along each side of the shadow map [>= 16]
   Color background = rgb(246, 247, 249);
-  Eigen::AlignedBox3f shadowed;  ///< what throws and gets shadows lies in here [m]
-  int threads = 1;               ///< change no result [>= 1]
+  Eigen::AlignedBox3f shadowed = {};  ///< what throws and gets shadows lies in here [m]
+  int threads = 1;                    ///< change no result [>= 1]
 };
 
 /// Samples per pixel along each axis.

@@ -38,9 +38,13 @@ struct StripSettings {
   int threads = 1;    ///< change no byte of the picture [>= 1]
 };
 
-/// A film strip to look at feet with: frames one after another, seen in parallel from the walker's
-/// side, root held in the middle, with the floor's line every 10 cm; left limbs blue, right orange,
-/// a bar under each foot that is planted, the frame's number and time above.
+/// All of a walk: ten pictures a second, fewer where that were more than 120.
+StripSettings stripOfWhole(const AnimationBuffer& walk);
+
+/// strip.png: a film strip to look at feet with: frames one after another, seen in parallel from
+/// the walker's side, root held in the middle, the ground under it as a line with a mark every 10
+/// cm; left limbs blue, right orange, a bar under each foot that is planted, the frame's number and
+/// time above.
 Image renderStrip(const WalkView& view, const StripSettings& settings = {});
 
 }  // namespace amble

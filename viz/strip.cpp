@@ -36,6 +36,12 @@ std::vector<Color> limbColors(const Body& body) {
   return colors;
 }
 
+// Of the ground under the walker; the view's floor where frames do not say [m].
+double groundUnder(const WalkView& view, int frame) {
+  const std::vector<FrameState>& states = view.animation->states;
+  return states.empty() ? view.floor : states[static_cast<size_t>(frame)].position.z();
+}
+
 // A parallel view of the walker at a frame; the picture's middle column is the root's.
 Camera tileCamera(const WalkView& view, int frame, const StripSettings& settings, int factor) {
   const Vector3d root = view.animation->poses.p_WR(frame);
@@ -43,7 +49,8 @@ Camera tileCamera(const WalkView& view, int frame, const StripSettings& settings
   const double level = std::cos(settings.lift);
   const Vector3d back(level * std::cos(azimuth), level * std::sin(azimuth),
                       std::sin(settings.lift));
-  const Vector3d middle(root.x(), root.y(), view.floor + settings.window / 2 - kBelow);
+  const Vector3d middle(root.x(), root.y(),
+                        groundUnder(view, frame) + settings.window / 2 - kBelow);
   Camera camera;
   camera.parallel = true;
   camera.axes = viewAxes((-back).cast<float>());
@@ -57,12 +64,11 @@ Camera tileCamera(const WalkView& view, int frame, const StripSettings& settings
 
 // The floor from the side: a line with a mark every 10 cm of World, so that a sliding foot shows;
 // what of the body is below it is drawn red.
-void drawFloorLine(const WalkView& view, const Camera& camera, const SampleBuffer& samples,
-                   Image& tile) {
+void drawFloorLine(double floor, const Camera& camera, const SampleBuffer& samples, Image& tile) {
   const auto column = [&](const Vector3d& p) {
     return camera.toPixel(camera.toView(p.cast<float>()));
   };
-  const Vector3d on_floor(camera.eye.x(), camera.eye.y(), view.floor);
+  const Vector3d on_floor(camera.eye.x(), camera.eye.y(), floor);
   const int line = static_cast<int>(std::lround(column(on_floor).y()));
   for (int y = std::max(0, line); y < tile.height; ++y) {
     for (int x = 0; x < tile.width; ++x) {
@@ -107,18 +113,19 @@ void addFloorAround(const WalkView& view, int frame, std::vector<DrawTriangle>& 
   const auto snap = [](double v) { return std::round(v / kTick) * kTick; };
   const Vector2d middle(snap(root.x()), snap(root.y()));
   TriangleMesh floor = makeBox({2 * kHalf, 2 * kHalf, 0.02});
-  for (Vector3d& p : floor.vertices) p += Vector3d(middle.x(), middle.y(), view.floor - 0.01);
+  const double level = groundUnder(view, frame);
+  for (Vector3d& p : floor.vertices) p += Vector3d(middle.x(), middle.y(), level - 0.01);
   addMesh(floor, kEarth, kNoShadow, triangles);
   for (double d = -kHalf; d <= kHalf + 1e-9; d += kTick) {
     const std::vector<Vector2d> across = {middle + Vector2d(d, -kHalf),
                                           middle + Vector2d(d, kHalf)};
     const std::vector<Vector2d> along = {middle + Vector2d(-kHalf, d), middle + Vector2d(kHalf, d)};
-    addRibbon(across, 0.004, view.floor, mix(kEarth, kInk, 0.25f), triangles);
-    addRibbon(along, 0.004, view.floor, mix(kEarth, kInk, 0.25f), triangles);
+    addRibbon(across, 0.004, level, mix(kEarth, kInk, 0.25f), triangles);
+    addRibbon(along, 0.004, level, mix(kEarth, kInk, 0.25f), triangles);
   }
   for (const Footprint& print : view.animation->footprints)
     if (frame >= print.first_frame && frame <= print.last_frame)
-      addPolygon(placedShoe(print, soleLength(view)), view.floor,
+      addPolygon(placedShoe(print, soleLength(view)), print.position.z(),
                  mix(sideColor(print.side), kEarth, 0.35f), triangles);
 }
 
@@ -142,7 +149,7 @@ Image renderTile(const WalkView& view, int frame, const StripSettings& settings)
   Image tile = lightSamples(samples, camera, triangles, light);
   const Camera small = tileCamera(view, frame, settings, 1);
   if (level) {
-    drawFloorLine(view, small, samples, tile);
+    drawFloorLine(groundUnder(view, frame), small, samples, tile);
     drawPlants(view, frame, small, tile);
   }
   const double time = frame * view.animation->frame_time;
@@ -152,6 +159,17 @@ Image renderTile(const WalkView& view, int frame, const StripSettings& settings)
 }
 
 }  // namespace
+
+StripSettings stripOfWhole(const AnimationBuffer& walk) {
+  constexpr double kEvery = 0.1;  // [s]
+  constexpr int kMost = 120;      // pictures
+  StripSettings settings;
+  const int usual = static_cast<int>(std::lround(kEvery / walk.frame_time));
+  settings.step = std::max({1, usual, (walk.size() + kMost - 1) / kMost});
+  settings.pictures = kMost;
+  settings.columns = 12;
+  return settings;
+}
 
 Image renderStrip(const WalkView& view, const StripSettings& settings) {
   if (!view.hasBody()) return Image(settings.tile_width, settings.tile_height);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 
 #include "viz/draw_mesh.h"
@@ -105,6 +106,20 @@ TEST(Rasterizer, AgreesWithItsDepthMap) {
   for (int y = 0; y < kSize; ++y)
     for (int x = 0; x < kSize; ++x) EXPECT_EQ(buffer.at(x, y).depth, map.at(x, y));
   EXPECT_NEAR(map.at(32, 32), 4, 0.01);
+}
+
+TEST(Rasterizer, WhatIsNearerHidesWhatIsFartherInAnyOrder) {
+  std::vector<DrawTriangle> triangles = {level(0.5f, rgb(1, 0, 0)), level(1.5f, rgb(2, 0, 0)),
+                                         level(1.0f, rgb(3, 0, 0))};
+  for (int order = 0; order < 3; ++order) {
+    std::rotate(triangles.begin(), triangles.begin() + 1, triangles.end());
+    for (const int threads : {1, 4}) {
+      const SampleBuffer buffer = rasterize(triangles, fromAbove(), kSize, kSize, threads);
+      for (const Sample& sample : buffer.samples) {
+        EXPECT_TRUE(sample.depth == 0 || sample.color[0] == 2);
+      }
+    }
+  }
 }
 
 TEST(Rasterizer, BandsCoverEveryRowOnce) {

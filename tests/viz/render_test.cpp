@@ -37,6 +37,13 @@ TEST(RenderWalk, GivesTheSamePictureTwice) {
             renderWalk(makeTestWalk()->view, kSmall).rgb);
 }
 
+TEST(RenderWalk, ThreadsChangeNoByte) {
+  RenderSettings two = kSmall;
+  two.threads = 2;
+  EXPECT_EQ(renderWalk(makeTestWalk()->view, kSmall).rgb,
+            renderWalk(makeTestWalk()->view, two).rgb);
+}
+
 TEST(RenderWalk, ShowsTheRoomWhereThereIsNoWalk) {
   const Scene room = testRoom();
   WalkView view;
