@@ -50,11 +50,12 @@ function(amble_flags target)
 endfunction()
 
 # The library amble_<folder>, as amble::<folder>, of every .cpp in this folder and its rooms.
+#   PUBLIC   headers that its users begin with; they are installed, with what they include
 #   USES     our libraries below
 #   PRIVATE  third-party libraries, whose headers stay in the .cpp files
 #   WITHOUT  rooms that are no part of it
 function(amble_library folder)
-  cmake_parse_arguments(arg "" "" "USES;PRIVATE;WITHOUT" ${ARGN})
+  cmake_parse_arguments(arg "" "" "PUBLIC;USES;PRIVATE;WITHOUT" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "*.cpp")
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS "*.h")
   foreach(room ${arg_WITHOUT})
@@ -72,11 +73,30 @@ function(amble_library folder)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen ${arg_USES} PRIVATE ${arg_PRIVATE})
   install(TARGETS ${target} EXPORT amble-targets)
-  foreach(header ${headers})
-    file(RELATIVE_PATH path "${PROJECT_SOURCE_DIR}" "${header}")
-    get_filename_component(room "${path}" DIRECTORY)
-    install(FILES "${header}" DESTINATION "include/amble/${room}")
+  foreach(header ${arg_PUBLIC})
+    set_property(GLOBAL APPEND PROPERTY amble_public "${folder}/${header}")
   endforeach()
+endfunction()
+
+# Into `out`: the libraries' public headers and all that they include, as paths from the root. No other is installed.
+function(amble_public_headers out)
+  get_property(open GLOBAL PROPERTY amble_public)
+  set(found "")
+  while(open)
+    list(POP_FRONT open header)
+    if(header IN_LIST found)
+      continue()
+    endif()
+    list(APPEND found "${header}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${header}")
+    file(STRINGS "${PROJECT_SOURCE_DIR}/${header}" includes REGEX "^ *#include \"")
+    foreach(include ${includes})
+      string(REGEX REPLACE ".*\"([^\"]+)\".*" "\\1" included "${include}")
+      list(APPEND open "${included}")
+    endforeach()
+  endwhile()
+  list(SORT found)
+  set(${out} "${found}" PARENT_SCOPE)
 endfunction()
 
 # The program amble_<folder>_tests of tests/<folder>/ and its rooms. It is linked to that folder's library only, so

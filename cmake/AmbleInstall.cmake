@@ -4,6 +4,12 @@ include(CMakePackageConfigHelpers)
 install(TARGETS amble EXPORT amble-targets)
 install(TARGETS amble_app RUNTIME)
 
+amble_public_headers(amble_headers)
+foreach(header ${amble_headers})
+  get_filename_component(room "${header}" DIRECTORY)
+  install(FILES "${header}" DESTINATION "include/amble/${room}")
+endforeach()
+
 set(amble_data "${CMAKE_INSTALL_DATADIR}/amble")
 install(DIRECTORY animation/motions DESTINATION "${amble_data}/animation" OPTIONAL)
 install(DIRECTORY environments/scenes DESTINATION "${amble_data}/environments" OPTIONAL)

@@ -7,11 +7,17 @@ endfunction()
 
 file(REMOVE_RECURSE "${WORK}")
 run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${WORK}/prefix")
-run(${CMAKE_COMMAND} -S "${CONSUMER}" -B "${WORK}/build" -G Ninja -DCMAKE_BUILD_TYPE=${TYPE}
+# Every header that is installed, included by somebody else.
+file(GLOB_RECURSE headers RELATIVE "${WORK}/prefix/include/amble" "${WORK}/prefix/include/amble/*.h")
+list(TRANSFORM headers REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE includes)
+string(REPLACE ";" "" includes "${includes}")
+file(WRITE "${WORK}/all_headers.cpp" "${includes}")
+run(${CMAKE_COMMAND} -S "${CONSUMER}" "-DALL_HEADERS=${WORK}/all_headers.cpp" -B "${WORK}/build" -G Ninja -DCMAKE_BUILD_TYPE=${TYPE}
     "-DCMAKE_PREFIX_PATH=${WORK}/prefix" "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build "${WORK}/build")
 # Its data is the installed one: the source tree is not asked for.
-run(${CMAKE_COMMAND} -E env "AMBLE_DATA=${WORK}/prefix/share/amble" "${WORK}/build/consumer")
+run(${CMAKE_COMMAND} -E chdir "${WORK}"
+    ${CMAKE_COMMAND} -E env "AMBLE_DATA=${WORK}/prefix/share/amble" "${WORK}/build/consumer")
 run("${WORK}/prefix/bin/amble" --version)
 run("${WORK}/prefix/bin/amble" inspect
     "${WORK}/prefix/share/amble/animation/motions/default.yaml")
