@@ -13,6 +13,11 @@ namespace {
 Clip drawn(const Puppet& puppet, int frames) {
   Clip clip = puppet.clip();
   clip.joint_positions.clear();
+  std::vector<Joint> joints = clip.skeleton.joints();
+  for (const Side side : {kLeft, kRight}) {
+    joints[Puppet::roles().legs[side].up_leg].offset = {0, side == kLeft ? 0.09 : -0.09, 0};
+  }
+  clip.skeleton = Skeleton(joints);
   clip.poses.resize(frames);
   return clip;
 }

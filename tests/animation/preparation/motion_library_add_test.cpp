@@ -107,17 +107,5 @@ TEST(AddMotion, AMovementChangesItsChainsOnly) {
   EXPECT_GT(most, 30.0 * kDegree);  // a box is carried on bent elbows
 }
 
-TEST(Transition, StartsAndStopsOfCapturesAreWithinWhatPeopleDo) {
-  const MotionLibrary library = openMotionLibrary("default");
-  for (const char* const name : {"start", "stop"}) {
-    const Motion* motion = library.find(name);
-    ASSERT_NE(motion, nullptr) << name;
-    EXPECT_GT(motion->transition.first_speed, 0.3 * motion->transition.speed);
-    EXPECT_LE(motion->transition.first_speed, 1.1 * motion->transition.speed);
-    EXPECT_GT(motion->transition.acceleration, 0.4);
-    EXPECT_LT(motion->transition.acceleration, 2.0);
-  }
-}
-
 }  // namespace
 }  // namespace amble
