@@ -157,7 +157,8 @@ Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& l
       floor(chooseFloor(scene, ground, scenario, scenario.start, "start")),
       synthesizer(library, ground, settingsOf(scenario, frame_time)),
       body(makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
-                    {synthesizer.ankleHeight(), synthesizer.toeHeight()})),
+                    {synthesizer.ankleHeight(), synthesizer.toeHeight()},
+                    synthesizer.standingHead())),
       world(scene, ground, synthesizer.skeleton(), body, limits.stop) {}
 
 Eigen::Vector3d Problem::stand(const Place& place, const std::string& key) const {

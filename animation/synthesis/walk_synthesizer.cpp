@@ -116,6 +116,20 @@ struct WalkSynthesizer::Impl {
     return state;
   }
 
+  // As one stands at the origin on the level.
+  JointFrame standingHead() const {
+    AnimationBuffer buffer;
+    buffer.poses = PoseArray(skeleton.size());
+    buffer.states.resize(1);
+    buffer.states[0].standing = 1.0;
+    buffer.states[0].step_length = body.placement.step_length;
+    buffer.poses.resize(1);
+    walk.apply(buffer);
+    std::vector<JointFrame> joints(skeleton.size());
+    forwardKinematics(skeleton, buffer.poses[0], joints);
+    return joints[roles.head];
+  }
+
   // Between two stances, in a frame of the walk.
   FrameState walkingState(const WalkSteps& steps, const WalkRequest& request, int frame) const {
     const SpeedProfile::Sample at = steps.at(frame);
@@ -190,6 +204,7 @@ double WalkSynthesizer::capturedLift() const {
 }
 double WalkSynthesizer::stature() const { return impl_->stature; }
 double WalkSynthesizer::ankleHeight() const { return impl_->shapes[kLeft].ankle_height; }
+JointFrame WalkSynthesizer::standingHead() const { return impl_->standingHead(); }
 double WalkSynthesizer::toeHeight() const { return impl_->shapes[kLeft].radius; }
 double WalkSynthesizer::stepLength() const { return impl_->body.placement.step_length; }
 double WalkSynthesizer::maxTurnRate() const { return impl_->blend.maxTurnRate(); }

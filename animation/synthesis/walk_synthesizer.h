@@ -57,12 +57,13 @@ class WalkSynthesizer {
   const std::array<FootShape, 2>& feet() const;  ///< by Side
   double stature() const;                        ///< [m]
   double capturedStep() const;                   ///< step length of the captured walk, scaled [m]
-  double capturedLift() const;  ///< GaitParameters::lift of the captured walk, scaled [m]
-  double ankleHeight() const;   ///< of the ankle over a flat sole [m]
-  double toeHeight() const;     ///< of the toe joint over a flat sole [m]
-  double stepLength() const;    ///< of the straight walk at the plan's speed [m]
-  double maxTurnRate() const;   ///< fastest turn of a walk [rad/s]
-  double shortestWalk() const;  ///< from standing to standing [m]
+  double capturedLift() const;      ///< GaitParameters::lift of the captured walk, scaled [m]
+  double ankleHeight() const;       ///< of the ankle over a flat sole [m]
+  double toeHeight() const;         ///< of the toe joint over a flat sole [m]
+  JointFrame standingHead() const;  ///< the head's joint when standing at (0, 0, 0) on the level
+  double stepLength() const;        ///< of the straight walk at the plan's speed [m]
+  double maxTurnRate() const;       ///< fastest turn of a walk [rad/s]
+  double shortestWalk() const;      ///< from standing to standing [m]
 
   /// Walks along `path` from one stance to another; `path` begins at from.position and ends at
   /// to.position with their headings. The foot that leads at the end is given back; where

@@ -56,8 +56,12 @@ Eigen::Vector3d nearestAxis(const Eigen::Vector3d& v) {
 class BodyMaker {
  public:
   BodyMaker(const Skeleton& skeleton, const JointRoles& roles, double stature,
-            const SoleHeight& sole)
-      : skeleton_(skeleton), roles_(roles), stature_(stature), sole_(sole) {
+            const SoleHeight& sole, const std::optional<JointFrame>& standing_head)
+      : skeleton_(skeleton),
+        roles_(roles),
+        stature_(stature),
+        sole_(sole),
+        standing_head_(standing_head) {
     // Joint origins of the rest pose, in which every joint's axes are the root's.
     for (const Joint& joint : skeleton.joints())
       rest_.push_back(joint.parent < 0 ? Eigen::Vector3d(0, 0, 0)
@@ -124,11 +128,20 @@ class BodyMaker {
     addHead();
   }
 
-  // The crown is at the body's stature when it stands as in the rest pose.
-  void addHead() {
+  // Height of the crown over the head's joint, along the head: at the body's stature when it
+  // stands.
+  double crown() const {
+    const double least = kHead * stature_;
+    if (standing_head_) {
+      const double upright = (standing_head_->q_WJ * up_).z();
+      return std::max(least, least + (stature_ - least - standing_head_->p_WJ.z()) / upright);
+    }
     const double joint_height = sole_.ankle + up_.dot(rest_[roles_.head] - feet_);
-    const double crown =
-        std::clamp(stature_ - joint_height, kHead * stature_, kHeadHeight * stature_);
+    return std::clamp(stature_ - joint_height, least, kHeadHeight * stature_);
+  }
+
+  void addHead() {
+    const double crown = this->crown();
     const double chin = crown - kHeadHeight * stature_, radius = kHead * stature_;
     add("head", roles_.head, up_ * (chin + radius), up_ * (crown - radius), radius);
   }
@@ -239,6 +252,7 @@ class BodyMaker {
   const JointRoles& roles_;
   const double stature_;
   const SoleHeight sole_;
+  const std::optional<JointFrame> standing_head_;
   std::vector<Eigen::Vector3d> rest_;  // by joint, from the root [m]
   Eigen::Vector3d feet_;               // between the ankles
   Eigen::Vector3d up_, left_, forward_;
@@ -248,9 +262,9 @@ class BodyMaker {
 }  // namespace
 
 Body makeBody(const Skeleton& skeleton, const JointRoles& roles, double stature,
-              const SoleHeight& sole) {
+              const SoleHeight& sole, const std::optional<JointFrame>& standing_head) {
   assert(stature > 0.0 && sole.ankle > 0.0 && sole.toe >= 0.0);
-  return BodyMaker(skeleton, roles, stature, sole).make();
+  return BodyMaker(skeleton, roles, stature, sole, standing_head).make();
 }
 
 void placeBody(const Body& body, std::span<const JointFrame> joints,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,8 +40,11 @@ struct SoleHeight {
   double toe;    ///< height of the toe joint (ball) then [m]
 };
 
+/// @param standing_head  the head's joint, over a floor at z = 0, as the body stands: the head ends
+/// at the stature then. Without it where the rest pose has the head: people who stand in another
+/// pose than that are lower than they say.
 Body makeBody(const Skeleton& skeleton, const JointRoles& roles, double stature,
-              const SoleHeight& sole);
+              const SoleHeight& sole, const std::optional<JointFrame>& standing_head = {});
 
 /// Capsule ends of every part in World. @pre from.size() == to.size() == parts.size()
 void placeBody(const Body& body, std::span<const JointFrame> joints,

@@ -50,6 +50,26 @@ TEST(Body, HasEveryPartOnce) {
   }
 }
 
+// People stand with bent knees and a bowed neck; they are as tall as they say all the same.
+TEST(Body, IsAsTallAsItSaysAsItStands) {
+  const TestWalker walker;
+  for (const double bow : {0.0, 0.2}) {
+    Pose pose = walker.standing(0, 0);
+    pose.p_WR.z() -= 0.013;
+    pose.rotations[walker.roles.head] = expRotation({bow, 0, 0});
+    std::vector<JointFrame> joints(walker.skeleton.size());
+    forwardKinematics(walker.skeleton, pose, joints);
+    const Body body = makeBody(walker.skeleton, walker.roles, walker.stature, {0.06, 0.02},
+                               joints[walker.roles.head]);
+    const Placed placed = place(walker.skeleton, body, pose);
+    const auto head = std::find_if(body.parts.begin(), body.parts.end(),
+                                   [](const BodyPart& part) { return part.name == "head"; });
+    ASSERT_NE(head, body.parts.end());
+    EXPECT_NEAR(placed.to[head - body.parts.begin()].z() + head->radius, walker.stature, 1e-9)
+        << bow;
+  }
+}
+
 TEST(Body, StandsOnTheFloorWithItsCrownAtItsStature) {
   const TestWalker walker;
   const Placed placed = place(walker.skeleton, walker.body, walker.standing(0, 0));

@@ -208,5 +208,33 @@ TEST(Apartment, IsReadWithItsThirtyThreeObjects) {
   EXPECT_NEAR(scene.bounds().sizes().z(), 2.5, 0.1);
 }
 
+TEST(ReadScene, AMeshThatSaysItsAxesIsRightedByRotate) {
+  const TestFolder folder;
+  folder.write(
+      "room.gltf",
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+    "bufferViews":[{"buffer":0,"byteLength":36}],
+    "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAEAAAAAA"}]})");
+  const auto with = [&](const std::string& key) {
+    return folder.write("scene.yaml", "objects:\n  - {name: room, mesh: room.gltf, " + key + "}\n");
+  };
+  EXPECT_NE(errorOf([&] { readScene(with("up: z")); }).find("`rotate: [-90, 0, 0]`"),
+            std::string::npos);
+  // The corner at 2 along the file's y, which a file that is z up has behind: y of World again.
+  const Scene righted = readScene(with("rotate: [-90, 0, 0]"));
+  EXPECT_NEAR(righted.bounds().max().y(), 2.0, 1e-6);
+  EXPECT_NEAR(righted.bounds().max().z(), 0.0, 1e-6);
+}
+
+TEST(ReadScene, AStopBeforeTheFirstObjectEndsIt) {
+  const TestFolder folder;
+  const auto file = folder.write("scene.yaml", "objects:\n  - {name: a, sphere: {radius: 1}}\n");
+  const std::atomic<bool> stop = true;
+  EXPECT_THROW(readScene(file, {.stop = {&stop, {}}}), Stopped);
+  EXPECT_THROW(readScene(file, {.stop = {nullptr, std::chrono::steady_clock::now()}}), Stopped);
+}
+
 }  // namespace
 }  // namespace amble
