@@ -76,7 +76,7 @@ void planScenario(benchmark::State& state, const std::filesystem::path& file) {
 const bool registered = [] {
   for (const auto& file : findScenarios({kScenarios})) {
     if (!missingData(readScenario(file)).empty()) continue;
-    const std::string name = "planScenario/" + file.stem().string();
+    const std::string name = "planScenario/" + file.file.stem().string();
     benchmark::RegisterBenchmark(
         name.c_str(), [file](benchmark::State& state) { planScenario(state, file.file); })
         ->Unit(benchmark::kMillisecond)
