@@ -43,10 +43,16 @@ std::string placeText(const Eigen::Vector3d& p) {
   return text;
 }
 
-// What `needed` is to `width`.
-std::string neededText(const Obstruction& why) {
+// How much there is, and what would do.
+std::string measureText(const Obstruction& why) {
   const bool most = why.rule == WalkRule::kNoGround || why.rule == WalkRule::kStepHeight;
-  return most ? "at most" : "needed";
+  const char* what = why.free                                 ? " away"
+                     : why.rule == WalkRule::kStepHeight      ? " high"
+                     : why.other.empty() && !why.part.empty() ? " high"
+                                                              : " wide";
+  std::string text = ", " + metres(*why.width) + what;
+  if (why.needed) text += (most && !why.free ? ", at most " : ", needed ") + metres(*why.needed);
+  return text;
 }
 
 Eigen::Vector3d unit(double heading) { return {std::cos(heading), std::sin(heading), 0.0}; }
@@ -341,8 +347,7 @@ std::string describe(const Obstruction& why) {
   if (!why.other.empty()) text += ", between it and " + why.other;
   text += " at " + placeText(why.at);
   if (why.gap > 0.0) text += ", " + metres(why.gap, 3) + " apart";
-  if (why.width) text += ", " + metres(*why.width) + " there";
-  if (why.width && why.needed) text += ", " + neededText(why) + " " + metres(*why.needed);
+  if (why.width) text += measureText(why);
   if (why.free) text += "; the nearest place that would do is " + placeText(*why.free);
   return text;
 }
