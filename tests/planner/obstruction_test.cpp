@@ -78,7 +78,10 @@ TEST(Obstruction, ATooNarrowPassageIsMeasuredBetweenItsSides) {
   Scene scene = furnishedScene();
   scene.objects.push_back(boxObject("post", {0.1, 0.4, 2.5}, {3, 3.8, 1.25}));
   const FurnishedRoom room(scene);  // 0.5 m are left between wall and post
-  const PlanOutcome outcome = planWalk(requestIn(room));
+  PlanRequest request = requestIn(room);
+  request.start = {{1.5, 3.35, 0}, 0.0, true};
+  request.goal = {{4.5, 3.35, 0}, 0.0, true};  // straight through
+  const PlanOutcome outcome = planWalk(request);
   ASSERT_EQ(outcome.status, PlanStatus::kNoWalk);
   ASSERT_TRUE(outcome.why.has_value());
   ASSERT_TRUE(outcome.why->width.has_value()) << describe(*outcome.why);
