@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -157,7 +159,14 @@ void logScenario(const std::filesystem::path& file, const OmplOptions& options) 
                  false, false, false});
   std::filesystem::create_directories(options.folder);
   const std::filesystem::path out = options.folder / (scenario.name + ".log");
-  log.saveResultsToFile(out.c_str());
+  std::ostringstream text;
+  log.saveResultsToStream(text);
+  // Debian's library does not know its version, without which the readers stop at the first line.
+  std::string results = text.str();
+  const std::string unversioned = "OMPL version \n";
+  if (results.starts_with(unversioned))
+    results.replace(0, unversioned.size(), "OMPL version 1.5.2\n");
+  std::ofstream(out) << results;
   std::printf("%s\n", out.c_str());
 }
 
@@ -182,8 +191,8 @@ void logAll(const OmplOptions& options) {
   const QuietOmpl quiet;
   const auto& names = options.names;
   for (const auto& file : findScenarios({kScenarios})) {
-    const bool is_asked =
-        names.empty() || std::find(names.begin(), names.end(), file.file.stem().string()) != names.end();
+    const bool is_asked = names.empty() || std::find(names.begin(), names.end(),
+                                                     file.file.stem().string()) != names.end();
     if (is_asked && missingData(readScenario(file)).empty()) logScenario(file.file, options);
   }
 }
