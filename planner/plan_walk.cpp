@@ -56,6 +56,8 @@ class Plan {
   static PlanRequest widened(PlanRequest request);
   std::optional<SteeringFailure> settle(const PlanEnd& end, double likely_heading, Waypoint& at);
   bool settleEnds();
+  std::optional<std::vector<WalkEdge>> walkLeg(LegPlanner& planner, const Waypoint& from,
+                                               const Waypoint& to);
   std::optional<EdgePath> walkAllLegs();
   void finish(EdgePath path);
   void refuse(PlanStatus status, Obstruction why);
@@ -140,6 +142,16 @@ bool Plan::settleEnds() {
   return true;
 }
 
+// Places that are too near for a walk are joined by small steps.
+std::optional<std::vector<WalkEdge>> Plan::walkLeg(LegPlanner& planner, const Waypoint& from,
+                                                   const Waypoint& to) {
+  if (from.stance.position != to.stance.position) {
+    SteerResult beside = steering_.smallSteps(from, to, *scratch_);
+    if (beside.edge) return std::vector<WalkEdge>{std::move(*beside.edge)};
+  }
+  return planner.solve(from, to);
+}
+
 std::optional<EdgePath> Plan::walkAllLegs() {
   const auto planner = makeLegPlanner(request_, steering_, request_.limits);
   EdgePath path;
@@ -148,7 +160,7 @@ std::optional<EdgePath> Plan::walkAllLegs() {
   path.pinned = {true};
   bool solved = true;
   for (size_t i = 0; solved && i + 1 < stops_.size(); ++i) {
-    const auto leg = planner->solve(stops_[i], stops_[i + 1]);
+    const auto leg = walkLeg(*planner, stops_[i], stops_[i + 1]);
     solved = leg.has_value();
     if (!solved) break;
     path.edges.insert(path.edges.end(), leg->begin(), leg->end());

@@ -153,6 +153,12 @@ std::vector<Way> waysBetween(const Waypoint& from, const Waypoint& to) {
   return ways;
 }
 
+// Where one may turn, or step aside, from the one to the other: standing, on one level.
+bool onOneFloor(const Waypoint& from, const Waypoint& to) {
+  const double rise = to.stance.position.z() - from.stance.position.z();
+  return std::abs(rise) < SceneGround::kLevel && from.stance.standing && to.stance.standing;
+}
+
 // Turning on the spot from one heading to the other, or by small steps beside it, where there is no
 // way to walk.
 WalkEdge makeTurn(const Waypoint& from, const Waypoint& to) {
@@ -329,16 +335,25 @@ SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to,
     return all.edge.has_value();
   };
   const Eigen::Vector3d line = to.stance.position - from.stance.position;
-  const double distance = line.head<2>().norm();
-  const bool same_floor = std::abs(line.z()) < SceneGround::kLevel;
-  if (same_floor && from.stance.standing && to.stance.standing &&
-      distance <= WalkSynthesizer::kSmallSteps && passes(makeTurn(from, to)))
+  if (line.head<2>().norm() < kSamePlace) {
+    if (onOneFloor(from, to)) passes(makeTurn(from, to));
     return all;
-  if (distance < kSamePlace) return all;
+  }
   for (const Way& way : waysBetween(from, to)) {
     if (passes(makeEdge(from, to, way))) break;
   }
   return all;
+}
+
+SteerResult WalkSteering::smallSteps(const Waypoint& from, const Waypoint& to,
+                                     SteeringScratch& scratch) const {
+  const Eigen::Vector3d line = to.stance.position - from.stance.position;
+  if (line.head<2>().norm() > WalkSynthesizer::kSmallSteps || !onOneFloor(from, to)) {
+    SteerResult none;
+    none.failure = failure(WalkRule::kNoCurve, from.stance, to.stance);
+    return none;
+  }
+  return judge(makeTurn(from, to), scratch);
 }
 
 void WalkSteering::animate(const WalkEdge& edge, AnimationBuffer& out) const {

@@ -10,8 +10,7 @@
 /// handle lengths the one of least curvature) or, if that is refused, the straight line with turns
 /// on the spot at its ends. At a stance that walks there is no turn; all handle lengths are tried
 /// there, gentlest first. Where one end may turn, curves that arrive at it (or leave it) by another
-/// heading are tried too. The first that passes all stages is the edge. Standing stances that are
-/// nearer than the shortest walk are joined by small steps, turning on the way.
+/// heading are tried too. The first that passes all stages is the edge.
 #pragma once
 
 #include <array>
@@ -42,6 +41,11 @@ class WalkSteering : public Steering {
   std::vector<double> floors(double x, double y) const override { return ground_.floors(x, y); }
   int layers() const override;
   std::vector<StancePair> passages() const override;
+
+  /// By a few small steps to a standing stance beside the first, in any direction, turning on the
+  /// way; refused where it is farther than kSmallSteps. For start and goal: between samples of a
+  /// roadmap they would join what no walk follows, and leave it fewer guards.
+  SteerResult smallSteps(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch) const;
 
   /// The frames of an edge, as they were checked. `out` is overwritten.
   void animate(const WalkEdge& edge, AnimationBuffer& out) const;

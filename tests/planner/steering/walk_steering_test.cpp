@@ -146,7 +146,7 @@ TEST_F(WalkSteeringTest, PlacesNearerThanAWalkAreJoinedBySmallStepsInAnyDirectio
     const Waypoint from = standing(1.5, 2, 30);
     const Waypoint to = standing(1.5 + 0.15 * std::cos(direction * kDegree),
                                  2 + 0.15 * std::sin(direction * kDegree), 75);
-    const SteerResult result = steering.steer(from, to, *scratch);
+    const SteerResult result = steering.smallSteps(from, to, *scratch);
     ASSERT_TRUE(result.edge.has_value());
     EXPECT_NEAR(result.edge->length, 0.15, 1e-12);
     AnimationBuffer walk, last;
@@ -156,6 +156,12 @@ TEST_F(WalkSteeringTest, PlacesNearerThanAWalkAreJoinedBySmallStepsInAnyDirectio
     room.synthesizer.stand(to.stance, last);
     EXPECT_LT((walk.poses.p_WR(walk.size() - 1) - last.poses.p_WR(0)).norm(), 1e-9);
   }
+}
+
+TEST_F(WalkSteeringTest, SmallStepsLeadNoFartherThanTheyMay) {
+  EXPECT_FALSE(steering.smallSteps(standing(1.5, 2), standing(1.8, 2), *scratch).edge.has_value());
+  EXPECT_FALSE(
+      steering.smallSteps(standing(1.5, 2), walking(1.6, 2, 0), *scratch).edge.has_value());
 }
 
 TEST_F(WalkSteeringTest, PartsOfAnEdgeAddUpToItsDuration) {
