@@ -87,7 +87,7 @@ TEST_F(Analyse, SaysWhatThereIsInAClip) {
     EXPECT_LT(event["lift_off"], event["strike"]);
     EXPECT_LE(event["strike"], event["landing"]);
   }
-  EXPECT_EQ(read("feet.svg").rfind("<svg", 0), 0u);
+  EXPECT_NE(read("feet.svg").find("\n<svg "), std::string::npos);
 }
 
 TEST_F(Analyse, ManyClipsGiveTheSameBytesAtAnyNumberOfThreads) {
