@@ -45,7 +45,7 @@ struct Options {
   double fps = 60.0;
   size_t memory = GuardLimits{}.memory;  // [bytes]
   std::string bvh_units = "m";
-  std::vector<std::string> formats = formatNames();
+  std::vector<std::string> formats = {"bvh", "json", "svg", "png"};  // a strip is asked for
   bool json = false, list_planners = false;
 };
 

@@ -58,8 +58,7 @@ TEST_F(FindContacts, EveryPartThatTouchesAtATimeIsTold) {
 
 TEST_F(FindContacts, EachFrameTellsWhatAPoseAloneTells) {
   const std::string text =
-      std::string(kScene) +
-      "  - {name: post, cylinder: {radius: 0.1, height: 2}, at: [4.4, 1.5, 1]}\n";
+      std::string(kScene) + "  - {name: bar, box: {size: [0.1, 3, 0.4]}, at: [4.4, 1.5, 1.2]}\n";
   const std::vector<ContactSpan> spans = contactsIn(text);
   const Problem& problem = *result_->problem;
   const Scene scene = readScene(folder_ / "other.yaml");

@@ -52,12 +52,14 @@ TEST_F(RunScenario, APlaceOutsideOfTheSceneIsNamedWithItsLine) {
                     "case.yaml:3: 'goal.at' is outside of 'bounds'"));
 }
 
-TEST_F(RunScenario, FloorsOverOneAnotherAreListedUnlessZSaysWhich) {
+TEST_F(RunScenario, WhatCannotBeWalkedToIsNoFloorUnlessZNamesIt) {
   write("scene.yaml", std::string(kScene) +
                           "  - {name: upstairs, box: {size: [2, 3, 0.1]}, at: [1, 1.5, 2.75]}\n");
-  const std::string error = errorOf(kScenario);
-  EXPECT_TRUE(holds(error, "case.yaml:2: 'start.at' has several floors")) << error;
-  EXPECT_TRUE(holds(error, "0.00, 2.80")) << error;
+  EXPECT_EQ(run(kScenario).problem->floor, 0.0);
+  const RunResult upstairs =
+      run("scene: scene.yaml\nstart: {at: [0.8, 1.5, 2.8]}\ngoal: {at: [5.2, 1.5]}\n");
+  EXPECT_NEAR(upstairs.problem->floor, 2.8, 1e-9);
+  EXPECT_EQ(upstairs.report.status, PlanStatus::kNoWalk);
   EXPECT_TRUE(holds(errorOf("scene: scene.yaml\nstart: {at: [0.8, 1.5, 1.4]}\n"
                             "goal: {at: [5.2, 1.5]}\n"),
                     "no floor within 0.30 m"));
