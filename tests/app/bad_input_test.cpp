@@ -52,8 +52,9 @@ class BadInput : public Program {
 TEST_F(BadInput, AWrongCommandLineIsRefused) {
   expectRefused("", {"amble: ", "; expected "});
   expectRefused("plam in/scenario.yaml", {"amble: ", "; expected "});
-  expectRefused("plan", {"amble: ", "; expected "});
-  expectRefused("plan --sede 3 in/scenario.yaml", {"amble: ", "; expected "});
+  expectRefused("plan", {"amble plan: ", "; expected "});
+  expectRefused("plan --sede 3 in/scenario.yaml",
+                {"amble plan: ", "--sede", "; expected ", "--seed"});
   expectRefused("animate --speed nan -o a.bvh", {"--speed", "'nan'; expected 0.3 to 2"});
   expectRefused("animate --speed 20 -o a.bvh", {"--speed", "'20'; expected 0.3 to 2"});
   expectRefused("animate --fps 0 -o a.bvh", {"--fps", "'0'; expected 24 to 240"});

@@ -193,8 +193,8 @@ TEST_F(UnevenGround, FloorsOverOneAnotherAreToldApartByZ) {
     return inputError([&] { run(scene, "[-1.5, 0, 0]", goal); });
   };
   EXPECT_TRUE(holds(errorOf("[3, 0]"),
-                    "has several floors over one another; expected [x, y, z] "
-                    "with z near one of 0.00, 1.02"))
+                    "has several floors over one another that steps join; expected "
+                    "[x, y, z] with z near one of 0.00, 1.02"))
       << errorOf("[3, 0]");
   EXPECT_TRUE(holds(errorOf("[3, 0, 0.5]"), "no floor within 0.30 m of z; expected z near one of"));
 }
