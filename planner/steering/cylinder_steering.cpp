@@ -113,8 +113,7 @@ SteerResult CylinderSteering::steer(const Waypoint& from, const Waypoint& to,
   for (int i = 0; i <= count; ++i) addPlace(own.buffer, from.stance.position + way * i / count);
   SteerResult result;
   result.poses = own.buffer.size();
-  if (const auto contact =
-          world_.check(own.buffer.poses, own.buffer.soles, true, *own.collision)) {
+  if (const auto contact = world_.check(own.buffer.poses, own.buffer.soles, true, *own.collision)) {
     result.failure = failure(*contact, own.buffer, heading);
     return result;
   }
