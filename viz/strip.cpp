@@ -62,31 +62,73 @@ Camera tileCamera(const WalkView& view, int frame, const StripSettings& settings
   return camera.enlarged(static_cast<float>(factor));
 }
 
-// The floor from the side: a line with a mark every 10 cm of World, so that a sliding foot shows;
-// what of the body is below it is drawn red.
-void drawFloorLine(double floor, const Camera& camera, const SampleBuffer& samples, Image& tile) {
-  const auto column = [&](const Vector3d& p) {
+// What each foot stands on in a frame, stood on last and comes to next.
+std::vector<Footprint> printsAround(const WalkView& view, int frame) {
+  std::vector<Footprint> around;
+  for (const Side side : {kLeft, kRight}) {
+    const Footprint *here = nullptr, *next = nullptr;
+    for (const Footprint& print : view.animation->footprints) {
+      if (print.side != side) continue;
+      if (print.first_frame <= frame) here = &print;
+      if (print.first_frame > frame && next == nullptr) next = &print;
+    }
+    if (here != nullptr) around.push_back(*here);
+    if (next != nullptr) around.push_back(*next);
+  }
+  return around;
+}
+
+// The floor's row in each column of a tile: a print's under its sole, the lower of two that lie
+// behind one another; elsewhere that of the lowest print, since the ground between is not known.
+std::vector<int> floorRows(const WalkView& view, int frame, const Camera& camera, int width) {
+  const auto pixel = [&](const Vector3d& p) {
     return camera.toPixel(camera.toView(p.cast<float>()));
   };
-  const Vector3d on_floor(camera.eye.x(), camera.eye.y(), floor);
-  const int line = static_cast<int>(std::lround(column(on_floor).y()));
-  for (int y = std::max(0, line); y < tile.height; ++y) {
-    for (int x = 0; x < tile.width; ++x) {
+  const Vector3d root = view.animation->poses.p_WR(frame);
+  const std::vector<Footprint> prints = printsAround(view, frame);
+  double lowest = prints.empty() ? groundUnder(view, frame) : prints[0].position.z();
+  for (const Footprint& print : prints) lowest = std::min(lowest, print.position.z());
+  const auto rowOf = [&](double z) {
+    return static_cast<int>(std::lround(pixel({root.x(), root.y(), z}).y()));
+  };
+  std::vector<int> under(width, -1);
+  for (const Footprint& print : prints) {
+    const Vector3d half =
+        soleLength(view) / 2 * Vector3d(std::cos(print.heading), std::sin(print.heading), 0);
+    const float a = pixel(print.position - half).x(), b = pixel(print.position + half).x();
+    const int first = std::max(0, static_cast<int>(std::floor(std::min(a, b))));
+    const int last = std::min(width - 1, static_cast<int>(std::ceil(std::max(a, b))));
+    for (int x = first; x <= last; ++x) under[x] = std::max(under[x], rowOf(print.position.z()));
+  }
+  for (int& row : under) {
+    if (row < 0) row = rowOf(lowest);
+  }
+  return under;
+}
+
+// The floor from the side: a line with a mark every 10 cm of World, so that a sliding foot shows;
+// what of the body is below it is drawn red.
+void drawFloorLine(const std::vector<int>& rows, double floor, const Camera& camera,
+                   const SampleBuffer& samples, Image& tile) {
+  for (int x = 0; x < tile.width; ++x) {
+    for (int y = std::max(0, rows[x]); y < tile.height; ++y) {
       const bool body = samples.at(x * kSupersampling, y * kSupersampling).depth > 0;
       const uint8_t* old = tile.pixel(x, y);
       const Color sunk = mix(rgb(old[0], old[1], old[2]), rgb(220, 20, 20), kSinkTint);
       fillRect(tile, x, y, 1, 1, body ? sunk : kEarth);
     }
+    fillRect(tile, x, rows[x], 1, 1, kInk);
   }
-  fillRect(tile, 0, line, tile.width, 1, kInk);
+  const Vector3d on_floor(camera.eye.x(), camera.eye.y(), floor);
   const Vector3d right = camera.axes.row(0).transpose().cast<double>();
   const double middle = right.dot(on_floor);
   const double half = tile.width / (2.0 * camera.scale);
   for (int i = static_cast<int>(std::ceil((middle - half) / kTick)); i * kTick <= middle + half;
        ++i) {
+    const Vector3d mark = on_floor + (i * kTick - middle) * right;
     const int x =
-        static_cast<int>(std::lround(column(on_floor + (i * kTick - middle) * right).x()));
-    fillRect(tile, x, line, 1, i % 5 == 0 ? 12 : 5, kInk);
+        static_cast<int>(std::lround(camera.toPixel(camera.toView(mark.cast<float>())).x()));
+    if (x >= 0 && x < tile.width) fillRect(tile, x, rows[x], 1, i % 5 == 0 ? 12 : 5, kInk);
   }
 }
 
@@ -149,7 +191,8 @@ Image renderTile(const WalkView& view, int frame, const StripSettings& settings)
   Image tile = lightSamples(samples, camera, triangles, light);
   const Camera small = tileCamera(view, frame, settings, 1);
   if (level) {
-    drawFloorLine(groundUnder(view, frame), small, samples, tile);
+    drawFloorLine(floorRows(view, frame, small, tile.width), groundUnder(view, frame), small,
+                  samples, tile);
     drawPlants(view, frame, small, tile);
   }
   const double time = frame * view.animation->frame_time;

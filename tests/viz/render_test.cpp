@@ -111,21 +111,30 @@ TEST(RenderStrip, IsAGridOfTiles) {
   EXPECT_EQ(strip.height, 160);
 }
 
+int redPixels(const Image& image) {
+  int count = 0;
+  for (size_t i = 0; i < image.rgb.size(); i += 3)
+    count += image.rgb[i] > 150 && image.rgb[i + 1] < 60 && image.rgb[i + 2] < 75;
+  return count;
+}
+
 TEST(RenderStrip, DrawsWhatSinksBelowTheFloorRed) {
   const auto walk = makeTestWalk();
   StripSettings settings;
   settings.pictures = 1;
   settings.tile_width = 120;
   settings.tile_height = 160;
-  const auto redPixels = [](const Image& image) {
-    int count = 0;
-    for (size_t i = 0; i < image.rgb.size(); i += 3)
-      count += image.rgb[i] > 150 && image.rgb[i + 1] < 60 && image.rgb[i + 2] < 75;
-    return count;
-  };
   EXPECT_EQ(redPixels(renderStrip(walk->view, settings)), 0);
   walk->animation.poses.p_WR(0).z() -= 0.05;
   EXPECT_GT(redPixels(renderStrip(walk->view, settings)), 5);
+}
+
+// On a stair the path's ground is between the treads that the feet stand on.
+TEST(RenderStrip, AFootOnATreadBelowThePathIsNotBelowTheFloor) {
+  const auto walk = makeTestWalk();
+  for (FrameState& state : walk->animation.states) state.position.z() += 0.1;
+  const StripSettings settings{.pictures = 4, .columns = 4, .tile_width = 120, .tile_height = 160};
+  EXPECT_EQ(redPixels(renderStrip(walk->view, settings)), 0);
 }
 
 TEST(RenderStrip, OfNothingIsOneTile) {
