@@ -44,7 +44,7 @@ struct Options {
   double time_limit = 0.0;  // [s]; 0: the scenario's
   double fps = 60.0;
   size_t memory = GuardLimits{}.memory;  // [bytes]
-  std::string bvh_units = "m";
+  std::string bvh_units = "m", checker = "fast";
   std::vector<std::string> formats = {"bvh", "json", "svg", "png"};  // a strip is asked for
   bool json = false, list_planners = false;
 };
@@ -159,6 +159,7 @@ int run(const Options& options) {
   how.frame_time = 1.0 / options.fps;
   how.bvh_unit = options.bvh_units == "cm" ? 0.01 : 1.0;
   how.memory = options.memory;
+  how.checker = options.checker == "fcl" ? Checker::kFcl : Checker::kFast;
   how.stop = &stopFlag();
   how.progress = [&](const SearchProgress& at) {
     const double done =
@@ -214,6 +215,11 @@ void addPlan(CLI::App& app, Command& chosen) {
                    fmt::format("What to write: {}", fmt::join(formatNames(), ",")))
       ->delimiter(',')
       ->check(CLI::IsMember(formatNames()));
+  command
+      ->add_option("--checker", options->checker,
+                   "Who is asked about contacts: our own trees, or FCL, with which they agree")
+      ->check(CLI::IsMember({"fast", "fcl"}))
+      ->capture_default_str();
   addMemoryOption(*command, options->memory);
   command->add_flag("--json", options->json, "Print the report");
   command->add_flag("--list-planners", options->list_planners, "Explain each planner");

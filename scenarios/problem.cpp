@@ -149,7 +149,8 @@ double chooseFloor(const Scene& scene, const SceneGround& ground, const Scenario
   return nearest;
 }
 
-Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& limits)
+Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& limits,
+                 Checker checker)
     : scenario(problem),
       scene(loadScene(scenario, limits)),
       library(loadLibrary(scenario)),
@@ -159,7 +160,7 @@ Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& l
       body(makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
                     {synthesizer.ankleHeight(), synthesizer.toeHeight()},
                     synthesizer.standingHead())),
-      world(scene, ground, synthesizer.skeleton(), body, limits.stop) {}
+      world(scene, ground, synthesizer.skeleton(), body, limits.stop, checker) {}
 
 Eigen::Vector3d Problem::stand(const Place& place, const std::string& key) const {
   return {place.at.x(), place.at.y(), chooseFloor(scene, ground, scenario, place, key)};

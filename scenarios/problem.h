@@ -18,7 +18,8 @@ struct Problem {
   /// @param frame_time  of the animation [s, 1/240 to 1/24].
   /// @throws InputError: what is not there or broken; a place outside of the bounds or where no
   /// floor is, or several without a z that says which; an unknown planner. @throws Stopped
-  Problem(const Scenario& scenario, double frame_time, const LoadLimits& limits = {});
+  Problem(const Scenario& scenario, double frame_time, const LoadLimits& limits = {},
+          Checker checker = Checker::kFast);
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 

@@ -17,6 +17,7 @@ struct RunOptions {
   int threads = 1;                 ///< [1 to 64]; changes no result
   double frame_time = 1.0 / 60.0;  ///< of the animation [s, 1/240 to 1/24]
   double bvh_unit = 1.0;  ///< length of the BVH's unit: 1 for metres, 0.01 for centimetres [m]
+  Checker checker = Checker::kFast;         ///< who is asked about contacts; changes no result
   size_t memory = GuardLimits{}.memory;     ///< that reading a mesh file may fill [bytes, > 0]
   const std::atomic<bool>* stop = nullptr;  ///< Ctrl-C
   std::function<void(const SearchProgress&)> progress;  ///< called from the calling thread

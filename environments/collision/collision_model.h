@@ -64,12 +64,13 @@ class CollisionScratch {
 /// A body in a scene, and what it may touch.
 struct CollisionModel {
   CollisionModel(const Scene& scene_in, const SceneGround& ground_in, const Skeleton& skeleton_in,
-                 const Body& body_in, const StopRequest& stop = {})
+                 const Body& body_in, const StopRequest& stop = {},
+                 Checker checker = Checker::kFast)
       : scene(scene_in),
         skeleton(skeleton_in),
         body(body_in),
         bound(skeleton_in, body_in),
-        layers(scene_in, ground_in, stop) {}
+        layers(scene_in, ground_in, stop, checker) {}
 
   const Scene& scene;
   Skeleton skeleton;

@@ -10,8 +10,9 @@ namespace amble {
 void CollisionScratchDeleter::operator()(CollisionScratch* scratch) const { delete scratch; }
 
 CollisionWorld::CollisionWorld(const Scene& scene, const SceneGround& ground,
-                               const Skeleton& skeleton, const Body& body, const StopRequest& stop)
-    : model_(std::make_unique<CollisionModel>(scene, ground, skeleton, body, stop)) {}
+                               const Skeleton& skeleton, const Body& body, const StopRequest& stop,
+                               Checker checker)
+    : model_(std::make_unique<CollisionModel>(scene, ground, skeleton, body, stop, checker)) {}
 
 CollisionWorld::~CollisionWorld() = default;
 

@@ -1,4 +1,4 @@
-/// Whole bodies against the scene, on FCL: which frame of a motion touches what, between frames
+/// Whole bodies against the scene: which frame of a motion touches what, between frames
 /// too.
 ///
 /// Solid: a closed mesh is solid (inside by parity over closed components, hollow shells free
@@ -16,6 +16,7 @@
 #include "animation/body/pose.h"
 #include "animation/body/skeleton.h"
 #include "environments/body/body.h"
+#include "environments/collision/checker.h"
 #include "environments/collision/contact.h"
 #include "environments/ground/scene_ground.h"
 #include "environments/scene/scene.h"
@@ -44,7 +45,7 @@ class CollisionWorld {
   /// @pre scene and ground outlive the world; the body's joints are the skeleton's.
   /// @throws Stopped if that is asked for.
   CollisionWorld(const Scene& scene, const SceneGround& ground, const Skeleton& skeleton,
-                 const Body& body, const StopRequest& stop = {});
+                 const Body& body, const StopRequest& stop = {}, Checker checker = Checker::kFast);
   ~CollisionWorld();
 
   CollisionScratchPtr makeScratch() const;

@@ -83,8 +83,8 @@ struct Sweep {
 
 }  // namespace
 
-GroundLayer::GroundLayer(std::vector<Obstacle> surfaces, const StopRequest& stop)
-    : surfaces_(withoutSolids(surfaces), stop) {
+GroundLayer::GroundLayer(std::vector<Obstacle> surfaces, const StopRequest& stop, Checker checker)
+    : surfaces_(withoutSolids(surfaces), stop, checker) {
   std::vector<Triangle3> triangles;
   for (const Obstacle& surface : surfaces) {
     const TriangleMesh& mesh = meshOf(surface);

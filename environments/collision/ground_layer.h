@@ -23,7 +23,8 @@ class GroundLayer {
   /// @param surfaces  of ground objects, with what lies below their ground: risers, edges,
   /// undersides; meshes in World, and their closed pieces as `solid`
   /// @throws Stopped if that is asked for.
-  explicit GroundLayer(std::vector<Obstacle> surfaces, const StopRequest& stop = {});
+  explicit GroundLayer(std::vector<Obstacle> surfaces, const StopRequest& stop = {},
+                       Checker checker = Checker::kFast);
 
   /// The object that the capsule touches, or lies inside or under, when it is lifted by `depth` [m,
   /// >= 0]; -1 for none.

@@ -1,9 +1,9 @@
-/// Things that a capsule may touch, exactly, on FCL: meshes as surfaces with their closed
-/// components solid, primitives solid.
+/// Things that a capsule may touch, exactly: meshes as surfaces with their closed components solid,
+/// primitives solid.
 ///
-/// Yes or no is asked with libccd in double precision (exact to 1e-6 m). Distances are asked of FCL
-/// with its own solver for primitives, where libccd errs by millimetres, and of OBBRSS trees for
-/// meshes. Which obstacles are asked at all a tree of their boxes says (BoxTree).
+/// Meshes and boxes are trees of triangles (TriangleTree), spheres and capsules axes with a radius;
+/// FCL answers for cylinders (fcl_surface.h) and, where it is asked for as the checker, for
+/// everything. Which obstacles are asked at all a tree of their boxes says (BoxTree).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "environments/body/capsule.h"
+#include "environments/collision/checker.h"
 #include "environments/scene/scene.h"
 
 namespace amble {
@@ -36,7 +37,8 @@ class ObstacleSet {
   using ScratchPtr = std::unique_ptr<Scratch, ScratchDeleter>;
 
   /// @throws Stopped if that is asked for.
-  explicit ObstacleSet(std::vector<Obstacle> obstacles, const StopRequest& stop = {});
+  explicit ObstacleSet(const std::vector<Obstacle>& obstacles, const StopRequest& stop = {},
+                       Checker checker = Checker::kFast);
   ~ObstacleSet();
   ObstacleSet(ObstacleSet&&) noexcept;
 

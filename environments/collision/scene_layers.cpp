@@ -113,13 +113,15 @@ struct SceneLayers::Split {
   }
 };
 
-SceneLayers::SceneLayers(const Scene& scene, const SceneGround& ground, const StopRequest& stop)
-    : SceneLayers(Split(scene, ground, stop), ground, stop) {}
+SceneLayers::SceneLayers(const Scene& scene, const SceneGround& ground, const StopRequest& stop,
+                         Checker checker)
+    : SceneLayers(Split(scene, ground, stop), ground, stop, checker) {}
 
-SceneLayers::SceneLayers(Split split, const SceneGround& ground, const StopRequest& stop)
-    : obstacles_(split.obstacles, stop),
-      banks_(split.banks, stop),
-      ground_(std::move(split.ground), stop),
+SceneLayers::SceneLayers(Split split, const SceneGround& ground, const StopRequest& stop,
+                         Checker checker)
+    : obstacles_(split.obstacles, stop, checker),
+      banks_(split.banks, stop, checker),
+      ground_(std::move(split.ground), stop, checker),
       field_(split.standing(), fieldRegion(boundsOf(obstacles_, banks_), ground), stop) {}
 
 Eigen::AlignedBox3d SceneLayers::boundsOf(const ObstacleSet& a, const ObstacleSet& b) {

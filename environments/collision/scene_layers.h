@@ -17,7 +17,8 @@ namespace amble {
 class SceneLayers {
  public:
   /// @throws Stopped if that is asked for.
-  SceneLayers(const Scene& scene, const SceneGround& ground, const StopRequest& stop = {});
+  SceneLayers(const Scene& scene, const SceneGround& ground, const StopRequest& stop = {},
+              Checker checker = Checker::kFast);
 
   /// An object that the capsule touches or lies in, the ground left out; -1 for none.
   /// @param depth  by which it may sink into banks from above: that of the ground [m, >= 0]
@@ -30,7 +31,7 @@ class SceneLayers {
 
  private:
   struct Split;
-  SceneLayers(Split split, const SceneGround& ground, const StopRequest& stop);
+  SceneLayers(Split split, const SceneGround& ground, const StopRequest& stop, Checker checker);
   static Eigen::AlignedBox3d boundsOf(const ObstacleSet& a, const ObstacleSet& b);
 
   ObstacleSet obstacles_, banks_;

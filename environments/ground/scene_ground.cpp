@@ -94,7 +94,8 @@ double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, do
   double highest = kNone;
   all_.visitBox(plan, [&](int t) {
     Triangle3 local = all_.triangles()[t];
-    if (std::max({local[0].z(), local[1].z(), local[2].z()}) <= highest) return;
+    const auto [bottom, top] = std::minmax({local[0].z(), local[1].z(), local[2].z()});
+    if (top <= highest || top < low || bottom > high) return;  // which most are
     for (Eigen::Vector3d& corner : local) {
       const Eigen::Vector2d p = corner.head<2>() - a;
       corner.head<2>() << along.dot(p), aside.dot(p);

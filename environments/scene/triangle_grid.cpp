@@ -23,11 +23,21 @@ struct Polygon {
   int count = 0;
 };
 
+// Whether a triangle lies beside a box of the plane, all of it beyond one of its sides.
+bool isBeside(const Triangle3& t, const Eigen::AlignedBox2d& box) {
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto [low, high] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
+    if (high < box.min()[axis] || low > box.max()[axis]) return true;
+  }
+  return false;
+}
+
 // What of a triangle is within a box of the plane: Sutherland and Hodgman's clipping, side by side
 // of the box.
 Polygon clip(const Triangle3& t, const Eigen::AlignedBox2d& box) {
   std::array<Eigen::Vector3d, 8> out;
   Polygon in;
+  if (isBeside(t, box)) return in;
   std::copy(t.begin(), t.end(), in.corners.begin());
   in.count = 3;
   for (int side = 0; side < 4 && in.count > 0; ++side) {
