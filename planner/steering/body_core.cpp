@@ -6,15 +6,15 @@
 namespace amble {
 namespace {
 
-// Of stature: the upper half of the shanks, below most seats and table tops.
+// Of stature: the upper half of the shanks, below most seats and table tops, and above what feet
+// are lifted over.
 constexpr double kShankHeight = 0.22;
 constexpr double kUsedShare = 0.5;   // of what was measured
 constexpr double kThinnest = 0.005;  // a line that is covered by less is none [m]
 constexpr double kSpacing =
     0.1;  // of points along the path: chords of its tightest bends leave it by 3 mm [m]
-constexpr double kStandingMargin =
-    0.1;                                // at the path's ends, where feet stand beside its point [m]
-constexpr double kWalkingMargin = 0.5;  // and where one is a step behind [m]
+// Of limbs at the path's ends, beyond how far before or behind its point they are there [m].
+constexpr double kEndMargin = 0.1;
 
 // Where a part's axis passes a height; none where it does not.
 std::optional<Eigen::Vector3d> atHeight(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
@@ -23,10 +23,21 @@ std::optional<Eigen::Vector3d> atHeight(const Eigen::Vector3d& from, const Eigen
   return from + (height - from.z()) / (to.z() - from.z()) * (to - from);
 }
 
-// To the left of the path [m].
-double offsetFrom(const RootPath::Sample& path, const Eigen::Vector3d& point) {
-  return Eigen::Vector2d(-std::sin(path.heading), std::cos(path.heading))
-      .dot(point.head<2>() - path.position);
+bool isLimb(int joint, const JointRoles& roles) {
+  for (const Side side : {kLeft, kRight}) {
+    if (joint == roles.legs[side].leg || joint == roles.arms[side].arm ||
+        joint == roles.arms[side].fore_arm)
+      return true;
+  }
+  return false;
+}
+
+// Ahead of the path's point, to its left, and over the ground [m].
+Eigen::Vector3d fromPath(const RootPath::Sample& path, double ground,
+                         const Eigen::Vector3d& point) {
+  const Eigen::Vector2d way = point.head<2>() - path.position;
+  const Eigen::Vector2d ahead(std::cos(path.heading), std::sin(path.heading));
+  return {ahead.dot(way), ahead.x() * way.y() - ahead.y() * way.x(), point.z() - ground};
 }
 
 // The ground's height along a way, and where it has been level for as long as a stride.
@@ -56,34 +67,67 @@ class LevelWay {
 
 }  // namespace
 
+// A part over the walk: the ends of its axis in each frame (fromPath).
+struct BodyCore::Measure {
+  std::vector<Eigen::Vector3d> from, to;
+
+  // Of the heights at which the axis passes in every frame the nearest to what is wished for; none
+  // where there is none.
+  std::optional<double> heightAlways(std::optional<double> wish) const {
+    double low = 0.0, high = HUGE_VAL;
+    for (size_t i = 0; i < from.size(); ++i) {
+      low = std::max(low, std::min(from[i].z(), to[i].z()));
+      high = std::min(high, std::max(from[i].z(), to[i].z()));
+    }
+    if (low > high) return std::nullopt;
+    return std::clamp(wish.value_or(0.5 * (low + high)), low, high);
+  }
+
+  // The line that is covered at a height, or by the middle of the part.
+  Line line(std::optional<double> height, double radius, int part) const {
+    Eigen::AlignedBox2d box;
+    double standing = 0.0, walking = 0.0;  // farthest before or behind
+    for (size_t i = 0; i < from.size(); ++i) {
+      const Eigen::Vector3d at =
+          height ? *atHeight(from[i], to[i], *height) : Eigen::Vector3d(0.5 * (from[i] + to[i]));
+      box.extend(Eigen::Vector2d(at.tail<2>()));
+      walking = std::max(walking, std::abs(at.x()));
+      if (i == 0 || i + 1 == from.size()) standing = std::max(standing, std::abs(at.x()));
+    }
+    const double inside = kUsedShare * (radius - 0.5 * box.diagonal().norm());
+    const double margin = height ? kEndMargin : -HUGE_VAL;  // the trunk covers all of the path
+    return {box.center().x(), box.center().y(), inside, standing + margin, walking + margin, part};
+  }
+};
+
 BodyCore::BodyCore(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
                    const Body& body, double stature) {
   if (walk.buffer.size() == 0) return;
+  const size_t parts = body.parts.size();
+  std::vector<Measure> measures(parts);
   std::vector<JointFrame> joints(skeleton.size());
-  std::vector<Eigen::Vector3d> from(body.parts.size()), to(body.parts.size());
-  const double shank = kShankHeight * stature;
-  for (size_t part = 0; part < body.parts.size(); ++part) {
+  std::vector<Eigen::Vector3d> from(parts), to(parts);
+  for (int frame = 0; frame < walk.buffer.size(); ++frame) {
+    forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
+    placeBody(body, joints, from, to);
+    const FrameState& state = walk.buffer.states[frame];
+    const RootPath::Sample path = walk.path.at(state.arc);
+    for (size_t part = 0; part < parts; ++part) {
+      measures[part].from.push_back(fromPath(path, state.position.z(), from[part]));
+      measures[part].to.push_back(fromPath(path, state.position.z(), to[part]));
+    }
+  }
+  for (size_t part = 0; part < parts; ++part) {
     const int joint = body.parts[part].joint;
-    const bool pelvis = joint == roles.hips;
-    if (!pelvis && joint != roles.legs[kLeft].leg && joint != roles.legs[kRight].leg) continue;
-    Eigen::AlignedBox2d axis;  // where it passes the path: offset, height
-    bool always = true;
-    for (int frame = 0; frame < walk.buffer.size(); ++frame) {
-      forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
-      placeBody(body, joints, from, to);
-      const RootPath::Sample path = walk.path.at(walk.buffer.states[frame].arc);
-      const double ground = walk.buffer.states[frame].position.z();
-      const auto at = pelvis ? std::optional(Eigen::Vector3d(0.5 * (from[part] + to[part])))
-                             : atHeight(from[part], to[part], ground + shank);
-      always = always && at;
-      if (at) axis.extend(Eigen::Vector2d(offsetFrom(path, *at), at->z() - ground));
-    }
-    if (!always) continue;
-    const double inside = kUsedShare * (body.parts[part].radius - 0.5 * axis.diagonal().norm());
-    if (inside > kThinnest) {
-      lines_.push_back(
-          {axis.center().x(), axis.center().y(), inside, static_cast<int>(part), !pelvis});
-    }
+    const bool trunk = joint == roles.hips || joint == roles.head;
+    if (!trunk && !isLimb(joint, roles)) continue;
+    const bool leg = joint == roles.legs[kLeft].leg || joint == roles.legs[kRight].leg;
+    const std::optional<double> height =
+        measures[part].heightAlways(leg ? std::optional(kShankHeight * stature) : std::nullopt);
+    if (!trunk && !height) continue;
+    const Line line = measures[part].line(trunk ? std::nullopt : height, body.parts[part].radius,
+                                          static_cast<int>(part));
+    if (line.radius > kThinnest) lines_.push_back(line);
   }
 }
 
@@ -91,8 +135,6 @@ std::optional<BodyCore::Touch> BodyCore::touch(const Way& way, const CollisionWo
                                                CollisionScratch& scratch) const {
   const RootPath& path = way.path;
   const int count = std::max(1, static_cast<int>(std::ceil(path.length() / kSpacing)));
-  const double first = way.standing_first ? kStandingMargin : kWalkingMargin;
-  const double last = path.length() - (way.standing_last ? kStandingMargin : kWalkingMargin);
   std::vector<Eigen::Vector3d> before(lines_.size());
   LevelWay level(way);
   for (int i = 0; i <= count; ++i) {
@@ -104,7 +146,9 @@ std::optional<BodyCore::Touch> BodyCore::touch(const Way& way, const CollisionWo
       const Line& line = lines_[k];
       const Eigen::Vector2d point = at.position + line.offset * left;
       const Eigen::Vector3d here(point.x(), point.y(), level.z() + line.height);
-      const bool covered = !line.leg || (s - path.length() / count >= first && s <= last);
+      const double first = way.standing_first ? line.standing : line.walking;
+      const double last = path.length() - (way.standing_last ? line.standing : line.walking);
+      const bool covered = s - path.length() / count >= first && s <= last;
       if (i > 0 && covered && is_level) {
         const int object = world.touched(before[k], here, line.radius, scratch);
         if (object >= 0) return Touch{line.part, object, here, at.heading};

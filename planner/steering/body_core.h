@@ -1,13 +1,14 @@
 /// What the body covers wherever it walks: lines along the root path that something touches only if
 /// the body does.
 ///
-/// A cheap test before animation, that refuses and never allows. At the height of the pelvis the
-/// trunk stays on the path but for a few centimetres of sway, and no point of the path is walked by
-/// without it. At the height of the shanks each leg passes every point of the path on its own side,
-/// since a leg is one chain from foot to hip that moves from behind the point to before it. So
-/// there are three lines, at a height and an offset from the path each, that lie inside the body
-/// when it passes. How far inside is measured on a straight walk from standing to standing, and
-/// half of that is used: turning walks sway otherwise.
+/// A cheap test before animation, that refuses and never allows. At the heights of the pelvis and
+/// the head the trunk stays on the path but for a few centimetres of sway, and no point of the path
+/// is walked by without it. A limb passes every point of the path on its own side, at a height at
+/// which it always crosses: it is one chain from hip or shoulder that moves from behind the point
+/// to before it. So there are lines, at a height and an offset from the path each, that lie inside
+/// the body when it passes: two of the trunk, and one of each shank, upper arm and forearm. How far
+/// inside is measured on a straight walk from standing to standing, and half of that is used:
+/// turning walks sway otherwise.
 #pragma once
 
 #include <optional>
@@ -33,7 +34,7 @@ class BodyCore {
   struct Way {
     const RootPath& path;
     double z;                            ///< of the ground at its begin [m]
-    bool standing_first, standing_last;  ///< legs that walk there cover less of the path
+    bool standing_first, standing_last;  ///< limbs that walk there cover less of the path
     const SceneGround& ground;
   };
   /// What the body would touch on its way, or none, which says nothing. Asked where the way is
@@ -42,12 +43,14 @@ class BodyCore {
                              CollisionScratch& scratch) const;
 
  private:
+  struct Measure;
   struct Line {
     double offset = 0.0;  // from the path, left positive [m]
     double height = 0.0;  // over the ground [m]
     double radius = 0.0;  // of what is inside the body for sure [m, > 0]
-    int part = -1;        // of the body
-    bool leg = false;
+    // Beside ends of the path where the walker stands, or walks, so much of it is not covered [m].
+    double standing = 0.0, walking = 0.0;
+    int part = -1;  // of the body
   };
   std::vector<Line> lines_;
 };

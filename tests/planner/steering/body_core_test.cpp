@@ -59,6 +59,31 @@ TEST_F(BodyCoreTest, RefusesAWayThroughAWallAndSaysWhere) {
   EXPECT_NEAR(touch->heading, 0.0, 1e-9);
 }
 
+// The passage from y = 3.1 to 4: past its middle by more than half of what it is wider than the
+// body.
+TEST_F(BodyCoreTest, KnowsHowWideTheBodyIs) {
+  const BodyCore core = coreOf(room);
+  const auto passes = [&](double y) {
+    const RootPath path = line({1.5, y}, {4.5, y});
+    return !core.touch({path, 0.0, true, true, room.ground}, room.world, *scratch);
+  };
+  EXPECT_TRUE(passes(3.55));
+  EXPECT_FALSE(passes(3.28));  // an upper arm's middle is 0.2 m beside the path
+  EXPECT_FALSE(passes(3.82));
+}
+
+TEST_F(BodyCoreTest, KnowsHowTallTheBodyIs) {
+  Scene scene = furnishedScene();
+  scene.objects.push_back(boxObject("beam", {0.1, 4.0, 0.3}, {1.5, 2.0, 1.6}));
+  const FurnishedRoom low(scene);
+  const CollisionScratchPtr own = low.world.makeScratch();
+  const RootPath path = line({0.6, 2.0}, {2.4, 2.0});
+  const auto touch = coreOf(low).touch({path, 0.0, true, true, low.ground}, low.world, *own);
+  ASSERT_TRUE(touch.has_value());
+  EXPECT_EQ(low.scene.objects[touch->object].name, "beam");
+  EXPECT_EQ(low.body.parts[touch->part].name, "head");
+}
+
 TEST_F(BodyCoreTest, WithoutAWalkItRefusesNothing) {
   const BodyCore nothing({}, room.synthesizer.skeleton(), room.synthesizer.roles(), room.body, 1.7);
   const RootPath path = line({1.5, 1.5}, {5.0, 1.5});
