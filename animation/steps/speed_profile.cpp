@@ -151,9 +151,9 @@ void SpeedProfile::time() {
     }
     const double first = integralAt(start_arc_, &Knot::time, &Knot::slowness, false);
     const double last = integralAt(stop_arc_, &Knot::time, &Knot::slowness, false);
-    // Half the speed on average while starting and stopping.
-    start_time_ = ends_.from_standing ? 2.0 * first : 0.0;
-    stop_time_ = ends_.to_standing ? 2.0 * (knots_.back().time - last) : 0.0;
+    // Half the speed on average while starting and stopping, of the speed that they join at.
+    start_time_ = 2.0 * start_arc_ * valueAt(start_arc_, &Knot::slowness);
+    stop_time_ = 2.0 * (length_ - stop_arc_) * valueAt(stop_arc_, &Knot::slowness);
     return start_time_ + (last - first) + stop_time_;
   };
   const double natural = total(0.0);
@@ -161,6 +161,15 @@ void SpeedProfile::time() {
   const double wanted = frames_ * limits_.frame_time;
   const double slope = total(1.0) - natural;  // the total is linear in eta
   total((wanted - natural) / slope);
+}
+
+// Linear between knots.
+double SpeedProfile::valueAt(double arc, double Knot::*value) const {
+  const double spacing = knots_[1].arc;
+  const int last = static_cast<int>(knots_.size()) - 2;
+  const int i = std::clamp(static_cast<int>(arc / spacing), 0, last);
+  const double u = (arc - knots_[i].arc) / spacing;
+  return knots_[i].*value + u * (knots_[i + 1].*value - knots_[i].*value);
 }
 
 // Integral of a rate up to an arc, cubic between knots.
@@ -203,15 +212,6 @@ double SpeedProfile::arcAtStep(int step) const {
 SpeedProfile::Sample SpeedProfile::at(int frame) const {
   const double t = frame * limits_.frame_time;
   const double total = frames_ * limits_.frame_time;
-  const auto slownessAt = [&](double arc) {
-    const double spacing = knots_[1].arc;
-    const int i =
-        std::clamp(static_cast<int>(arc / spacing), 0, static_cast<int>(knots_.size()) - 2);
-    const double u = (arc - knots_[i].arc) / spacing;
-    return std::array<double, 2>{
-        knots_[i].slowness + u * (knots_[i + 1].slowness - knots_[i].slowness),
-        knots_[i].step + u * (knots_[i + 1].step - knots_[i].step)};
-  };
   if (frame <= 0)
     return {0.0, ends_.from_standing ? 0.0 : 1.0 / knots_.front().slowness, 0.0,
             knots_.front().step};
@@ -220,26 +220,23 @@ SpeedProfile::Sample SpeedProfile::at(int frame) const {
             static_cast<double>(steps_), knots_.back().step};
   }
   // Starting: speed grows as a smoothstep, so the arc is tau^3 - tau^4 / 2 of twice the distance.
+  const auto eased = [](double tau) { return tau * tau * tau * (1.0 - 0.5 * tau); };
   if (t < start_time_) {
-    const double tau = t / start_time_;
-    const auto [slowness, step] = slownessAt(start_arc_);
-    return {2.0 * start_arc_ * (tau * tau * tau * (1.0 - 0.5 * tau)),
-            smoothstep(tau) * 2.0 * start_arc_ / start_time_, tau, step};
+    const double tau = t / start_time_, whole = 2.0 * start_arc_;
+    return {whole * eased(tau), smoothstep(tau) * whole / start_time_, tau,
+            valueAt(start_arc_, &Knot::step)};
   }
   if (t > total - stop_time_) {
-    const double tau = (total - t) / stop_time_;
-    const auto [slowness, step] = slownessAt(stop_arc_);
-    const double left = length_ - stop_arc_;
-    return {length_ - 2.0 * left * (tau * tau * tau * (1.0 - 0.5 * tau)),
-            smoothstep(tau) * 2.0 * left / stop_time_, steps_ - tau, step};
+    const double tau = (total - t) / stop_time_, whole = 2.0 * (length_ - stop_arc_);
+    return {length_ - whole * eased(tau), smoothstep(tau) * whole / stop_time_, steps_ - tau,
+            valueAt(stop_arc_, &Knot::step)};
   }
   const double base = integralAt(start_arc_, &Knot::time, &Knot::slowness, false);
   const double arc = arcWhere(base + t - start_time_, &Knot::time, &Knot::slowness, false);
-  const auto [slowness, step] = slownessAt(arc);
   const double progress = integralAt(arc, &Knot::steps, &Knot::step, true) -
                           integralAt(start_arc_, &Knot::steps, &Knot::step, true) +
                           (ends_.from_standing ? 1.0 : 0.0);
-  return {arc, 1.0 / slowness, progress, step};
+  return {arc, 1.0 / valueAt(arc, &Knot::slowness), progress, valueAt(arc, &Knot::step)};
 }
 
 }  // namespace amble

@@ -86,6 +86,7 @@ class SpeedProfile {
     double slowness;     // [s/m]
     double steps, time;  // integrals from the path's begin, of 1/step and of slowness
   };
+  double valueAt(double arc, double Knot::*value) const;
   double integralAt(double arc, double Knot::*value, double Knot::*rate, bool inverse_rate) const;
   double arcWhere(double value, double Knot::*integral, double Knot::*rate,
                   bool inverse_rate) const;

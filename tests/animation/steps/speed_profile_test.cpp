@@ -123,6 +123,26 @@ TEST(SpeedProfile, SpeedIsTheRateOfTheArc) {
   });
 }
 
+// People speed up by 9 m/s^2 at most in a start of a sixth of a metre: 5 mm/s in a frame so short.
+TEST(SpeedProfile, SpeedDoesNotJumpWhereAStartOrAStopJoins) {
+  Generator generator(73);
+  int profiles = 0;
+  for (int i = 0; i < 100; ++i) {
+    const RootPath path = randomPath(generator, 5.0);
+    SpeedLimits limits = limitsOf(uniform(generator, 0.4, 2.0));
+    limits.frame_time = 1.0 / 2000.0;
+    const SpeedProfile p(path, limits, {});
+    if (p.refusal() != SpeedProfile::Refusal::kNone) continue;
+    ++profiles;
+    double jump = 0.0;
+    for (int k = 1; k <= p.frames(); ++k) {
+      jump = std::max(jump, std::abs(p.at(k).speed - p.at(k - 1).speed));
+    }
+    EXPECT_LT(jump, 0.005) << path.length() << " m at " << limits.speed << " m/s";
+  }
+  EXPECT_GT(profiles, 70);
+}
+
 TEST(SpeedProfile, AWalkIsAsManyStepsAsItsParityAsks) {
   forProfiles(
       [](const SpeedProfile& p, const RootPath&, const SpeedLimits&, const SpeedProfileEnds& ends) {
