@@ -16,9 +16,8 @@ class SampleStream {
 
   std::uint64_t bits();
   double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }  ///< [0, 1)
-  double uniform(double low, double high) {
-    return low + (high - low) * uniform();
-  }                                                                     ///< [low, high)
+  /// [low, high).
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
   int below(int count) { return static_cast<int>(uniform() * count); }  ///< 0 .. count - 1
 
  private:

@@ -21,8 +21,8 @@ struct SearchProgress {
 
 struct SearchLimits {
   std::uint64_t seed = 1;
-  int max_failures =
-      500;  ///< M: failures in a row to add a guard [1 to 1e6]; other planners say what they count
+  /// M: failures in a row to add a guard [1 to 1e6]; other planners say what they count.
+  int max_failures = 500;
   int threads = 1;  ///< [1 to 64]; changes no result
   std::optional<std::chrono::steady_clock::time_point>
       deadline;                             ///< only stops; whoever asks reports that it did

@@ -30,8 +30,8 @@ struct ClearanceReport {
 struct RoadmapReport {
   int guards = 0, connectors = 0, edges = 0;
   long long samples = 0;
-  double coverage =
-      0.0;  ///< estimated share of free space, 1 - 1/M when the search stopped by failures [0 to 1]
+  /// Estimated share of free space, 1 - 1/M when the search stopped by failures [0 to 1].
+  double coverage = 0.0;
 };
 
 /// Seconds by the clock: the only part that differs from run to run.

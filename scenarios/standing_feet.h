@@ -22,8 +22,8 @@ struct StandingFeet {
   /// Highest that a sole hangs over its ground in a plant: the median of its lowest point's height,
   /// since a step in place that is taken for one plant is none; at most kMostHover [m, >= 0].
   double hover_max = 0.0;
-  double hover_share = 0.0;  ///< of the planted time, that of plants that hang over kHoverLimit
-                             ///< [0 to 1]
+  /// Of the planted time, that of plants that hang over kHoverLimit [0 to 1].
+  double hover_share = 0.0;
 };
 
 /// Ground that is farther below a sole is not looked for [m].

@@ -19,8 +19,8 @@ struct ValidateOptions {
       metres_per_unit;  ///< of the BVH; none: guessed from the length of its legs [m, > 0]
   UpAxis up = UpAxis::kY;
   double height = 0.0;  ///< stature [m, 0.5 to 2.5]; 0: from the length of the legs
-  double fps = 0.0;  ///< checked at this rate too, in between as a player shows it [1/s]; 0: at the
-                     ///< frames only
+  /// Checked at this rate too, in between as a player shows it [1/s]; 0: at the frames only.
+  double fps = 0.0;
   std::optional<double> floor;   ///< height of the floor [m]; none: the one below the feet
   LoadLimits load = {};          ///< of the scene
   GroundLimits limits;           ///< what of the scene is ground: that of the walk's scenario

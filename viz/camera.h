@@ -10,9 +10,9 @@ struct Camera {
   Eigen::Vector3f eye = Eigen::Vector3f::Zero();  ///< World [m]
   /// Rows: right, down and forward in World, of unit length.
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
-  Eigen::Vector2f centre =
-      Eigen::Vector2f::Zero();  ///< where the forward axis meets the picture [pixels]
-  float scale = 1.0f;           ///< perspective: focal length [pixels]; parallel: pixels a metre
+  /// Where the forward axis meets the picture [pixels].
+  Eigen::Vector2f centre = Eigen::Vector2f::Zero();
+  float scale = 1.0f;  ///< perspective: focal length [pixels]; parallel: pixels a metre
   bool parallel = false;
 
   /// Right and down from the eye [m], and the depth along the view [m].

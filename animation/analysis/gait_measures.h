@@ -74,8 +74,8 @@ struct GaitMeasures {
   std::optional<double> length_asymmetry, time_asymmetry;
 
   double leg_length = 0.0;  ///< thigh + shank, mean of both [m, > 0]
-  double normalised_speed =
-      0.0;  ///< V = v / leg (Glardon): subjects of all sizes compare [1/s, >= 0]
+  /// V = v / leg (Glardon): subjects of all sizes compare [1/s, >= 0].
+  double normalised_speed = 0.0;
   double cycle_frequency = 0.0;  ///< two steps are a cycle [Hz, >= 0]
 };
 

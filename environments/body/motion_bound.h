@@ -23,8 +23,8 @@ namespace amble {
 /// Of one part over one interval.
 struct PartMotion {
   double path = 0.0;  ///< length of the way of any point of its axis, at most [m]
-  double bend =
-      0.0;  ///< how far such a point may be from the straight line between its two ends [m]
+  /// How far such a point may be from the straight line between its two ends [m].
+  double bend = 0.0;
 
   /// The same for each half of the interval.
   PartMotion halved() const { return {0.5 * path, 0.25 * bend}; }

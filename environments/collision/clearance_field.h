@@ -38,8 +38,8 @@ class ClearanceField {
  public:
   static constexpr double kFarthest = 0.637;     ///< larger distances are not told apart [m]
   static constexpr double kFinestVoxel = 0.025;  ///< [m]
-  static constexpr double kMostVoxels =
-      5e6;  ///< coarser voxels where there would be more: 5 MB, 25 MB while built
+  /// Coarser voxels where there would be more: 5 MB, 25 MB while built.
+  static constexpr double kMostVoxels = 5e6;
 
   /// The part of space in which it answers; obstacles outside are taken care of. An empty region
   /// answers nowhere.

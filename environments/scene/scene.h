@@ -37,8 +37,8 @@ struct SceneObject {
   std::string name;  ///< of the object in the scene file
   std::string part;  ///< name inside the mesh file, where it was one part; else empty
   Shape shape;
-  Eigen::Isometry3d X_WO =
-      Eigen::Isometry3d::Identity();  ///< scale is applied to the shape already
+  /// Scale is applied to the shape already.
+  Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
   Role role = Role::kAuto;
 };
 

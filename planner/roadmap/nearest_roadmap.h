@@ -14,8 +14,8 @@ class NearestRoadmap : public SampledRoadmap {
  public:
   using SampledRoadmap::SampledRoadmap;
 
-  static constexpr int kNeighbours =
-      6;  ///< by trial: fewer leave a room in pieces, more cost edges
+  /// By trial: fewer leave a room in pieces, more cost edges.
+  static constexpr int kNeighbours = 6;
 
  protected:
   Verdict judge(Candidate& candidate, SteeringScratch& scratch) const override;
