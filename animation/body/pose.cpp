@@ -50,6 +50,28 @@ void forwardKinematics(const Skeleton& skeleton, PoseView pose, std::span<JointF
   }
 }
 
+void forwardKinematics(const Skeleton& skeleton, PoseView pose, std::span<const int> chain,
+                       std::span<JointFrame> frames) {
+  assert(static_cast<int>(frames.size()) == skeleton.size() && !chain.empty() && chain[0] == 0);
+  const std::vector<Joint>& joints = skeleton.joints();
+  frames[0] = {pose.rotations[0], pose.p_WR};
+  for (const int j : chain.subspan(1)) {
+    const JointFrame& parent = frames[joints[j].parent];
+    frames[j].p_WJ = parent * joints[j].offset;
+    frames[j].q_WJ = parent.q_WJ * pose.rotations[j];
+  }
+}
+
+std::vector<int> chainOf(const Skeleton& skeleton, std::span<const int> joints) {
+  std::vector<bool> wanted(skeleton.size(), false);
+  for (int j : joints)
+    for (; j >= 0; j = skeleton.joint(j).parent) wanted[j] = true;
+  std::vector<int> chain;
+  for (int j = 0; j < skeleton.size(); ++j)
+    if (wanted[j]) chain.push_back(j);
+  return chain;
+}
+
 void interpolatePose(PoseView a, PoseView b, double t, Pose& out) {
   assert(a.rotations.size() == b.rotations.size());
   out.p_WR = (1.0 - t) * a.p_WR + t * b.p_WR;

@@ -70,6 +70,12 @@ struct JointFrame {
 /// X_WJ of every joint. Allocates nothing. @pre frames.size() == skeleton.size() ==
 /// pose.rotations.size().
 void forwardKinematics(const Skeleton& skeleton, PoseView pose, std::span<JointFrame> frames);
+/// The same of some joints only, in ascending order; with each its parent is among them, and the
+/// root is the first. The frames of others stay as they are.
+void forwardKinematics(const Skeleton& skeleton, PoseView pose, std::span<const int> chain,
+                       std::span<JointFrame> frames);
+/// Such joints: these and all that they hang on.
+std::vector<int> chainOf(const Skeleton& skeleton, std::span<const int> joints);
 
 /// The pose that a player shows at `t` [0, 1] between two frames (DESIGN.md, section 3): the root
 /// moves linearly, each joint turns by slerp on the shorter way. Written into `out` (p_WR and

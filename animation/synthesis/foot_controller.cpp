@@ -27,7 +27,12 @@ void smoothed(std::vector<double>& values, int half) {
 FootController::FootController(const Skeleton& skeleton, const JointRoles& roles,
                                const std::array<FootShape, 2>& shapes, const GaitBlend& blend,
                                const std::array<Eigen::Vector3d, 2>& knee_axes)
-    : skeleton_(skeleton), roles_(roles), shapes_(shapes), blend_(blend), knee_axes_(knee_axes) {}
+    : skeleton_(skeleton),
+      roles_(roles),
+      shapes_(shapes),
+      blend_(blend),
+      knee_axes_(knee_axes),
+      legs_(chainOf(skeleton, std::array{roles.legs[kLeft].foot, roles.legs[kRight].foot})) {}
 
 bool FootController::apply(AnimationBuffer& buffer) const {
   return dipHips(buffer) && placeLegs(buffer, 1.0);
@@ -40,7 +45,7 @@ bool FootController::applyUneven(AnimationBuffer& buffer) const {
 bool FootController::placeLegs(AnimationBuffer& buffer, double heel_share) const {
   std::vector<JointFrame> joints(skeleton_.size());
   for (int i = 0; i < buffer.size(); ++i) {
-    forwardKinematics(skeleton_, buffer.poses[i], joints);
+    forwardKinematics(skeleton_, buffer.poses[i], legs_, joints);
     for (const Side side : {kLeft, kRight}) {
       const FootTarget target = targetFor(side, buffer.states[i], joints, heel_share);
       if (!placeLeg(side, target, joints, buffer.poses.rotations(i))) return false;
@@ -147,7 +152,7 @@ bool FootController::placeLeg(Side side, const FootTarget& target,
 
 double FootController::missingHeight(const AnimationBuffer& buffer, int frame, double share,
                                      std::vector<JointFrame>& joints, double heel_share) const {
-  forwardKinematics(skeleton_, buffer.poses[frame], joints);
+  forwardKinematics(skeleton_, buffer.poses[frame], legs_, joints);
   double missing = 0.0;
   for (const Side side : {kLeft, kRight}) {
     const FootTarget target = targetFor(side, buffer.states[frame], joints, heel_share);

@@ -47,6 +47,7 @@ class FootController : public SubController {
   std::array<FootShape, 2> shapes_;
   const GaitBlend& blend_;
   std::array<Eigen::Vector3d, 2> knee_axes_;
+  std::vector<int> legs_;  // both, with what they hang on (chainOf)
 };
 
 }  // namespace amble

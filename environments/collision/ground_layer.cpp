@@ -175,6 +175,7 @@ void GroundLayer::fillSpans(const std::vector<Obstacle>& surfaces, const StopReq
     }
   }
   start_.push_back(static_cast<int>(spans_.size()));
+  for (const Span& span : spans_) top_ = std::max(top_, span.high);
 }
 
 bool GroundLayer::isInside(const Eigen::Vector3d& p) const {
@@ -183,6 +184,7 @@ bool GroundLayer::isInside(const Eigen::Vector3d& p) const {
 }
 
 bool GroundLayer::meetsSpan(const Eigen::AlignedBox3d& box) const {
+  if (box.min().z() >= top_) return false;  // which most are on level ground
   const Eigen::AlignedBox2d plan(Eigen::Vector2d(box.min().head<2>()),
                                  Eigen::Vector2d(box.max().head<2>()));
   if (extent_.isEmpty() || !extent_.intersects(plan)) return false;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <vector>
 
 #include "environments/body/capsule.h"
@@ -71,6 +72,7 @@ class GroundLayer {
   Eigen::Vector2i count_{0, 0};
   std::vector<int> start_;   // of each cell in spans_, and the end; x fastest
   std::vector<Span> spans_;  // lowest first, without overlap
+  double top_ = -HUGE_VAL;   // of all spans [m]
 };
 
 }  // namespace amble

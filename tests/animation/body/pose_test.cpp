@@ -30,6 +30,23 @@ TEST(Pose, ForwardKinematicsIsTheProductDownTheTree) {
   }
 }
 
+TEST(Pose, AChainsJointsStandWhereAllOfThemPutThem) {
+  Generator generator(23);
+  for (int i = 0; i < 20; ++i) {
+    const Clip clip = randomClip(generator, 30, 1);
+    const std::vector<JointFrame> all = jointFrames(clip, 0);
+    const std::vector<int> ends = {i, 29 - i / 2};
+    const std::vector<int> chain = chainOf(clip.skeleton, ends);
+    std::vector<JointFrame> frames(all.size());
+    forwardKinematics(clip.skeleton, clip.poses[0], chain, frames);
+    for (const int end : ends) EXPECT_NE(std::find(chain.begin(), chain.end(), end), chain.end());
+    for (const int j : chain) {
+      EXPECT_EQ(frames[j].p_WJ, all[j].p_WJ);
+      EXPECT_EQ(frames[j].q_WJ.coeffs(), all[j].q_WJ.coeffs());
+    }
+  }
+}
+
 TEST(Pose, MovingJointsStandWhereTheirPositionsSay) {
   Generator generator(22);
   Clip clip = randomClip(generator, 10, 3);
