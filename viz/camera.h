@@ -21,10 +21,14 @@ struct Camera {
   Eigen::Vector2f toPixel(const Eigen::Vector3f& v) const {
     return centre + v.head<2>() * (parallel ? scale : scale / v.z());
   }
-  /// The inverse: the World point at a pixel and depth.
-  Eigen::Vector3f toWorld(const Eigen::Vector2f& pixel, float depth) const {
+  /// The inverse: the point in view axes at a pixel and depth.
+  Eigen::Vector3f atPixel(const Eigen::Vector2f& pixel, float depth) const {
     const Eigen::Vector2f v = (pixel - centre) * (parallel ? 1.0f / scale : depth / scale);
-    return eye + axes.transpose() * Eigen::Vector3f(v.x(), v.y(), depth);
+    return {v.x(), v.y(), depth};
+  }
+  /// The same point in World.
+  Eigen::Vector3f toWorld(const Eigen::Vector2f& pixel, float depth) const {
+    return eye + axes.transpose() * atPixel(pixel, depth);
   }
   /// From a point on a surface towards the eye, unit length.
   Eigen::Vector3f towardsEye(const Eigen::Vector3f& p) const {

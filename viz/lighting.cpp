@@ -107,6 +107,22 @@ class Corners {
     return samples.at(x * kSupersampling, y * kSupersampling);
   }
 
+  // Directions of a spiral's points, from each of the turns that pixels begin it with.
+  using Spiral = std::array<Vector2f, kCornerTaps>;
+  static const std::array<Spiral, 16>& spirals() {
+    static const std::array<Spiral, 16> all = [] {
+      std::array<Spiral, 16> made;
+      for (int k = 0; k < 16; ++k) {
+        for (int i = 0; i < kCornerTaps; ++i) {
+          const float angle = noise(k % 4, k / 4) * 2 * kPi + static_cast<float>(i) * 2.39996f;
+          made[k][i] = {std::cos(angle), std::sin(angle)};
+        }
+      }
+      return made;
+    }();
+    return all;
+  }
+
   // Points around on a spiral; those that rise before the surface close it.
   float openness(const SampleBuffer& samples, const Camera& camera, float reach, int x,
                  int y) const {
@@ -114,21 +130,20 @@ class Corners {
     if (here.depth == 0 || (here.flags & kDecal)) return 1;
     const Vector2f pixel(static_cast<float>(x * kSupersampling) + 0.5f,
                          static_cast<float>(y * kSupersampling) + 0.5f);
-    const Vector3f p = camera.toWorld(pixel, here.depth);
+    const Vector3f p = camera.atPixel(pixel, here.depth), normal = camera.axes * here.normal;
     const float radius = camera.scale * reach / (camera.parallel ? 1.0f : here.depth);
-    const float turn = noise(x & 3, y & 3) * 2 * kPi;
+    const Spiral& spiral = spirals()[4 * (y & 3) + (x & 3)];
     float closed = 0;
     for (int i = 0; i < kCornerTaps; ++i) {
       const float r = radius * (static_cast<float>(i) + 0.5f) / kCornerTaps;
-      const float angle = turn + static_cast<float>(i) * 2.39996f;
-      const Vector2f at = pixel + r * Vector2f(std::cos(angle), std::sin(angle));
+      const Vector2f at = pixel + r * spiral[i];
       const int sx = static_cast<int>(at.x()), sy = static_cast<int>(at.y());
       if (sx < 0 || sy < 0 || sx >= samples.width || sy >= samples.height) continue;
       const Sample& other = samples.at(sx, sy);
       if (other.depth == 0) continue;
-      const Vector3f d = camera.toWorld(at, other.depth) - p;
+      const Vector3f d = camera.atPixel(at, other.depth) - p;
       const float distance = d.norm() + 1e-4f;
-      const float rise = std::max(0.0f, d.dot(here.normal) / distance - 0.08f);
+      const float rise = std::max(0.0f, d.dot(normal) / distance - 0.08f);
       closed += rise / (1 + (distance / reach) * (distance / reach));
     }
     return std::max(0.0f, 1 - 1.7f * closed / kCornerTaps);

@@ -92,67 +92,122 @@ void project(const DrawTriangle& triangle, const Camera& camera, const Visit& vi
   }
 }
 
+// What of the triangles the camera sees, projected once, and which of it meets each band of the
+// picture's rows.
+class Projected {
+ public:
+  struct Item {
+    ScreenTriangle screen;
+    const DrawTriangle* source;
+  };
+
+  // In the order of the triangles, of those that `wanted` takes.
+  template <typename Wanted>
+  Projected(std::span<const DrawTriangle> triangles, const Camera& camera, int rows, int threads,
+            const Wanted& wanted)
+      : rows_(rows), bands_(bandCount(rows)) {
+    constexpr int kParts = 64;
+    std::array<std::vector<Item>, kParts> parts;
+    parallelFor(kParts, threads, [&](int part, int) {
+      const size_t begin = triangles.size() * part / kParts;
+      const size_t end = triangles.size() * (part + 1) / kParts;
+      for (const DrawTriangle& triangle : triangles.subspan(begin, end - begin)) {
+        if (wanted(triangle))
+          project(triangle, camera, [&](const ScreenTriangle& t) {
+            parts[part].push_back({t, &triangle});
+          });
+      }
+    });
+    for (const std::vector<Item>& part : parts)
+      items_.insert(items_.end(), part.begin(), part.end());
+    for (size_t i = 0; i < items_.size(); ++i) addToBands(static_cast<int>(i));
+  }
+
+  static int bandCount(int rows) { return std::min(rows, kBands); }
+
+  // Calls draw(item, first row, end of rows) for what meets each band.
+  template <typename Draw>
+  void forEach(int threads, const Draw& draw) const {
+    parallelFor(static_cast<int>(bands_.size()), threads, [&](int b, int) {
+      for (const int i : bands_[b]) draw(items_[i], begin(b), begin(b + 1));
+    });
+  }
+
+ private:
+  int begin(int band) const { return rows_ * band / static_cast<int>(bands_.size()); }
+
+  void addToBands(int i) {
+    const auto& [a, b, c] = items_[i].screen.at;
+    const auto [low, high] = std::minmax({a.y(), b.y(), c.y()});
+    const auto& last = static_cast<float>(rows_);
+    if (!(high >= 0.0f && low <= last)) return;
+    for (int band = 0; band < static_cast<int>(bands_.size()); ++band)
+      if (static_cast<float>(begin(band)) <= high && low <= static_cast<float>(begin(band + 1)))
+        bands_[band].push_back(i);
+  }
+
+  int rows_;
+  std::vector<Item> items_;
+  std::vector<std::vector<int>> bands_;  // numbers of items, ascending
+};
+
 float depthOf(float nearness, bool parallel) { return parallel ? -nearness : 1 / nearness; }
 
 uint8_t byteOf(float v) {
   return static_cast<uint8_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 255));
 }
 
-void drawBand(const DrawTriangle& triangle, const Camera& camera, int first, int last,
-              SampleBuffer& buffer) {
+void drawBand(const DrawTriangle& triangle, const ScreenTriangle& t, bool parallel, int first,
+              int last, SampleBuffer& buffer) {
   const std::array<uint8_t, 3> color = {byteOf(triangle.color.x()), byteOf(triangle.color.y()),
                                         byteOf(triangle.color.z())};
   const float lift = triangle.flags & kDecal ? kDecalLift : 0.0f;
-  project(triangle, camera, [&](const ScreenTriangle& t) {
-    coverSamples(t, buffer.width, first, last, [&](int x, int y, const Vector3f& w) {
-      if ((triangle.flags & kSeeThrough) && ((x & 1) || (y & 1))) return;
-      const float nearness = w.x() * t.nearness[0] + w.y() * t.nearness[1] + w.z() * t.nearness[2];
-      const float depth = depthOf(nearness, camera.parallel);
-      Sample& sample = buffer.samples[static_cast<size_t>(y) * buffer.width + x];
-      if (sample.depth > 0 && depth - lift >= sample.depth) return;
-      Vector3f normal = Vector3f::Zero();
-      for (int k = 0; k < 3; ++k)
-        normal += w[k] * (camera.parallel ? 1.0f : t.nearness[k]) * t.normal[k];
-      sample = {depth, normal.normalized(), color, triangle.flags};
-    });
+  coverSamples(t, buffer.width, first, last, [&](int x, int y, const Vector3f& w) {
+    if ((triangle.flags & kSeeThrough) && ((x & 1) || (y & 1))) return;
+    const float nearness = w.x() * t.nearness[0] + w.y() * t.nearness[1] + w.z() * t.nearness[2];
+    const float depth = depthOf(nearness, parallel);
+    Sample& sample = buffer.samples[static_cast<size_t>(y) * buffer.width + x];
+    if (sample.depth > 0 && depth - lift >= sample.depth) return;
+    Vector3f normal = Vector3f::Zero();
+    for (int k = 0; k < 3; ++k) normal += w[k] * (parallel ? 1.0f : t.nearness[k]) * t.normal[k];
+    sample = {depth, normal.normalized(), color, triangle.flags};
   });
 }
 
 }  // namespace
 
 void forBands(int rows, int threads, const std::function<void(int, int)>& work) {
-  const int bands = std::min(rows, kBands);
+  const int bands = Projected::bandCount(rows);
   parallelFor(bands, threads, [&](int b, int) { work(rows * b / bands, rows * (b + 1) / bands); });
 }
 
 SampleBuffer rasterize(std::span<const DrawTriangle> triangles, const Camera& camera, int width,
                        int height, int threads) {
   SampleBuffer buffer{width, height, std::vector<Sample>(static_cast<size_t>(width) * height)};
-  forBands(height, threads, [&](int first, int last) {
-    for (const DrawTriangle& triangle : triangles)
-      if (!(triangle.flags & kDecal)) drawBand(triangle, camera, first, last, buffer);
-    for (const DrawTriangle& triangle : triangles)
-      if (triangle.flags & kDecal) drawBand(triangle, camera, first, last, buffer);
-  });
+  for (const bool decals : {false, true}) {
+    const Projected seen(triangles, camera, height, threads, [&](const DrawTriangle& t) {
+      return ((t.flags & kDecal) != 0) == decals;
+    });
+    seen.forEach(threads, [&](const Projected::Item& item, int first, int last) {
+      drawBand(*item.source, item.screen, camera.parallel, first, last, buffer);
+    });
+  }
   return buffer;
 }
 
 DepthMap rasterizeDepth(std::span<const DrawTriangle> triangles, const Camera& camera, int width,
                         int height, uint8_t skip_flags, int threads) {
   DepthMap map{width, height, std::vector<float>(static_cast<size_t>(width) * height)};
-  forBands(height, threads, [&](int first, int last) {
-    for (const DrawTriangle& triangle : triangles) {
-      if (triangle.flags & skip_flags) continue;
-      project(triangle, camera, [&](const ScreenTriangle& t) {
-        coverSamples(t, width, first, last, [&](int x, int y, const Vector3f& w) {
-          const float nearness =
-              w.x() * t.nearness[0] + w.y() * t.nearness[1] + w.z() * t.nearness[2];
-          const float depth = depthOf(nearness, camera.parallel);
-          float& old = map.depth[static_cast<size_t>(y) * width + x];
-          if (old == 0 || depth < old) old = depth;
-        });
-      });
-    }
+  const Projected seen(triangles, camera, height, threads,
+                       [&](const DrawTriangle& t) { return !(t.flags & skip_flags); });
+  seen.forEach(threads, [&](const Projected::Item& item, int first, int last) {
+    const ScreenTriangle& t = item.screen;
+    coverSamples(t, width, first, last, [&](int x, int y, const Vector3f& w) {
+      const float nearness = w.x() * t.nearness[0] + w.y() * t.nearness[1] + w.z() * t.nearness[2];
+      const float depth = depthOf(nearness, camera.parallel);
+      float& old = map.depth[static_cast<size_t>(y) * width + x];
+      if (old == 0 || depth < old) old = depth;
+    });
   });
   return map;
 }
