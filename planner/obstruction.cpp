@@ -11,11 +11,6 @@
 #include "planner/steering/straight_walk.h"
 
 namespace amble {
-
-std::string nameOf(const SceneObject& object) {
-  return object.part.empty() ? object.name : object.name + ": " + object.part;
-}
-
 namespace {
 
 constexpr double kProbeRadius = 0.02;    // of the post that feels for what is beside a place [m]
@@ -101,7 +96,7 @@ class PlaceProbe {
       const Eigen::Vector3d p = ground + d * unit(heading);
       const int object = request_.world->touched(
           p + Eigen::Vector3d(0, 0, low), p + Eigen::Vector3d(0, 0, high), kProbeRadius, *scratch_);
-      if (object >= 0) return Side{d, nameOf(request_.world->scene().objects[object])};
+      if (object >= 0) return Side{d, objectName(request_.world->scene().objects[object])};
     }
     return std::nullopt;
   }
@@ -184,7 +179,7 @@ class PlaceProbe {
     for (double height = kOverhead * stature_; height < stature_; height += kProbeStep) {
       const Eigen::Vector3d p = why.body + Eigen::Vector3d(0, 0, height);
       const int object = request_.world->touched(p, p, kProbeRadius, *scratch_);
-      if (object < 0 || nameOf(request_.world->scene().objects[object]) != why.object) continue;
+      if (object < 0 || objectName(request_.world->scene().objects[object]) != why.object) continue;
       if (height <= kOverhead * stature_) return;  // it goes on below: no thing to walk under
       why.width = height + kProbeRadius;
       why.needed = stature_;
@@ -216,7 +211,7 @@ class PlaceProbe {
     const Eigen::Vector3d high = why.at + Eigen::Vector3d(0, 0, highest + kOverhead * stature_);
     const int object = request_.world->touched(low, high, kProbeRadius, *scratch_);
     if (object < 0) return false;
-    why.object = nameOf(request_.world->scene().objects[object]);
+    why.object = objectName(request_.world->scene().objects[object]);
     const Eigen::Vector2d p = why.at.head<2>();
     const Eigen::Vector2d ahead = p + kSeenAhead * way.head<2>().normalized();
     const double top = request_.ground->crest(p, ahead, kProbeRadius, low.z(), high.z());
@@ -291,7 +286,7 @@ std::optional<Obstruction> mostOften(const std::vector<SteeringFailure>& refusal
   why.heading = middle.heading;
   why.gap = HUGE_VAL;
   for (const SteeringFailure* failure : these) why.gap = std::min(why.gap, failure->gap);
-  if (most.second >= 0) why.object = nameOf(scene.objects[most.second]);
+  if (most.second >= 0) why.object = objectName(scene.objects[most.second]);
   const int part = best(by_part).first;
   if (part >= 0) why.part = body.parts[part].name;
   return why;

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "animation/captures/asf_skeleton.h"
+#include "animation/captures/capture_file.h"
 #include "animation/captures/text_cursor.h"
 #include "base/error.h"
 #include "base/rotation.h"

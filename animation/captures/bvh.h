@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "animation/body/clip.h"
-#include "animation/captures/capture_file.h"
+#include "base/file_axes.h"
 
 namespace amble {
 

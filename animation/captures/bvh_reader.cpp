@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "animation/captures/bvh.h"
+#include "animation/captures/capture_file.h"
 #include "animation/captures/text_cursor.h"
 #include "base/error.h"
 #include "base/rotation.h"

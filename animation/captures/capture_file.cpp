@@ -49,10 +49,6 @@ std::string_view plainText(std::string_view text, const std::string& name, std::
   return mended;
 }
 
-Eigen::Vector3d fileToWorld(const Eigen::Vector3d& p_file, UpAxis up) {
-  return up == UpAxis::kY ? Eigen::Vector3d(p_file.x(), -p_file.z(), p_file.y()) : p_file;
-}
-
 void turnUpright(UpAxis up, Clip& clip) {
   if (up == UpAxis::kZ) return;
   for (int i = 0; i < clip.frames(); ++i) {

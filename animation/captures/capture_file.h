@@ -8,12 +8,10 @@
 #include <vector>
 
 #include "animation/body/clip.h"
+#include "base/file_axes.h"
 #include "base/files.h"
 
 namespace amble {
-
-/// The vertical axis of a capture file. World is z up (DESIGN.md, section 2).
-enum class UpAxis { kY, kZ };
 
 /// More joints than that are hostile, not data.
 inline constexpr int kMaxJoints = 10'000;
@@ -45,9 +43,6 @@ inline constexpr double kMinFrameTime = 1e-4, kMaxFrameTime = 1.0;
 inline bool isFrameTime(double seconds) {
   return seconds >= kMinFrameTime && seconds <= kMaxFrameTime;
 }
-
-/// A point of a file in World: of a y-up file (x, y, z) is (x, -z, y).
-Eigen::Vector3d fileToWorld(const Eigen::Vector3d& p_file, UpAxis up);
 
 /// Turns a clip that is as its file has it, axes and all, to z up.
 void turnUpright(UpAxis up, Clip& clip);

@@ -7,6 +7,7 @@
 #include "animation/captures/asf_amc.h"
 #include "animation/captures/bvh.h"
 #include "animation/captures/capture_checks.h"
+#include "animation/captures/capture_file.h"
 #include "animation/captures/find_asf.h"
 #include "animation/captures/motion_guesses.h"
 #include "animation/captures/node_file.h"

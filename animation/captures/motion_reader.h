@@ -12,8 +12,8 @@
 
 #include "animation/body/clip.h"
 #include "animation/body/joint_roles.h"
-#include "animation/captures/capture_file.h"
 #include "animation/captures/reading.h"
+#include "base/file_axes.h"
 
 namespace amble {
 

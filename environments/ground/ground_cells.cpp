@@ -3,11 +3,11 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
 #include "base/rotation.h"
+#include "base/union_find.h"
 
 namespace amble {
 namespace {
@@ -28,11 +28,6 @@ struct Hit {
   bool faces_up;
 };
 
-int rootOf(std::vector<int>& parent, int i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 }  // namespace
 
 struct GroundCells::Builder {
@@ -50,8 +45,7 @@ struct GroundCells::Builder {
   std::vector<bool> inside = std::vector<bool>(pieces.pieces.size(), false);
   std::vector<int> depth = std::vector<int>(scene.objects.size(), 0);
   int solids = 0;
-  std::vector<bool> said = {};   // of each span: of an object that is said to be ground
-  std::vector<int> parent = {};  // of each span, union-find
+  std::vector<bool> said = {};  // of each span: of an object that is said to be ground
 
   using Open = std::vector<std::pair<int, Eigen::Vector2i>>;  // spans, squares
 
@@ -70,7 +64,6 @@ struct GroundCells::Builder {
   void eachSpan(Visit visit_one) const;
   template <typename Visit>
   void eachNeighbour(int span, const Eigen::Vector2i& other, double most, Visit visit_one) const;
-  void join(int a, int b);
   void choose();
   void choosePlaces();
   void goOn();
@@ -201,40 +194,32 @@ void GroundCells::Builder::eachNeighbour(int span, const Eigen::Vector2i& other,
     if (std::abs(there[k].height - cells.spans_[span].height) <= most) visit_one(first + k);
 }
 
-void GroundCells::Builder::join(int a, int b) {
-  a = rootOf(parent, a);
-  b = rootOf(parent, b);
-  parent[std::max(a, b)] = std::min(a, b);
-}
-
 void GroundCells::Builder::joinSteps() {
-  parent.resize(cells.spans_.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  UnionFind parts(static_cast<int>(cells.spans_.size()));
   const double step = std::max(settings.limits.highestStep(), kLevel);
   eachSpan([&](int span, const Eigen::Vector2i& square) {
     if (!cells.spans_[span].standable) return;
     for (int far = 1; far <= kStepReach; ++far) {
       for (const Eigen::Vector2i& way : {Eigen::Vector2i(far, 0), Eigen::Vector2i(0, far)}) {
         eachNeighbour(span, square + way, step, [&](int other) {
-          if (cells.spans_[other].standable) join(span, other);
+          if (cells.spans_[other].standable) parts.join(span, other);
         });
       }
     }
   });
-  for (size_t span = 0; span < parent.size(); ++span)
-    if (cells.spans_[span].standable)
-      cells.spans_[span].part = rootOf(parent, static_cast<int>(span));
+  for (int span = 0; span < parts.size(); ++span)
+    if (cells.spans_[span].standable) cells.spans_[span].part = parts.find(span);
 }
 
 // Parts that are ground: large, or said to be.
 void GroundCells::Builder::choose() {
-  std::vector<long long> size(parent.size(), 0);
+  std::vector<long long> size(cells.spans_.size(), 0);
   eachColumn([&](int begin, int end, int squares) {
     for (int k = begin; k < end; ++k)
       if (cells.spans_[k].part >= 0) size[cells.spans_[k].part] += squares;
   });
-  std::vector<bool> chosen(parent.size(), false);
-  for (size_t i = 0; i < parent.size(); ++i) {
+  std::vector<bool> chosen(cells.spans_.size(), false);
+  for (size_t i = 0; i < cells.spans_.size(); ++i) {
     Span& span = cells.spans_[i];
     const bool at_level = settings.level && std::abs(span.height - *settings.level) <= kLevel;
     const auto area = [&] {
@@ -249,7 +234,7 @@ void GroundCells::Builder::choose() {
 
 // What places name is ground, and where none is and none is named whatever can be stood on.
 void GroundCells::Builder::choosePlaces() {
-  std::vector<bool> chosen(parent.size(), false);
+  std::vector<bool> chosen(cells.spans_.size(), false);
   for (const GroundPlace& place : settings.places) {
     const Eigen::Vector2i at = cells.squareAt(place.at);
     const auto here = cells.spans(at.x(), at.y());

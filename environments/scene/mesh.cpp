@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/rotation.h"
+#include "base/union_find.h"
 
 namespace amble {
 namespace {
@@ -73,11 +74,6 @@ std::vector<EdgeUse> sortedEdges(const TriangleMesh& mesh) {
   }
   std::sort(edges.begin(), edges.end());
   return edges;
-}
-
-int rootOf(std::vector<int>& parent, int i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
 }
 
 // Rings of a body of revolution about z: `profile` holds (radius, z) from the bottom to the top,
@@ -174,16 +170,13 @@ std::vector<MeshComponent> splitComponents(const TriangleMesh& mesh) {
     for (int& v : t) v = first[v];
 
   const std::vector<EdgeUse> edges = sortedEdges(joined);
-  std::vector<int> parent(joined.triangles.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  UnionFind pieces(static_cast<int>(joined.triangles.size()));
   std::vector<bool> on_border(joined.triangles.size(), false);
   for (size_t begin = 0, end; begin < edges.size(); begin = end) {
     end = begin;
     while (end < edges.size() && edges[end].low == edges[begin].low &&
            edges[end].high == edges[begin].high) {
-      // The lower index becomes the root, so that components come in the order of the mesh.
-      const int a = rootOf(parent, edges[begin].triangle), b = rootOf(parent, edges[end].triangle);
-      parent[std::max(a, b)] = std::min(a, b);
+      pieces.join(edges[begin].triangle, edges[end].triangle);
       ++end;
     }
     if ((end - begin) % 2 != 0) on_border[edges[begin].triangle] = true;
@@ -192,7 +185,7 @@ std::vector<MeshComponent> splitComponents(const TriangleMesh& mesh) {
   std::vector<std::vector<int>> triangles_of(joined.triangles.size());
   std::vector<bool> open(joined.triangles.size(), false);
   for (size_t t = 0; t < joined.triangles.size(); ++t) {
-    const int root = rootOf(parent, static_cast<int>(t));
+    const int root = pieces.find(static_cast<int>(t));
     triangles_of[root].push_back(static_cast<int>(t));
     if (on_border[t]) open[root] = true;
   }

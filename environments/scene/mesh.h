@@ -13,12 +13,6 @@ struct TriangleMesh {
       triangles;  ///< indices of vertices, counter-clockwise from outside
 };
 
-/// Takes a y-up file's (x, y, z) to World's (x, -z, y), exactly: without the rounding of a
-/// quaternion.
-inline Eigen::Matrix3d yUpMatrix() {
-  return (Eigen::Matrix3d() << 1, 0, 0, 0, 0, -1, 0, 1, 0).finished();
-}
-
 /// Primitives as closed meshes, centred on the origin, z up [m]. `segments` round the axis [>= 8].
 TriangleMesh makeBox(const Eigen::Vector3d& size);
 TriangleMesh makeCylinder(double radius, double height, int segments = 48);

@@ -17,6 +17,7 @@
 
 #include "base/assimp_scene.h"
 #include "base/error.h"
+#include "base/file_axes.h"
 
 namespace amble {
 namespace {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/file_axes.h"
 #include "base/rotation.h"
 #include "base/strict_yaml.h"
 #include "environments/scene/mesh_reader.h"
@@ -147,19 +148,19 @@ class SceneReader {
               "righted by `rotate: [-90, 0, 0]`");
     if (!file.has_axes && !up)
       mesh.fail("'up' is missing for " + path.filename().string(), "`up: y` or `up: z`");
-    const bool y_up = up && up.indexIn({"y", "z"}) == 0;
+    const UpAxis axis = up && up.indexIn({"y", "z"}) == 0 ? UpAxis::kY : UpAxis::kZ;
     const YamlNode scale_node = node["scale"];
     const double scale = scale_node ? scale_node.asPositive("scale", 1e9) : 1.0;
     std::vector<PartRule> rules = readRules(node);
-    for (std::string& warning : meshWarnings(object.name, file, scale, !scale_node, y_up))
+    for (std::string& warning :
+         meshWarnings(object.name, file, scale, !scale_node, axis == UpAxis::kY))
       scene_.warnings.push_back(std::move(warning));
     for (const MeshPart& part : file.parts) {
       SceneObject piece = object;
       if (file.parts.size() > 1 && !part.names.empty()) piece.part = part.names.front();
       piece.role = roleOf(part, rules, object.role);
       TriangleMesh placed = part.mesh;
-      for (Eigen::Vector3d& v : placed.vertices)
-        v = scale * (y_up ? Eigen::Vector3d(v.x(), -v.z(), v.y()) : v);
+      for (Eigen::Vector3d& v : placed.vertices) v = scale * fileToWorld(v, axis);
       piece.shape = std::move(placed);
       addObject(std::move(piece), node);
     }

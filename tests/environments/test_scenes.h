@@ -7,6 +7,7 @@
 #include "environments/body/capsule.h"
 #include "environments/collision/obstacle_set.h"
 #include "environments/scene/scene.h"
+#include "tests/environments/test_meshes.h"
 
 namespace amble {
 
@@ -27,19 +28,6 @@ inline Scene sceneOf(std::vector<SceneObject> objects) {
   Scene scene;
   scene.objects = std::move(objects);
   return scene;
-}
-
-/// The mesh with every triangle wound the other way.
-inline TriangleMesh turned(TriangleMesh mesh) {
-  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
-  return mesh;
-}
-
-inline TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
-  const int base = static_cast<int>(a.vertices.size());
-  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (const auto& t : b.triangles) a.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-  return a;
 }
 
 /// Steps of `rise` and `going` [m] that begin at x = 0 and go up along +x, each a box from the

@@ -4,6 +4,7 @@
 
 #include "base/rotation.h"
 #include "planner/plan_walk.h"
+#include "planner/steering/walk_steering.h"
 #include "tests/planner/furnished_room.h"
 
 namespace amble {
@@ -35,14 +36,6 @@ TEST(Obstruction, IsTheRuleAndObjectThatRefusedMostOften) {
   EXPECT_EQ(why->count, 3);
   EXPECT_EQ(why->gap, 0.0);
   EXPECT_EQ(why->at, Eigen::Vector3d(3, 2, 1));  // the middle one
-}
-
-TEST(Obstruction, PartsOfMeshesAreNamedWithTheirObject) {
-  SceneObject object;
-  object.name = "house";
-  EXPECT_EQ(nameOf(object), "house");
-  object.part = "door";
-  EXPECT_EQ(nameOf(object), "house: door");
 }
 
 TEST(Obstruction, LineSaysRulePartObjectPlaceAndHowMuch) {
@@ -136,6 +129,63 @@ TEST(Obstruction, WhereTheGroundEndsItsGapIsMeasured) {
   EXPECT_NEAR(why->at.x(), 3.0, 0.05);
   EXPECT_NEAR(*why->width, 2.0, 0.05);
   EXPECT_LT(*why->needed, 1.5);
+}
+
+TEST(Obstruction, EveryRulesLineBeginsWithItsNameAndSaysWhere) {
+  for (int i = 1; i < kWalkRules; ++i) {
+    Obstruction why;
+    why.rule = static_cast<WalkRule>(i);
+    why.count = 3;
+    why.at = {1.25, -2.5, 0};
+    why.body = {1.25, -2.5, 0};
+    const std::string line = describe(why);
+    EXPECT_TRUE(holds(line, std::string(walkRuleName(why.rule)))) << line;
+    EXPECT_TRUE(holds(line, "(1.25, -2.50, 0.00)")) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+  }
+}
+
+TEST(Obstruction, OfAsManyTheRuleOfTheOrderCounts) {
+  const FurnishedRoom& room = furnishedRoom();
+  const std::vector<SteeringFailure> one = {contact(1, 5, {3, 1, 1}), {WalkRule::kTurnRate}},
+                                     other = {{WalkRule::kTurnRate}, contact(1, 5, {3, 1, 1})};
+  const auto a = mostOften(one, room.scene, room.body), b = mostOften(other, room.scene, room.body);
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->rule, b->rule);  // whatever order threads find them in
+  EXPECT_EQ(a->count, 1);
+}
+
+TEST(Obstruction, LongestStepIsLongerThanAUsualOneAndShorterThanALeap) {
+  const double step = longestStep(furnishedRoom().synthesizer);
+  EXPECT_GT(step, furnishedRoom().synthesizer.stepLength());
+  EXPECT_LT(step, 1.5);
+}
+
+// The place that is offered for an end that is blocked is the nearest that would do, and it does.
+TEST(Obstruction, FreePlacesThatAreOfferedAreFreeAndNear) {
+  const FurnishedRoom& room = furnishedRoom();
+  const WalkSteering steering(room.synthesizer, room.world, room.ground);
+  const SteeringScratchPtr scratch = steering.makeScratch();
+  for (const Eigen::Vector3d& at : {Eigen::Vector3d(4.5, 1.2, 0), Eigen::Vector3d(3.0, 1.0, 0),
+                                    Eigen::Vector3d(5.95, 3.9, 0)}) {
+    Waypoint end;
+    end.stance.position = at;
+    end.any_heading = true;
+    Stance blocked = end.stance;
+    const auto failure = steering.stand(blocked, *scratch);
+    ASSERT_TRUE(failure.has_value());
+    const Obstruction why = whatBlocks(*failure, end, requestIn(room), steering);
+    ASSERT_TRUE(why.free.has_value()) << at.transpose();
+    EXPECT_LT((*why.free - at).norm(), 1.2);
+    bool stands = false;
+    for (int i = 0; i < 16; ++i) {
+      Stance stance = end.stance;
+      stance.position = *why.free;
+      stance.heading = kPi * i / 8;
+      stands = stands || !steering.stand(stance, *scratch);
+    }
+    EXPECT_TRUE(stands) << at.transpose();
+  }
 }
 
 }  // namespace

@@ -8,28 +8,10 @@
 
 #include "test_paths.h"
 #include "tests/environments/test_files.h"
+#include "tests/environments/test_meshes.h"
 
 namespace amble {
 namespace {
-
-Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& v : mesh.vertices) box.extend(v);
-  return box;
-}
-
-double volumeOf(const TriangleMesh& mesh) {
-  double volume = 0.0;
-  for (const auto& t : mesh.triangles)
-    volume += mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6.0;
-  return volume;
-}
-
-void expectBounds(const TriangleMesh& mesh, const Eigen::Vector3d& min,
-                  const Eigen::Vector3d& max) {
-  EXPECT_LT((boundsOf(mesh).min() - min).norm(), 1e-6) << boundsOf(mesh).min().transpose();
-  EXPECT_LT((boundsOf(mesh).max() - max).norm(), 1e-6) << boundsOf(mesh).max().transpose();
-}
 
 std::string collada(const std::string& unit, const std::string& up) {
   return R"(<?xml version="1.0"?>

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "base/rotation.h"
 #include "test_paths.h"
 #include "tests/environments/test_files.h"
+#include "tests/environments/test_meshes.h"
 
 namespace amble {
 namespace {
@@ -24,16 +26,9 @@ std::string refusal(const std::string& objects, const std::string& before = "obj
   return error.substr(file.string().size() + 1);
 }
 
-Eigen::AlignedBox3d boundsOf(const SceneObject& object) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& v : worldMesh(object).vertices) box.extend(v);
-  return box;
-}
-
 void expectBounds(const SceneObject& object, const Eigen::Vector3d& min,
                   const Eigen::Vector3d& max) {
-  EXPECT_LT((boundsOf(object).min() - min).norm(), 1e-6) << boundsOf(object).min().transpose();
-  EXPECT_LT((boundsOf(object).max() - max).norm(), 1e-6) << boundsOf(object).max().transpose();
+  expectBounds(worldMesh(object), min, max);
 }
 
 TEST(ReadScene, BadInputIsRefusedAtItsLine) {
@@ -234,6 +229,69 @@ TEST(ReadScene, AStopBeforeTheFirstObjectEndsIt) {
   const std::atomic<bool> stop = true;
   EXPECT_THROW(readScene(file, {.stop = {&stop, {}}}), Stopped);
   EXPECT_THROW(readScene(file, {.stop = {nullptr, std::chrono::steady_clock::now()}}), Stopped);
+}
+
+TEST(ObjectName, OfAPartNamesItsObjectToo) {
+  SceneObject object;
+  object.name = "house";
+  EXPECT_EQ(objectName(object), "house");
+  object.part = "door";
+  EXPECT_EQ(objectName(object), "house: door");
+}
+
+// A cube of OBJ from 0 to 1, scaled and placed by its middle, is the box of that size there.
+TEST(ReadScene, ABoxAndACubeOfAFileAreTheSameThingPlacedAlike) {
+  const TestFolder folder;
+  folder.write("cube.obj", cubeObj());
+  std::mt19937_64 generator(71);
+  std::uniform_real_distribution<double> place(-5, 5), angle(-180, 180), size(0.3, 3);
+  for (int n = 0; n < 5; ++n) {
+    const double s = size(generator);
+    const std::string rotate = "rotate: [" + std::to_string(angle(generator)) + ", " +
+                               std::to_string(angle(generator)) + ", " +
+                               std::to_string(angle(generator)) + "]";
+    const std::string edge = std::to_string(s);
+    const Scene scene = readScene(folder.write(
+        "s.yaml", "objects:\n  - {name: a, box: {size: [" + edge + ", " + edge + ", " + edge +
+                      "]}, " + rotate + "}\n  - {name: b, mesh: cube.obj, up: z, scale: " + edge +
+                      ", " + rotate + "}\n"));
+    const TriangleMesh box = worldMesh(scene.objects[0]), cube = worldMesh(scene.objects[1]);
+    EXPECT_NEAR(volumeOf(box), volumeOf(cube), 1e-6);
+    const Eigen::Vector3d off = boundsOf(cube).center() - boundsOf(box).center();
+    for (const Eigen::Vector3d& corner : box.vertices) {
+      double nearest = HUGE_VAL;
+      for (const Eigen::Vector3d& v : cube.vertices)
+        nearest = std::min(nearest, (v - off - corner).norm());
+      EXPECT_LT(nearest, 1e-6);
+    }
+  }
+}
+
+TEST(ReadScene, YUpIsAQuarterTurnAboutX) {
+  const TestFolder folder;
+  folder.write("t.obj", "v 1 2 3\nv 0 0 1\nv 1 0 0\nf 1 2 3\n");
+  const Scene scene =
+      readScene(folder.write("s.yaml",
+                             "objects:\n  - {name: a, mesh: t.obj, up: y}\n"
+                             "  - {name: b, mesh: t.obj, up: z, rotate: [90, 0, 0]}\n"));
+  const TriangleMesh a = worldMesh(scene.objects[0]), b = worldMesh(scene.objects[1]);
+  for (size_t i = 0; i < a.vertices.size(); ++i)
+    EXPECT_LT((a.vertices[i] - b.vertices[i]).norm(), 1e-12);
+}
+
+TEST(WorldMesh, OfEveryPrimitiveIsClosedOutwardsAndWhereItStands) {
+  for (const Shape& shape : {Shape(Box{{1, 2, 3}}), Shape(Cylinder{0.4, 1.5}), Shape(Sphere{0.6}),
+                             Shape(CapsuleShape{0.3, 1.4})}) {
+    SceneObject object;
+    object.shape = shape;
+    object.X_WO.translation() = Eigen::Vector3d(3, -2, 7);
+    object.X_WO.linear() = aboutZ(0.4).toRotationMatrix();
+    const TriangleMesh mesh = worldMesh(object);
+    ASSERT_EQ(splitComponents(mesh).size(), 1u);
+    EXPECT_TRUE(splitComponents(mesh)[0].closed);
+    EXPECT_GT(volumeOf(mesh), 0.0);
+    EXPECT_LT((boundsOf(mesh).center() - Eigen::Vector3d(3, -2, 7)).norm(), 0.01);
+  }
 }
 
 }  // namespace
