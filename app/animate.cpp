@@ -10,6 +10,7 @@
 #include "animation/captures/bvh.h"
 #include "animation/ground/ground.h"
 #include "animation/library/motion_library_reader.h"
+#include "animation/quality/step_measures.h"
 #include "animation/quality/walk_quality.h"
 #include "animation/synthesis/action.h"
 #include "animation/synthesis/walk_synthesizer.h"

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 
+#include "animation/captures/capture_file.h"
 #include "app/command.h"
 #include "app/findings.h"
 #include "app/read_options.h"

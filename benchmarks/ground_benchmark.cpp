@@ -13,6 +13,7 @@
 #include "animation/library/motion_library_reader.h"
 #include "animation/steps/foothold.h"
 #include "animation/synthesis/walk_synthesizer.h"
+#include "environments/ground/ground_cells.h"
 #include "environments/ground/scene_ground.h"
 
 namespace amble {

@@ -1,18 +1,12 @@
 /// All that the body of a motion touches, and when.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "environments/collision/collision_world.h"
+#include "scenarios/walk_findings.h"
 
 namespace amble {
-
-/// A stretch of time in which one body part touches one object.
-struct ContactSpan {
-  double start = 0.0, end = 0.0;  ///< [s]
-  std::string part, object;
-};
 
 /// Every part that touches something at a frame, with the first object of the scene that it
 /// touches; between two frames, where the first of them is free, the part that touches something

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/rotation.h"
 #include "base/sha256.h"
 #include "base/strict_yaml.h"
@@ -10,6 +11,7 @@
 namespace amble {
 namespace {
 
+constexpr FileKind kScenarioKind = {"a scenario (YAML)", size_t{1} << 20};
 constexpr double kFarthest =
     100000.0;  // of a coordinate [m]: beyond it a place is a slip of the pen
 

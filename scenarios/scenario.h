@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "base/files.h"
 #include "base/rotation.h"
 #include "planner/plan_walk.h"
 
@@ -91,7 +90,6 @@ struct ScenarioFile {
   std::filesystem::path file;
   std::string text;
 };
-inline constexpr FileKind kScenarioKind = {"a scenario (YAML)", size_t{1} << 20};
 
 /// @param file  `-` is standard input. @throws InputError if it cannot be read or is too large.
 ScenarioFile readScenarioFile(const std::filesystem::path& file);

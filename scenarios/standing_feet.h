@@ -5,26 +5,14 @@
 #include "animation/analysis/foot_plants.h"
 #include "animation/ground/ground.h"
 #include "scenarios/foot_measures.h"
+#include "scenarios/walk_findings.h"
 
 namespace amble {
-
-/// A planted sole that is higher over its ground is seen to hang in the air [m].
-inline constexpr double kHoverLimit = 0.015;
 
 /// Plants as detectPlants finds them on one level floor, on ground of any shape: each joint's
 /// height is taken from the ground below it. @param floor  is below what has no ground below it [m]
 FootPlants plantsOver(const Clip& clip, const JointRoles& roles, const Ground& ground,
                       double floor);
-
-struct StandingFeet {
-  int plants = 0;
-  double skate_mean = 0.0, skate_max = 0.0;  ///< of the plants' slides [m]
-  /// Highest that a sole hangs over its ground in a plant: the median of its lowest point's height,
-  /// since a step in place that is taken for one plant is none; at most kMostHover [m, >= 0].
-  double hover_max = 0.0;
-  /// Of the planted time, that of plants that hang over kHoverLimit [0 to 1].
-  double hover_share = 0.0;
-};
 
 /// Ground that is farther below a sole is not looked for [m].
 inline constexpr double kMostHover = 1.0;

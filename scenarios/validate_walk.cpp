@@ -8,7 +8,10 @@
 #include "base/error.h"
 #include "base/statistics.h"
 #include "base/text.h"
+#include "scenarios/find_contacts.h"
 #include "scenarios/problem.h"
+#include "scenarios/standing_feet.h"
+#include "scenarios/walker_ground.h"
 
 namespace amble {
 namespace {

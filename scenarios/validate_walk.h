@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "animation/captures/bvh.h"
-#include "scenarios/find_contacts.h"
-#include "scenarios/standing_feet.h"
-#include "scenarios/walker_ground.h"
+#include "animation/ground/ground_limits.h"
+#include "base/file_axes.h"
+#include "environments/scene/scene.h"
+#include "scenarios/walk_findings.h"
 
 namespace amble {
 

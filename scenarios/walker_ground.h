@@ -1,7 +1,7 @@
 /// What is ground to a walker of some stature.
 #pragma once
 
-#include "environments/ground/ground_cells.h"
+#include "environments/ground/ground_settings.h"
 
 namespace amble {
 

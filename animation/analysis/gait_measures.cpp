@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
 #include "base/statistics.h"
 

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "animation/analysis/foot_plants.h"
-#include "animation/analysis/motion_measures.h"
 #include "animation/body/step_measure.h"
 #include "animation/ground/ground.h"
 

@@ -7,6 +7,7 @@
 #include "base/data_directory.h"
 #include "base/error.h"
 #include "base/rotation.h"
+#include "base/strict_yaml.h"
 
 namespace amble {
 namespace {

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "animation/library/motion_library.h"
-#include "base/strict_yaml.h"
 
 namespace amble {
+
+class YamlNode;
 
 /// @throws InputError with file and line: unknown keys, sizes that do not fit the skeleton, a walk
 /// that is called straight and turns. Whether it can walk is another question: whyItCannotWalk.

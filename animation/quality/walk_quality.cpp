@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "animation/analysis/gait_measures.h"
+#include "animation/analysis/motion_measures.h"
+#include "animation/quality/step_measures.h"
 #include "base/rotation.h"
 
 namespace amble {

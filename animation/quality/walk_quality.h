@@ -11,10 +11,11 @@
 #include "animation/body/joint_roles.h"
 #include "animation/ground/ground.h"
 #include "animation/library/motion_library.h"
-#include "animation/quality/step_measures.h"
 #include "animation/synthesis/animation_buffer.h"
 
 namespace amble {
+
+struct JudgedStep;  // step_measures.h
 
 /// What the captures measure that a walk is made from, by measureGait.
 struct QualityAnchors {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "environments/scene/scene_pieces.h"
+
 namespace amble {
 namespace {
 

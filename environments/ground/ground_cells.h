@@ -15,40 +15,18 @@
 /// costs what its edges do. Only where more than kMostSquares are left do they grow.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "animation/ground/ground_limits.h"
 #include "base/stop_request.h"
+#include "environments/ground/ground_settings.h"
 #include "environments/scene/scene_pieces.h"
 
 namespace amble {
 
-/// Where somebody is to stand.
-struct GroundPlace {
-  Eigen::Vector2d at{0, 0};
-  std::optional<double> z;  ///< names a surface, that nearest to it within kFloorReach [m]
-};
-/// How far from a place's z its floor may lie [m].
-inline constexpr double kFloorReach = 0.3;
-
-/// What a character can stand on, and what of a scene is asked for.
-struct GroundSettings {
-  GroundLimits limits;
-  double headroom = 1.0;      ///< free height without which nobody walks, not even stooped [m, > 0]
-  double foot_length = 0.25;  ///< [m, > 0]
-  double foot_breadth = 0.09;  ///< [m, > 0]
-  /// Ground is what is at this height, too, however small [m]...
-  std::optional<double> level;
-  /// ...and what these places name, or have where there is no ground.
-  std::vector<GroundPlace> places;
-};
-
 class GroundCells {
  public:
-  /// How far two surfaces may be apart and still be one level: rugs and thresholds [m].
-  static constexpr double kLevel = 0.03;
+  static constexpr double kLevel = kOneLevel;
   /// What hangs together and is smaller is furniture: larger than tables and beds, smaller than
   /// rooms [m^2].
   static constexpr double kFloorArea = 4.0;

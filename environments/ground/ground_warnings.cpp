@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <optional>
 
+#include "environments/ground/ground_cells.h"
+
 namespace amble {
 namespace {
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "environments/ground/ground_cells.h"
+
 namespace amble {
 namespace {
 
@@ -35,47 +37,63 @@ GroundSettings atLevel(double level) {
 
 }  // namespace
 
+struct SceneGround::Parts {
+  explicit Parts(ScenePieces of_scene) : pieces(std::move(of_scene)), all(pieces.triangles) {}
+
+  ScenePieces pieces;
+  TriangleGrid all, surfaces;
+  std::optional<GroundCells> cells;
+};
+
 SceneGround::SceneGround(const Scene& scene, double level) : SceneGround(scene, atLevel(level)) {}
 
 SceneGround::SceneGround(const Scene& scene, const GroundSettings& settings,
                          const StopRequest& stop)
     : settings_(settings),
-      pieces_(std::make_unique<ScenePieces>(splitScene(scene, stop))),
-      all_(pieces_->triangles),
-      up_(facingUp(scene, *pieces_, settings.limits.max_slope)),
+      parts_(std::make_unique<Parts>(splitScene(scene, stop))),
+      up_(facingUp(scene, parts_->pieces, settings.limits.max_slope)),
       ground_triangles_(up_.size(), false),
       ground_objects_(scene.objects.size(), false) {
-  cells_ = std::make_unique<GroundCells>(scene, *pieces_, all_, up_, settings, stop);
+  const ScenePieces& of_scene = parts_->pieces;
+  parts_->cells.emplace(scene, of_scene, parts_->all, up_, settings, stop);
   std::vector<Triangle3> ground;
   for (size_t t = 0; t < up_.size(); ++t) {
-    const int object = pieces_->pieceOf(static_cast<int>(t)).object;
+    const int object = of_scene.pieceOf(static_cast<int>(t)).object;
     if (!up_[t]) continue;
-    if (scene.objects[object].role != Role::kGround && !cells_->isGround(pieces_->triangles[t]))
+    if (scene.objects[object].role != Role::kGround &&
+        !parts_->cells->isGround(of_scene.triangles[t]))
       continue;
     ground_triangles_[t] = true;
     ground_objects_[object] = true;
-    ground.push_back(pieces_->triangles[t]);
+    ground.push_back(of_scene.triangles[t]);
     for (const Eigen::Vector3d& corner : ground.back())
       heights_.extend(Eigen::AlignedBox1d::VectorType(corner.z()));
   }
-  surfaces_ = TriangleGrid(std::move(ground));
+  parts_->surfaces = TriangleGrid(std::move(ground));
   is_level_ = heights_.isEmpty() || heights_.sizes()[0] <= kLevel;
 }
 
 SceneGround::~SceneGround() = default;
 SceneGround::SceneGround(SceneGround&&) noexcept = default;
 
+const Eigen::AlignedBox2d& SceneGround::extent() const { return parts_->surfaces.extent(); }
+const GroundCells& SceneGround::cells() const { return *parts_->cells; }
+const ScenePieces& SceneGround::pieces() const { return parts_->pieces; }
+const TriangleGrid& SceneGround::all() const { return parts_->all; }
+const TriangleGrid& SceneGround::surfaces() const { return parts_->surfaces; }
+
 std::optional<SurfacePoint> SceneGround::surface(double x, double y, double z, double reach) const {
   double best = kNone;
   int found = -1;
-  surfaces_.visitAt(x, y, [&](int t) {
-    const auto height = heightOver(surfaces_.triangles()[t], x, y);
+  const TriangleGrid& ground = surfaces();
+  ground.visitAt(x, y, [&](int t) {
+    const auto height = heightOver(ground.triangles()[t], x, y);
     if (!height || std::abs(*height - z) > reach || *height <= best) return;
     best = *height;
     found = t;
   });
   if (found < 0) return std::nullopt;
-  const Triangle3& t = surfaces_.triangles()[found];
+  const Triangle3& t = ground.triangles()[found];
   const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
   return SurfacePoint{best, normal.z() < 0.0 ? Eigen::Vector3d(-normal) : normal};
 }
@@ -92,8 +110,9 @@ double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, do
   for (const Eigen::Vector2d& end : {a, b})
     for (const double side : {half_width, -half_width}) plan.extend(end + side * aside);
   double highest = kNone;
-  all_.visitBox(plan, [&](int t) {
-    Triangle3 local = all_.triangles()[t];
+  const TriangleGrid& things = all();
+  things.visitBox(plan, [&](int t) {
+    Triangle3 local = things.triangles()[t];
     const auto [bottom, top] = std::minmax({local[0].z(), local[1].z(), local[2].z()});
     if (top <= highest || top < low || bottom > high) return;  // which most are
     for (Eigen::Vector3d& corner : local) {
@@ -125,22 +144,22 @@ std::vector<double> SceneGround::floors(double x, double y) const {
   const auto collect = [&](const TriangleGrid& grid, int t, std::vector<double>& out) {
     if (const auto z = heightOver(grid.triangles()[t], x, y)) out.push_back(*z);
   };
-  surfaces_.visitAt(x, y, [&](int t) { collect(surfaces_, t, ground); });
+  surfaces().visitAt(x, y, [&](int t) { collect(surfaces(), t, ground); });
   if (ground.empty()) {
-    all_.visitAt(x, y, [&](int t) {
-      if (up_[t]) collect(all_, t, any);
+    all().visitAt(x, y, [&](int t) {
+      if (up_[t]) collect(all(), t, any);
     });
   }
-  std::vector<double>& all = ground.empty() ? any : ground;
-  std::sort(all.begin(), all.end());
+  std::vector<double>& heights = ground.empty() ? any : ground;
+  std::sort(heights.begin(), heights.end());
   std::vector<double> floors;
-  for (size_t i = 0; i < all.size(); ++i) {
+  for (size_t i = 0; i < heights.size(); ++i) {
     // Covered by other ground: what lies under a kerb or a low stair is no floor.
-    const bool covered = std::any_of(all.begin(), all.end(), [&](double z) {
-      return z > all[i] + kLevel && z < all[i] + settings_.headroom;
+    const bool covered = std::any_of(heights.begin(), heights.end(), [&](double z) {
+      return z > heights[i] + kLevel && z < heights[i] + settings_.headroom;
     });
-    if (covered || (!floors.empty() && all[i] - floors.back() <= kLevel)) continue;
-    floors.push_back(all[i]);
+    if (covered || (!floors.empty() && heights[i] - floors.back() <= kLevel)) continue;
+    floors.push_back(heights[i]);
   }
   return floors;
 }
@@ -148,16 +167,17 @@ std::vector<double> SceneGround::floors(double x, double y) const {
 // What of the cells a floor is part of: of the ground nearest to p in the squares about it; -1 for
 // none.
 int SceneGround::floorOf(const Eigen::Vector3d& p) const {
-  const Eigen::Vector2i at = cells_->squareAt(p.head<2>());
-  const double most = kLevel + std::tan(settings_.limits.max_slope) * 1.5 * cells_->cell();
+  const GroundCells& squares = cells();
+  const Eigen::Vector2i at = squares.squareAt(p.head<2>());
+  const double most = kLevel + std::tan(settings_.limits.max_slope) * 1.5 * squares.cell();
   int found = -1;
   double nearest = std::numeric_limits<double>::infinity();
   for (int row = at.y() - 1; row <= at.y() + 1; ++row) {
     for (int column = at.x() - 1; column <= at.x() + 1; ++column) {
-      for (const GroundCells::Span& span : cells_->spans(column, row)) {
+      for (const GroundCells::Span& span : squares.spans(column, row)) {
         const double off = std::abs(span.height - p.z());
         if (span.floor < 0 || off > most) continue;
-        const double apart = off + (cells_->middle(column, row) - p.head<2>()).norm();
+        const double apart = off + (squares.middle(column, row) - p.head<2>()).norm();
         if (apart >= nearest) continue;
         nearest = apart;
         found = span.floor;
@@ -173,7 +193,7 @@ std::vector<double> SceneGround::mainFloors(double x, double y) const {
   int largest = -1;
   for (const double height : all) {
     floor_of.push_back(floorOf({x, y, height}));
-    if (cells_->area(floor_of.back()) > cells_->area(largest)) largest = floor_of.back();
+    if (cells().area(floor_of.back()) > cells().area(largest)) largest = floor_of.back();
   }
   if (largest < 0) return all;
   std::vector<double> main;

@@ -6,17 +6,21 @@
 #include <vector>
 
 #include "animation/ground/ground.h"
-#include "environments/ground/ground_cells.h"
+#include "environments/ground/ground_settings.h"
 #include "environments/scene/scene.h"
 
 namespace amble {
+
+class GroundCells;   // ground_cells.h
+struct ScenePieces;  // scene_pieces.h
+class TriangleGrid;  // triangle_grid.h
 
 /// Floors, stairs, ramps, kerbs, rugs: those surfaces of `auto` and `ground` objects that
 /// GroundCells finds to be ground. Answers come from the triangles themselves. Everything else is
 /// an obstacle; what of it is low enough to be stepped over is told by `crest`.
 class SceneGround : public Ground {
  public:
-  static constexpr double kLevel = GroundCells::kLevel;
+  static constexpr double kLevel = kOneLevel;
 
   /// @throws Stopped if that is asked for.
   explicit SceneGround(const Scene& scene, const GroundSettings& settings = {},
@@ -52,27 +56,27 @@ class SceneGround : public Ground {
   /// Whether the object has ground that counts: soles may touch it.
   bool isGround(int object) const { return ground_objects_[object]; }
   /// Extent of what can be walked on [m].
-  const Eigen::AlignedBox2d& extent() const { return surfaces_.extent(); }
+  const Eigen::AlignedBox2d& extent() const;
   /// Whether all of it lies within kLevel of one height, in one layer.
   bool isLevel() const { return is_level_; }
   /// Heights of all of it [m].
   const Eigen::AlignedBox1d& heights() const { return heights_; }
-  const GroundCells& cells() const { return *cells_; }
-  const ScenePieces& pieces() const { return *pieces_; }
+  const GroundCells& cells() const;
+  const ScenePieces& pieces() const;
   /// All triangles of the scene, by number of ScenePieces.
-  const TriangleGrid& all() const { return all_; }
+  const TriangleGrid& all() const;
   /// The ground's triangles.
-  const TriangleGrid& surfaces() const { return surfaces_; }
+  const TriangleGrid& surfaces() const;
   /// By number of ScenePieces.
   bool isGroundTriangle(int triangle) const { return ground_triangles_[triangle]; }
 
  private:
   int floorOf(const Eigen::Vector3d& p) const;
 
+  struct Parts;
+
   GroundSettings settings_;
-  std::unique_ptr<ScenePieces> pieces_;
-  TriangleGrid all_, surfaces_;
-  std::unique_ptr<GroundCells> cells_;
+  std::unique_ptr<Parts> parts_;             // what it is made of: pieces, triangles, cells
   std::vector<bool> up_, ground_triangles_;  // by triangle
   std::vector<bool> ground_objects_;         // by object
   Eigen::AlignedBox1d heights_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/union_find.h"
+#include "environments/ground/ground_cells.h"
 
 namespace amble {
 namespace {

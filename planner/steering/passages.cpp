@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/rotation.h"
+#include "environments/ground/ground_cells.h"
 
 namespace amble {
 namespace {

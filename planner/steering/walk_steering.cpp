@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/rotation.h"
+#include "environments/ground/ground_cells.h"
 #include "planner/steering/passages.h"
 #include "planner/steering/walk_effort.h"
 

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "animation/captures/bvh.h"
 #include "base/rotation.h"
 #include "scenarios/run_scenario.h"
+#include "scenarios/standing_feet.h"
 #include "tests/scenarios/small_room.h"
 
 namespace amble {

@@ -1,0 +1,27 @@
+/// What is found of a walk that is validated: what it touches, what its feet do.
+#pragma once
+
+#include <string>
+
+namespace amble {
+
+/// A stretch of time in which one body part touches one object.
+struct ContactSpan {
+  double start = 0.0, end = 0.0;  ///< [s]
+  std::string part, object;
+};
+
+/// A planted sole that is higher over its ground is seen to hang in the air [m].
+inline constexpr double kHoverLimit = 0.015;
+
+struct StandingFeet {
+  int plants = 0;
+  double skate_mean = 0.0, skate_max = 0.0;  ///< of the plants' slides [m]
+  /// Highest that a sole hangs over its ground in a plant: the median of its lowest point's height,
+  /// since a step in place that is taken for one plant is none; at most kMostHover [m, >= 0].
+  double hover_max = 0.0;
+  /// Of the planted time, that of plants that hang over kHoverLimit [0 to 1].
+  double hover_share = 0.0;
+};
+
+}  // namespace amble
