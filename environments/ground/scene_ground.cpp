@@ -11,6 +11,8 @@ namespace amble {
 namespace {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
+// Of what stands upright, but for rounding, the normal rises by less [1].
+constexpr double kUpright = 1e-6;
 // Against the rounding of normals: a ramp of exactly the steepest slope is ground.
 constexpr double kSlopeRounding = 1e-6;
 
@@ -115,6 +117,8 @@ double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, do
     Triangle3 local = things.triangles()[t];
     const auto [bottom, top] = std::minmax({local[0].z(), local[1].z(), local[2].z()});
     if (top <= highest || top < low || bottom > high) return;  // which most are
+    // The half of a wall's side that its diagonal bounds does not end there.
+    if (top > high && std::abs(upwardness(local)) < kUpright) return;
     for (Eigen::Vector3d& corner : local) {
       const Eigen::Vector2d p = corner.head<2>() - a;
       corner.head<2>() << along.dot(p), aside.dot(p);

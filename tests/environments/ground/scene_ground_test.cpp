@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "base/rotation.h"
+#include "environments/ground/ground_cells.h"
+#include "environments/scene/triangle_grid.h"
 #include "tests/environments/test_scenes.h"
 
 namespace amble {
@@ -244,6 +247,138 @@ TEST(MainFloors, OfStoreysThatNothingJoinsAreOfTheLarger) {
 TEST(MainFloors, WithoutGroundAreWhateverThereIs) {
   const SceneGround ground(sceneOf({makeObject("stool", Box{{0.4, 0.4, 0.4}}, {0, 0, 0.2})}));
   EXPECT_EQ(ground.mainFloors(0, 0), ground.floors(0, 0));
+}
+
+/// Hills over 8 x 8 m, a corner every half metre, no steeper than one in five.
+struct Hills {
+  static constexpr int kSide = 17;
+  static constexpr double kStep = 0.5;
+
+  explicit Hills(std::uint64_t seed) {
+    std::mt19937_64 generator(seed);
+    std::uniform_real_distribution<double> up(-0.05, 0.05);
+    for (int i = 0; i < kSide * kSide; ++i) {
+      mesh.vertices.emplace_back(kStep * (i % kSide), kStep * (i / kSide), up(generator));
+    }
+    for (int j = 0; j + 1 < kSide; ++j) {
+      for (int i = 0; i + 1 < kSide; ++i) {
+        const int a = j * kSide + i, b = a + 1, c = a + kSide, d = c + 1;
+        mesh.triangles.push_back({a, b, d});
+        mesh.triangles.push_back({a, d, c});
+      }
+    }
+  }
+  /// By the two triangles of a square, which meet in its diagonal.
+  double at(double x, double y) const {
+    const int i = std::min(kSide - 2, static_cast<int>(x / kStep));
+    const int j = std::min(kSide - 2, static_cast<int>(y / kStep));
+    const double u = x / kStep - i, v = y / kStep - j;
+    const auto z = [&](int di, int dj) { return mesh.vertices[(j + dj) * kSide + i + di].z(); };
+    return u >= v ? z(0, 0) + u * (z(1, 0) - z(0, 0)) + v * (z(1, 1) - z(1, 0))
+                  : z(0, 0) + v * (z(0, 1) - z(0, 0)) + u * (z(1, 1) - z(0, 1));
+  }
+  TriangleMesh mesh;
+};
+
+TEST(SceneGround, HeightsAndNormalsOfRandomHillsAreThoseOfTheirTriangles) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const Hills hills(seed);
+    const SceneGround ground(sceneOf({makeObject("hills", hills.mesh, {0, 0, 0})}));
+    EXPECT_FALSE(ground.isLevel());
+    std::mt19937_64 generator(seed + 10);
+    std::uniform_real_distribution<double> place(0.01, 7.99);
+    for (int n = 0; n < 500; ++n) {
+      const double x = place(generator), y = place(generator);
+      const double u = std::fmod(x, 0.5), v = std::fmod(y, 0.5);
+      const double to_edge = std::min({u, 0.5 - u, v, 0.5 - v, std::abs(u - v)});
+      if (to_edge < 2.0 * kSeam) continue;  // where two triangles are both over a point
+      const auto point = ground.surface(x, y, 0.0, 0.3);
+      ASSERT_TRUE(point.has_value()) << x << " " << y;
+      EXPECT_NEAR(point->height, hills.at(x, y), 1e-9);
+      EXPECT_EQ(ground.floors(x, y).size(), 1u);
+      EXPECT_EQ(ground.stand(x, y, 0.2, 0.5)->height, point->height);
+      // The plane of its normal goes on as the hill does.
+      constexpr double kBeside = 1e-6;
+      const double slope_x = (hills.at(x + kBeside, y) - hills.at(x, y)) / kBeside;
+      EXPECT_NEAR(-point->normal.x() / point->normal.z(), slope_x, 1e-6);
+      EXPECT_NEAR(point->normal.norm(), 1.0, 1e-12);
+    }
+  }
+}
+
+TEST(SceneGround, AHillOfSolidBoxesIsItsHighestTop) {
+  std::mt19937_64 generator(5);
+  std::uniform_real_distribution<double> place(-4.0, 4.0), size(1.0, 4.0), rise(0.05, 0.2);
+  std::vector<SceneObject> objects = {floorSlab()};
+  std::vector<std::pair<Eigen::AlignedBox2d, double>> tops;
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector2d at(place(generator), place(generator)), wide(size(generator), 3.0);
+    const double top = rise(generator);
+    objects.push_back(makeObject("box", Box{{wide.x(), wide.y(), top}}, {at.x(), at.y(), top / 2},
+                                 Role::kGround));
+    tops.push_back({{at - wide / 2, at + wide / 2}, top});
+  }
+  const SceneGround ground(sceneOf(objects));
+  for (int n = 0; n < 1000; ++n) {
+    const Eigen::Vector2d p(place(generator), place(generator));
+    double highest = 0.0;
+    for (const auto& [box, top] : tops)
+      if (box.contains(p)) highest = std::max(highest, top);
+    EXPECT_NEAR(ground.height(p.x(), p.y(), 0.1, 0.3).value(), highest, 1e-9);
+  }
+}
+
+TEST(SceneGround, ASlopeIsGroundByItsSteepnessWhateverItsDirection) {
+  std::mt19937_64 generator(6);
+  std::uniform_real_distribution<double> heading(-kPi, kPi), limit(8.0, 30.0);
+  for (int n = 0; n < 12; ++n) {
+    GroundSettings settings;
+    settings.limits.max_slope = limit(generator) * kDegree;
+    for (const double share : {0.95, 1.05}) {
+      SceneObject ramp = makeObject("ramp", Box{{4, 3, 0.02}}, {0, 0, 0.5});
+      ramp.X_WO.linear() =
+          (aboutZ(heading(generator)) * expRotation({0, share * settings.limits.max_slope, 0}))
+              .toRotationMatrix();
+      EXPECT_EQ(SceneGround(sceneOf({ramp}), settings).isGround(0), share < 1.0) << share;
+    }
+  }
+}
+
+// By points of the strip, close together: boxes that surely are under it, and that surely are not.
+TEST(SceneGround, TheCrestIsTheHighestBoxUnderTheStrip) {
+  std::mt19937_64 generator(7);
+  std::uniform_real_distribution<double> place(-3.0, 3.0), size(0.1, 0.8), rise(0.05, 0.6);
+  constexpr double kHalf = 0.1, kHigh = 0.4, kSlack = 0.012;
+  std::vector<SceneObject> objects = {floorSlab()};
+  std::vector<std::pair<Eigen::AlignedBox2d, double>> tops;
+  for (int i = 0; i < 25; ++i) {
+    const Eigen::Vector2d at(place(generator), place(generator));
+    const Eigen::Vector2d wide(size(generator), size(generator));
+    const double top = rise(generator);
+    objects.push_back(makeObject("box", Box{{wide.x(), wide.y(), top}}, {at.x(), at.y(), top / 2}));
+    tops.push_back({{at - wide / 2, at + wide / 2}, top});
+  }
+  const SceneGround ground(sceneOf(objects));
+  for (int n = 0; n < 100; ++n) {
+    const Eigen::Vector2d a(place(generator), place(generator)),
+        b(place(generator), place(generator));
+    const Eigen::Vector2d along = (b - a).normalized(), aside(-along.y(), along.x());
+    double sure = 0.0, perhaps = 0.0;
+    for (double s = 0.0; s <= (b - a).norm(); s += 0.01) {
+      for (double t = -kHalf; t <= kHalf; t += 0.01) {
+        const Eigen::Vector2d p = a + s * along + t * aside;
+        for (const auto& [box, top] : tops) {
+          if (top > kHigh) continue;
+          const double off = box.exteriorDistance(p);
+          if (off <= 0.0) sure = std::max(sure, top);
+          if (off <= kSlack) perhaps = std::max(perhaps, top);
+        }
+      }
+    }
+    const double crest = ground.crest(a, b, kHalf, -0.1, kHigh);
+    EXPECT_GE(crest, sure - 1e-9);
+    EXPECT_LE(crest, perhaps + 1e-9);
+  }
 }
 
 }  // namespace
