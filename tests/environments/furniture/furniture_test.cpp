@@ -1,15 +1,13 @@
 #include "environments/furniture/furniture.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <numeric>
 #include <sstream>
 
 #include "test_paths.h"
+#include "tests/environments/furniture/pieces.h"
 
 namespace amble {
 namespace {
@@ -30,42 +28,6 @@ std::string objText(const Furniture& piece) {
   return out.str();
 }
 
-std::vector<Furniture> allPieces() {
-  auto pieces = makeLivingRoomFurniture();
-  pieces.push_back(makeCupboard());
-  return pieces;
-}
-
-// Six times the volume of each connected piece, by the piece's first vertex.
-std::map<int, double> componentVolumes(const Surface& surface) {
-  std::vector<int> parent(surface.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const auto& t : surface.triangles) {
-    parent[root(t[1])] = root(t[0]);
-    parent[root(t[2])] = root(t[0]);
-  }
-  std::map<int, double> volumes;
-  for (const auto& t : surface.triangles) {
-    const auto &a = surface.vertices[t[0]], &b = surface.vertices[t[1]],
-               &c = surface.vertices[t[2]];
-    volumes[root(t[0])] += a.dot(b.cross(c));
-  }
-  return volumes;
-}
-
-double top(const Furniture& piece, const std::string& group) {
-  double highest = 0;
-  for (const auto& [name, surface] : piece.groups) {
-    if (name != group) continue;
-    for (const auto& p : surface.vertices) highest = std::max(highest, p.z());
-  }
-  return highest;
-}
-
 TEST(Furniture, EveryEdgeHasTwoTrianglesOnceEachWay) {
   for (const Furniture& piece : allPieces()) {
     for (const auto& [name, surface] : piece.groups) {
@@ -83,8 +45,8 @@ TEST(Furniture, EveryEdgeHasTwoTrianglesOnceEachWay) {
 TEST(Furniture, EveryClosedSurfaceIsWoundOutwards) {
   for (const Furniture& piece : allPieces())
     for (const auto& [name, surface] : piece.groups)
-      for (const auto& [component, volume] : componentVolumes(surface))
-        EXPECT_GT(volume, 0) << piece.name << ' ' << name << ' ' << component;
+      for (const Surface& component : componentsOf(surface))
+        EXPECT_GT(volumeOf(component), 0) << piece.name << ' ' << name;
 }
 
 TEST(Furniture, NoTriangleVanishesAtFiveDecimals) {
@@ -103,17 +65,98 @@ TEST(Furniture, NoTriangleVanishesAtFiveDecimals) {
 TEST(Furniture, StandsOnTheFloor) {
   for (const Furniture& piece : allPieces()) {
     if (piece.name == "picture") continue;  // hangs
-    double lowest = 1;
-    for (const auto& group : piece.groups)
-      for (const auto& p : group.second.vertices) lowest = std::min(lowest, p.z());
-    EXPECT_NEAR(lowest, 0, 0.002) << piece.name;
+    EXPECT_NEAR(boxOf(piece).min().z(), 0, 0.002) << piece.name;
   }
 }
 
 TEST(Furniture, HasTheHeightsThatThePassageNeeds) {
-  EXPECT_NEAR(top(makePianoStool(), "seat"), 0.50, 0.005);  // the arm swings over it
-  EXPECT_NEAR(top(makeLowTable(), "top"), 0.42, 0.001);
-  EXPECT_LT(top(makeLowTable(), "bowl"), 0.50);
+  EXPECT_NEAR(boxOf(makePianoStool(), "seat").max().z(), 0.50, 0.005);  // the arm swings over it
+  EXPECT_NEAR(boxOf(makeLowTable(), "top").max().z(), 0.42, 0.001);
+  EXPECT_LT(boxOf(makeLowTable(), "bowl").max().z(), 0.50);
+}
+
+// Width, depth and height as furniture.h states them, of the group that has them or of all [m].
+TEST(Furniture, IsOfTheSizeThatIsStated) {
+  struct Stated {
+    Furniture piece;
+    const char* group;
+    Eigen::Vector3d size;  // 0: not stated
+  };
+  const std::vector<Stated> all = {
+      {makePiano(), "", {1.5, 1.58, 0}},        {makePianoStool(), "seat", {0.44, 0.34, 0}},
+      {makeSofa(), "", {2.15, 0.92, 0}},        {makeArmchair(), "", {0.86, 0.86, 0}},
+      {makeLowTable(), "top", {0.60, 0.90, 0}}, {makeDiningTable(), "top", {1.50, 0.85, 0}},
+      {makeChair(), "", {0.44, 0.48, 0.92}},    {makeLamp(), "shade", {0.42, 0.42, 0}},
+      {makeLamp(), "", {0, 0, 1.62}},           {makeBookshelf(), "", {1.20, 0.30, 2.0}},
+      {makePlant(), "", {0, 0, 1.3}},           {makeDoor(), "leaf", {0.80, 0, 2.00}},
+      {makePicture(), "", {0.9, 0, 0.6}},       {makeCupboard(), "body", {1.10, 0, 2.10}},
+      {makeTerrain(), "", {16, 10, 0}}};
+  for (const Stated& stated : all) {
+    const Eigen::Vector3d size = boxOf(stated.piece, stated.group).sizes();
+    const double slack = stated.piece.name == "plant" ? 0.1 : 0.02;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (stated.size[axis] == 0.0) continue;
+      EXPECT_NEAR(size[axis], stated.size[axis], slack) << stated.piece.name << ' ' << axis;
+    }
+  }
+}
+
+TEST(Furniture, SeatsAndTopsAreAsHighAsIsStated) {
+  EXPECT_NEAR(boxOf(makeDiningTable(), "top").max().z(), 0.74, 1e-9);
+  EXPECT_NEAR(boxOf(makeLowTable(), "top").max().z(), 0.42, 1e-9);
+  EXPECT_NEAR(boxOf(makeChair(), "seat").max().z(), 0.45, 0.005);
+}
+
+// Parts whose boxes are a few millimetres apart hold one another; what holds nothing would float.
+TEST(Furniture, NothingOfItFloats) {
+  constexpr double kJoint = 0.006;  // [m]
+  for (const Furniture& piece : allPieces()) {
+    const auto parts = componentsOf(piece);
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const Surface& part : parts) {
+      boxes.push_back(boxOf(part));
+      boxes.back().min().array() -= kJoint / 2;
+      boxes.back().max().array() += kJoint / 2;
+    }
+    UnionFind held(static_cast<int>(boxes.size()));
+    for (size_t i = 0; i < boxes.size(); ++i)
+      for (size_t k = 0; k < i; ++k)
+        if (boxes[i].intersects(boxes[k])) held.join(static_cast<int>(i), static_cast<int>(k));
+    for (int i = 0; i < held.size(); ++i)
+      EXPECT_EQ(held.find(i), 0) << piece.name << ' ' << boxes[i].center().transpose();
+  }
+}
+
+// Over the feet, by their box: a stool or a lamp that fell over would be no furniture.
+TEST(Furniture, ItsCentreOfMassIsOverItsFeet) {
+  for (const Furniture& piece : allPieces()) {
+    if (piece.name == "picture" || piece.name == "door") continue;  // are held by walls
+    Eigen::AlignedBox2d feet;
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    double volume = 0.0;
+    for (const Surface& part : componentsOf(piece)) {
+      moment += volumeOf(part) * centroidOf(part);
+      volume += volumeOf(part);
+      for (const auto& p : part.vertices)
+        if (p.z() < 0.005) feet.extend(p.head<2>().eval());
+    }
+    EXPECT_TRUE(feet.contains((moment / volume).head<2>())) << piece.name;
+  }
+}
+
+TEST(Furniture, EveryMakerGivesTheSameTwice) {
+  const auto once = allPieces(), again = allPieces();
+  ASSERT_EQ(once.size(), again.size());
+  for (size_t i = 0; i < once.size(); ++i) EXPECT_EQ(objText(once[i]), objText(again[i]));
+}
+
+TEST(Furniture, NamesAreUniqueOfPiecesAndOfTheirGroups) {
+  std::map<std::string, int> pieces;
+  for (const Furniture& piece : allPieces()) {
+    EXPECT_EQ(++pieces[piece.name], 1) << piece.name;
+    std::map<std::string, int> groups;
+    for (const auto& [name, surface] : piece.groups) EXPECT_EQ(++groups[name], 1) << name;
+  }
 }
 
 TEST(Furniture, CommittedMeshesAreWhatTheGeneratorMakes) {
@@ -139,6 +182,21 @@ TEST(Furniture, TheTerrainIsNowhereSteeperThanFifteenDegrees) {
   }
   EXPECT_GT(steepest, std::cos(15.0 * 3.14159265 / 180.0));
   EXPECT_LT(steepest, std::cos(13.0 * 3.14159265 / 180.0));
+}
+
+TEST(Furniture, TheTerrainIsABlockWithHillsWithinTheStatedHeights) {
+  const Furniture terrain = makeTerrain();
+  const Surface& surface = terrain.groups.at(0).second;
+  EXPECT_EQ(boxOf(surface).min().z(), -1.0);
+  double lowest = 1.0, highest = -1.0;
+  for (const Eigen::Vector3d& p : surface.vertices) {
+    if (p.z() == -1.0) continue;
+    lowest = std::min(lowest, p.z());
+    highest = std::max(highest, p.z());
+  }
+  EXPECT_LE(highest, 0.47);
+  EXPECT_GE(lowest, -0.47);
+  EXPECT_GT(highest - lowest, 0.6);  // it does roll
 }
 
 }  // namespace
