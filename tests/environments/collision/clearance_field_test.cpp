@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <limits>
 
 #include "base/rotation.h"
@@ -118,6 +119,26 @@ TEST(ClearanceField, LargeRegionsGetCoarserVoxels) {
   EXPECT_GT(field.voxel(), 0.2);
   EXPECT_EQ(field.lowerBound({0, 0, 1}), 0.0);
   EXPECT_GT(field.lowerBound({50, 50, 1}), 0.6);
+}
+
+TEST(ClearanceField, WhatIsAddedOnlyLowersIt) {
+  std::vector<SceneObject> objects = furniture();
+  const ClearanceField all(obstaclesOf(objects), kRoom);
+  objects.resize(objects.size() / 2);
+  const ClearanceField some(obstaclesOf(objects), kRoom);
+  std::mt19937_64 generator(12);
+  int lower = 0;
+  for (int n = 0; n < 5000; ++n) {
+    const Eigen::Vector3d p = randomCapsule(generator, kRoom, 0.0).from;
+    EXPECT_LE(all.lowerBound(p), some.lowerBound(p));
+    lower += all.lowerBound(p) < some.lowerBound(p);
+  }
+  EXPECT_GT(lower, 500);
+}
+
+TEST(ClearanceField, StoppedInTheMiddleThrows) {
+  const std::atomic<bool> stop{true};
+  EXPECT_THROW(ClearanceField(obstaclesOf(furniture()), kRoom, {&stop, {}}), Stopped);
 }
 
 }  // namespace

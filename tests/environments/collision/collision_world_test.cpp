@@ -319,5 +319,47 @@ TEST(CollisionWorld, ThreadsWithTheirOwnScratchAgree) {
   }
 }
 
+TEST(CollisionWorld, EveryPartThatTouchesIsListedOnceAndTheFirstIsTheVerdict) {
+  TestWorld world({floorSlab(), makeObject("table", makeBox({1.2, 0.8, 0.05}), {0, 0, 0.72}),
+                   makeObject("cupboard", makeBox({0.5, 1.2, 1.9}), {-1.0, -1, 1.0})});
+  std::mt19937_64 generator(31);
+  std::uniform_real_distribution<double> place(-1.5, 1.5), turn(-3.0, 3.0);
+  int touching = 0;
+  for (int n = 0; n < 150; ++n) {
+    const Pose pose = world.walker.standing(place(generator), place(generator), turn(generator));
+    const auto all = world.world.contacts(pose, *world.scratch);
+    const auto one = world.checkPose(pose);
+    ASSERT_EQ(one.has_value(), !all.empty());
+    touching += !all.empty();
+    for (size_t i = 0; i < all.size(); ++i) {
+      if (i > 0) {
+        EXPECT_GT(all[i].part, all[i - 1].part);
+      }
+      const BodyPart& part = world.walker.body.parts[all[i].part];
+      std::vector<JointFrame> joints(world.walker.skeleton.size());
+      forwardKinematics(world.walker.skeleton, pose, joints);
+      const int object =
+          world.world.touched(joints[part.joint] * part.from, joints[part.joint] * part.to,
+                              part.radius, *world.scratch);
+      if (all[i].object > 0) {
+        EXPECT_EQ(object, all[i].object);
+      }
+    }
+  }
+  EXPECT_GT(touching, 20);
+}
+
+TEST(CollisionWorld, ClearanceIsCutAtItsLimit) {
+  TestWorld world({floorSlab(), makeObject("wall", makeBox({0.1, 5, 2}), {2, 0, 1.1})});
+  const PoseArray poses = motionOf(
+      world.walker, {standingAt(world.walker, {0, 0, 0}), standingAt(world.walker, {0.5, 0, 0})});
+  const Clearance all = world.world.clearance(poses, 5.0, *world.scratch);
+  EXPECT_EQ(all.frame, 1);
+  EXPECT_EQ(all.object, 1);
+  const Clearance near = world.world.clearance(poses, 0.5 * all.distance, *world.scratch);
+  EXPECT_EQ(near.object, -1);
+  EXPECT_EQ(near.distance, 0.5 * all.distance);
+}
+
 }  // namespace
 }  // namespace amble

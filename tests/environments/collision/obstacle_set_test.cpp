@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/rotation.h"
+#include "environments/scene/triangle_grid.h"
 #include "tests/environments/test_scenes.h"
 
 namespace amble {
@@ -139,6 +140,110 @@ TEST(ObstacleSet, ACapsuleWithoutLengthIsASphere) {
   const auto scratch = ObstacleSet::makeScratch();
   EXPECT_EQ(set.touched({{0.7, 0, 0}, {0.7, 0, 0}, 0.19}, *scratch), -1);
   EXPECT_EQ(set.touched({{0.7, 0, 0}, {0.7, 0, 0}, 0.21}, *scratch), 0);
+}
+
+/// Of a point to a triangle, by the regions of its corners, edges and face (Ericson, Real-Time
+/// Collision Detection, 5.1.5).
+double pointToTriangle(const Eigen::Vector3d& p, const Triangle3& t) {
+  const Eigen::Vector3d ab = t[1] - t[0], ac = t[2] - t[0], normal = ab.cross(ac);
+  double least = HUGE_VAL;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d &a = t[k], &b = t[(k + 1) % 3];
+    const double along = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (p - a - along * (b - a)).norm());
+  }
+  bool above = true;  // over the face, not beside it
+  for (int k = 0; k < 3; ++k)
+    above = above && normal.cross(t[(k + 1) % 3] - t[k]).dot(p - t[k]) >= 0.0;
+  return above ? std::min(least, std::abs(normal.normalized().dot(p - t[0]))) : least;
+}
+
+double capsuleToMesh(const Capsule& capsule, const TriangleMesh& mesh) {
+  double least = HUGE_VAL;
+  for (const auto& t : mesh.triangles) {
+    const Triangle3 corners = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+    const auto at = [&](double u) {
+      return pointToTriangle(capsule.from + u * (capsule.to - capsule.from), corners);
+    };
+    double low = 0.0, high = 1.0;  // convex along the axis
+    for (int n = 0; n < 60; ++n) {
+      const double u = low + (high - low) / 3.0, v = high - (high - low) / 3.0;
+      (at(u) < at(v) ? high : low) = at(u) < at(v) ? v : u;
+    }
+    least = std::min(least, at(0.5 * (low + high)));
+  }
+  return least - capsule.radius;
+}
+
+/// Triangles anywhere in a box: a surface without an inside.
+TriangleMesh crumpled(std::mt19937_64& generator, int triangles) {
+  std::uniform_real_distribution<double> number(-1.0, 1.0), side(-0.4, 0.4);
+  TriangleMesh mesh;
+  for (int i = 0; i < triangles; ++i) {
+    const Eigen::Vector3d at(number(generator), number(generator), number(generator));
+    for (int k = 0; k < 3; ++k)
+      mesh.vertices.push_back(at +
+                              Eigen::Vector3d(side(generator), side(generator), side(generator)));
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  return mesh;
+}
+
+TEST(ObstacleSet, ARandomSurfaceIsAsNearAsItsNearestTriangle) {
+  const auto scratch = ObstacleSet::makeScratch();
+  std::mt19937_64 generator(21);
+  const Eigen::AlignedBox3d around(Eigen::Vector3d(-2, -2, -2), Eigen::Vector3d(2, 2, 2));
+  int touching = 0;
+  for (int mesh = 0; mesh < 5; ++mesh) {
+    const TriangleMesh surface = crumpled(generator, 20);
+    const ObstacleSet set = setOf({makeObject("scan", surface, {0, 0, 0})});
+    for (int n = 0; n < 150; ++n) {
+      const Capsule capsule = randomCapsule(generator, around);
+      const double gap = capsuleToMesh(capsule, surface);
+      touching += gap < 0.0;
+      if (std::abs(gap) > 1e-5) {
+        EXPECT_EQ(set.touched(capsule, *scratch) >= 0, gap < 0.0) << gap;
+      }
+      EXPECT_NEAR(set.nearest(capsule, 10.0, *scratch).distance, std::max(0.0, gap), 2e-4);
+    }
+  }
+  EXPECT_GT(touching, 10);
+}
+
+// The tree of boxes leaves nothing out: many things together answer as a loop over each alone.
+TEST(ObstacleSet, ManyTogetherAnswerAsEachAlone) {
+  const auto scratch = ObstacleSet::makeScratch();
+  std::mt19937_64 generator(22);
+  std::uniform_real_distribution<double> place(-2.0, 2.0), size(0.05, 0.5), turn(-3.0, 3.0);
+  std::vector<SceneObject> objects;
+  std::vector<ObstacleSet> alone;
+  for (int i = 0; i < 40; ++i) {
+    const double s = size(generator);
+    const Eigen::Vector3d at(place(generator), place(generator), place(generator));
+    const Shape shapes[] = {Box{{s, 2 * s, s}}, Sphere{s}, Cylinder{s, 3 * s},
+                            makeBox({s, s, 2 * s})};
+    objects.push_back(makeObject("thing", shapes[i % 4], at));
+    objects.back().X_WO.linear() =
+        expRotation({turn(generator), turn(generator), 0}).toRotationMatrix();
+    alone.push_back(setOf({objects.back()}));
+  }
+  const ObstacleSet all = setOf(objects);
+  const Eigen::AlignedBox3d around(Eigen::Vector3d(-2.5, -2.5, -2.5),
+                                   Eigen::Vector3d(2.5, 2.5, 2.5));
+  int touching = 0;
+  for (int n = 0; n < 300; ++n) {
+    const Capsule capsule = randomCapsule(generator, around);
+    int first = -1;
+    double nearest = 1.0;
+    for (size_t i = 0; i < alone.size(); ++i) {
+      if (first < 0 && alone[i].touched(capsule, *scratch) >= 0) first = static_cast<int>(i);
+      nearest = std::min(nearest, alone[i].nearest(capsule, 1.0, *scratch).distance);
+    }
+    touching += first >= 0;
+    EXPECT_EQ(all.touched(capsule, *scratch), first);
+    EXPECT_DOUBLE_EQ(all.nearest(capsule, 1.0, *scratch).distance, nearest);
+  }
+  EXPECT_GT(touching, 15);
 }
 
 }  // namespace

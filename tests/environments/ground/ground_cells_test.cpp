@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "base/rotation.h"
 #include "environments/ground/scene_ground.h"
 #include "tests/environments/test_scenes.h"
@@ -143,6 +146,84 @@ TEST(GroundCells, OfNothingAreNone) {
   const SceneGround ground(sceneOf({}));
   EXPECT_EQ(ground.cells().columns(), 0);
   EXPECT_TRUE(ground.cells().spans(0, 0).empty());
+}
+
+TEST(GroundCells, TheSquareOfAMiddleIsItsOwn) {
+  const SceneGround ground(sceneOf({slab(7.3, 0.0)}));
+  const GroundCells& cells = ground.cells();
+  for (int row = 0; row < cells.rows(); ++row)
+    for (int column = 0; column < cells.columns(); ++column)
+      EXPECT_EQ(cells.squareAt(cells.middle(column, row)), Eigen::Vector2i(column, row));
+  // Beyond the edges there is nothing.
+  EXPECT_TRUE(cells.spans(-1, 0).empty());
+  EXPECT_TRUE(cells.spans(0, cells.rows()).empty());
+}
+
+TEST(GroundCells, AreasAreThoseOfTheFloors) {
+  for (const double side : {3.0, 6.5, 40.0}) {
+    const SceneGround ground(sceneOf({slab(side, 0.0)}));
+    const Eigen::Vector2i at = ground.cells().squareAt({0.05, 0.05});
+    const auto here = ground.cells().spans(at.x(), at.y());
+    ASSERT_EQ(here.size(), 1u);
+    // Where a foot stands, a border of half a foot's breadth to half its length left out.
+    EXPECT_LE(ground.cells().area(here[0].part), (side + 0.2) * (side + 0.2));
+    EXPECT_GE(ground.cells().area(here[0].part), (side - 0.3) * (side - 0.3));
+  }
+}
+
+// Terraces side by side at random heights: one walks from one to another where no step between
+// them is higher than the limit, and nowhere else.
+TEST(GroundCells, TerracesAreOnePartWhereEveryStepBetweenThemIsWithinTheLimit) {
+  std::mt19937_64 generator(8);
+  std::uniform_real_distribution<double> rise(-0.35, 0.35), limit(0.1, 0.3);
+  constexpr double kWide = 2.5, kTerraces = 8;
+  for (int n = 0; n < 10; ++n) {
+    GroundSettings settings;
+    settings.limits.max_climb = settings.limits.max_drop = limit(generator);
+    std::vector<double> heights = {0.0};
+    std::vector<SceneObject> objects;
+    for (int i = 0; i < kTerraces; ++i) {
+      objects.push_back(
+          makeObject("terrace", Box{{kWide, 3, 4}}, {i * kWide, 0, heights.back() - 2.0}));
+      double step = rise(generator);
+      if (std::abs(std::abs(step) - settings.limits.max_climb) < 0.01) step *= 1.3;
+      heights.push_back(heights.back() + step);
+    }
+    const SceneGround ground(sceneOf(objects), settings);
+    std::vector<int> part;
+    for (int i = 0; i < kTerraces; ++i) {
+      const Eigen::Vector2i at = ground.cells().squareAt({i * kWide, 0.0});
+      const auto here = ground.cells().spans(at.x(), at.y());
+      ASSERT_EQ(here.size(), 1u);
+      EXPECT_TRUE(here[0].ground);
+      EXPECT_NEAR(here[0].height, heights[i], 1e-9);
+      part.push_back(here[0].part);
+    }
+    for (int i = 0; i < kTerraces; ++i) {
+      bool joined = true;
+      for (int k = i + 1; k < kTerraces; ++k) {
+        joined = joined && std::abs(heights[k] - heights[k - 1]) <= settings.limits.max_climb;
+        EXPECT_EQ(part[i] == part[k], joined) << n << ": " << i << " to " << k;
+      }
+    }
+  }
+}
+
+TEST(GroundCells, WhatIsSmallerThanAFloorIsFurnitureUnlessStepsLeadToIt) {
+  const SceneObject low = makeObject("podium", Box{{1.5, 1.5, 0.2}}, {2, 2, 0.1});
+  const SceneObject high = makeObject("bed", Box{{1.5, 1.5, 0.5}}, {-2, -2, 0.25});
+  const SceneGround ground(sceneOf({slab(10, 0.0), low, high}));
+  EXPECT_EQ(groundAt(ground.cells(), 2, 2), std::vector<double>{0.2});
+  EXPECT_TRUE(groundAt(ground.cells(), -2, -2).empty());
+}
+
+TEST(GroundCells, WithoutHeadroomNobodyStands) {
+  for (const double gap : {0.8, 0.95, 1.05, 2.0}) {
+    const SceneGround ground(
+        sceneOf({slab(10, 0.0), makeObject("ceiling", Box{{4, 4, 0.1}}, {0, 0, gap + 0.05})}));
+    const Eigen::Vector2i at = ground.cells().squareAt({0.0, 0.0});
+    EXPECT_EQ(ground.cells().spans(at.x(), at.y())[0].standable, gap > 1.0) << gap;
+  }
 }
 
 }  // namespace

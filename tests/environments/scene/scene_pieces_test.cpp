@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "base/rotation.h"
 #include "tests/environments/test_scenes.h"
 
 namespace amble {
@@ -74,6 +79,54 @@ TEST(ScenePieces, OfAnObjectAreFoundByItsNumber) {
   EXPECT_TRUE(all.ofObject(1).empty());
   ASSERT_EQ(all.ofObject(2).size(), 2u);
   for (const ScenePiece& piece : all.ofObject(2)) EXPECT_EQ(piece.object, 2);
+}
+
+// What a scene is made of does not matter, only its surface: boxes as primitives, as meshes, placed
+// or moved beforehand, as one object or as many, are the same solids.
+TEST(ScenePieces, PrimitivesMeshesAndOneMeshOfAllMeanTheSame) {
+  std::mt19937_64 generator(61);
+  std::uniform_real_distribution<double> place(-4, 4), size(0.3, 1.5), turn(-3, 3);
+  std::vector<SceneObject> primitives, meshes;
+  TriangleMesh all;
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d wide(size(generator), size(generator), size(generator));
+    const Shape shape = i % 2 == 0 ? Shape(Box{wide}) : Shape(Cylinder{wide.x(), wide.y()});
+    SceneObject object =
+        makeObject("thing", shape, {place(generator), place(generator), place(generator)});
+    object.X_WO.linear() =
+        expRotation({turn(generator), turn(generator), turn(generator)}).toRotationMatrix();
+    primitives.push_back(object);
+    meshes.push_back(makeObject("mesh", worldMesh(object), {0, 0, 0}));
+    all = joined(all, worldMesh(object));
+  }
+  const auto cornersOf = [](const ScenePieces& pieces) {
+    std::vector<std::array<double, 3>> corners;
+    for (const Triangle3& t : pieces.triangles)
+      for (const Eigen::Vector3d& p : t) corners.push_back({p.x(), p.y(), p.z()});
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  };
+  const auto expected = cornersOf(splitScene(sceneOf(primitives)));
+  EXPECT_EQ(cornersOf(splitScene(sceneOf(meshes))), expected);
+  EXPECT_EQ(cornersOf(splitScene(sceneOf({makeObject("all", all, {0, 0, 0})}))), expected);
+  for (const ScenePiece& piece : splitScene(sceneOf(primitives)).pieces) {
+    EXPECT_TRUE(piece.closed);
+    EXPECT_GT(volumeOf(piece.mesh), 0.0);
+  }
+}
+
+TEST(ScenePieces, UpwardnessIsTheCosineOfTheSlope) {
+  for (const double slope : {0.0, 0.3, 1.0, 1.5, 2.0, 3.1}) {
+    const Eigen::Quaterniond q = aboutZ(0.7) * expRotation({slope, 0, 0});
+    const Triangle3 t = {q * Eigen::Vector3d(0, 0, 0), q * Eigen::Vector3d(2, 0, 0),
+                         q * Eigen::Vector3d(0, 3, 0)};
+    EXPECT_NEAR(upwardness(t), std::cos(slope), 1e-12);
+  }
+}
+
+TEST(ScenePieces, StoppedInTheMiddleThrows) {
+  const std::atomic<bool> stop{true};
+  EXPECT_THROW(splitScene(sceneOf({floorSlab()}), {&stop, {}}), Stopped);
 }
 
 }  // namespace
