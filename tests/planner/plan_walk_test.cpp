@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <cmath>
 #include <stdexcept>
 
 #include "base/rotation.h"
@@ -237,6 +239,79 @@ TEST(PlanWalk, DeadlineOnlyStopsAndIsReported) {
   const PlanOutcome outcome = planWalk(request);
   EXPECT_EQ(outcome.status, PlanStatus::kNoWalk);
   EXPECT_TRUE(outcome.time_limit_hit);
+}
+
+// Small rooms, every planner of the table: what is found is free and the same on two threads.
+TEST(PlanWalk, EveryPlannersWalkIsFreeAndTheSameOnTwoThreads) {
+  const FurnishedRoom& room = furnishedRoom();
+  const CollisionScratchPtr scratch = room.world.makeScratch();
+  for (const PlannerInfo& planner : listPlanners()) {
+    PlanRequest request = requestIn(room);
+    request.planner = planner.name;
+    request.goal = {{1.2, 2.8, 0}, 90 * kDegree, true};  // in the same half, for the cylinder
+    request.limits.max_failures = 15;
+    request.refine.tries = 5;
+    const PlanOutcome one = planWalk(request);
+    ASSERT_EQ(one.status, PlanStatus::kSolved) << planner.name;
+    EXPECT_FALSE(one.why.has_value());
+    const AnimationBuffer& walk = one.walk.buffer;
+    EXPECT_FALSE(room.world.check(walk.poses, walk.soles, false, *scratch)) << planner.name;
+    request.limits.threads = 2;
+    const PlanOutcome two = planWalk(request);
+    ASSERT_EQ(two.status, PlanStatus::kSolved) << planner.name;
+    expectSameFrames(walk, two.walk.buffer);
+    EXPECT_EQ(one.samples, two.samples) << planner.name;
+    EXPECT_EQ(one.poses_checked, two.poses_checked) << planner.name;
+  }
+}
+
+TEST(PlanWalk, WithTheBoundsTooSmallTheyAreWidenedToTheEnds) {
+  PlanRequest request = requestIn(furnishedRoom());
+  request.goal = {{1.0, 3.0, 0}, 90 * kDegree, true};
+  request.bounds = {Eigen::Vector2d(0.9, 0.9), Eigen::Vector2d(1.1, 1.1)};
+  EXPECT_EQ(planWalk(request).status, PlanStatus::kSolved);
+}
+
+TEST(PlanWalk, TheWalkIsAsLongAsItsPathAndAsItsFrames) {
+  const PlanOutcome outcome = planWalk(requestIn(furnishedRoom()));
+  ASSERT_EQ(outcome.status, PlanStatus::kSolved);
+  const Walk& walk = outcome.walk;
+  double shortest = (walk.stances.back().position - walk.stances.front().position).norm();
+  EXPECT_GT(walk.path.length(), shortest);
+  EXPECT_EQ(walk.buffer.states.size(), static_cast<size_t>(walk.buffer.size()));
+  EXPECT_EQ(walk.buffer.soles.size(), static_cast<size_t>(walk.buffer.size()));
+  EXPECT_NEAR(walk.buffer.states.back().arc, walk.path.length(), 1e-6);
+  for (int i = 1; i < walk.buffer.size(); ++i) {
+    EXPECT_GE(walk.buffer.states[i].arc, walk.buffer.states[i - 1].arc - 1e-12);
+    EXPECT_LT((walk.buffer.poses.p_WR(i) - walk.buffer.poses.p_WR(i - 1)).norm(), 0.05);
+  }
+  EXPECT_EQ(walk.stances.front().position, requestIn(furnishedRoom()).start.position);
+}
+
+TEST(PlanWalk, AStopIsToldApartFromADeadline) {
+  PlanRequest request = requestIn(furnishedRoom());
+  const std::atomic<bool> stop{true};
+  request.limits.stop = &stop;
+  const PlanOutcome outcome = planWalk(request);
+  EXPECT_EQ(outcome.status, PlanStatus::kNoWalk);
+  EXPECT_TRUE(outcome.stopped);
+  EXPECT_FALSE(outcome.time_limit_hit);
+  EXPECT_EQ(outcome.samples, 0);
+}
+
+TEST(PlanWalk, RefusesBoundsAndTriesThatCannotBe) {
+  PlanRequest request = requestIn(furnishedRoom());
+  request.bounds = {};
+  EXPECT_THROW(planWalk(request), std::invalid_argument);
+  request = requestIn(furnishedRoom());
+  request.bounds.max().x() = HUGE_VAL;
+  EXPECT_THROW(planWalk(request), std::invalid_argument);
+  request = requestIn(furnishedRoom());
+  request.refine.tries = -1;
+  EXPECT_THROW(planWalk(request), std::invalid_argument);
+  request = requestIn(furnishedRoom());
+  request.limits.threads = 65;
+  EXPECT_THROW(planWalk(request), std::invalid_argument);
 }
 
 }  // namespace

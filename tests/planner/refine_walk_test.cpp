@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/sample_stream.h"
 #include "planner/roadmap/visibility_roadmap.h"
 #include "tests/planner/disc_steering.h"
 
@@ -140,6 +141,81 @@ TEST_F(RefineWalk, OneWayDoorsAreKept) {
   const EdgePath better = refined(steering, pathOver(steering, back), 2);
   for (const WalkEdge& edge : better.edges) {
     EXPECT_FALSE(steering.blockedBetween(edge.from.position.head<2>(), edge.to.position.head<2>()));
+  }
+}
+
+/// A walk that steering allows over random places of the two rooms, by the gap between them.
+EdgePath randomPath(const DiscSteering& steering, std::uint64_t seed) {
+  SampleStream stream(seed, 0);
+  const SteeringScratchPtr scratch = steering.makeScratch();
+  std::vector<Waypoint> places = {standing(1, 1)};
+  const Waypoint gates[] = {standing(3, 4.5), standing(5, 4.5), standing(7, 1)};
+  for (const Waypoint& gate : gates) {
+    for (int i = 0; i < 200 && places.size() < 12; ++i) {
+      const double x =
+          gate.stance.position.x() < 4 ? stream.uniform(0.3, 3.6) : stream.uniform(4.4, 7.7);
+      const Waypoint next = standing(x, stream.uniform(0.3, 5.7));
+      const bool leads = steering.steer(places.back(), next, *scratch).edge &&
+                         steering.steer(next, gate, *scratch).edge;
+      if (leads && stream.uniform() < 0.5) places.push_back(next);
+      if (i > 6) break;
+    }
+    places.push_back(gate);
+  }
+  return pathOver(steering, places);
+}
+
+TEST_F(RefineWalk, OfAnyWalkItTakesNoLongerStaysValidAndKeepsItsEnds) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const EdgePath path = randomPath(steering, seed);
+    const EdgePath better = refined(steering, path, seed, 1, 60);
+    EXPECT_LE(better.duration(), path.duration() + 1e-9);
+    EXPECT_LE(better.stops(), path.stops());
+    EXPECT_EQ(better.edges.front().from.position, path.edges.front().from.position);
+    EXPECT_EQ(better.edges.back().to.position, path.edges.back().to.position);
+    double length = 0.0, duration = 0.0;
+    for (size_t i = 0; i < better.edges.size(); ++i) {
+      const WalkEdge& edge = better.edges[i];
+      EXPECT_FALSE(
+          steering.blockedBetween(edge.from.position.head<2>(), edge.to.position.head<2>()));
+      if (i > 0) {
+        EXPECT_EQ(edge.from.position, better.edges[i - 1].to.position);
+      }
+      length += edge.length;
+      duration += edge.duration;
+    }
+    EXPECT_NEAR(better.length(), length, 1e-12);
+    EXPECT_NEAR(better.duration(), duration, 1e-12);
+  }
+}
+
+TEST_F(RefineWalk, AgainItIsNoWorse) {
+  const EdgePath once = refined(steering, pathOver(steering, crooked), 1);
+  const EdgePath twice = refined(steering, once, 2);
+  EXPECT_LE(twice.duration(), once.duration() + 1e-9);
+}
+
+TEST_F(RefineWalk, WithoutWalkingOnItStopsAtEveryNodeAndIsStillShorter) {
+  const EdgePath path = pathOver(steering, crooked);
+  SteeringCount count;
+  const EdgePath better = refineWalk(steering, path, {.walk_on = false}, limitsOf(1), count);
+  EXPECT_LE(better.duration(), path.duration());
+  EXPECT_EQ(better.stops(), static_cast<int>(better.edges.size()) - 1);
+}
+
+TEST_F(RefineWalk, InterruptedInTheMiddleItIsAWalkStill) {
+  const EdgePath path = pathOver(steering, crooked);
+  for (const int questions : {1, 5, 30, 100}) {
+    SearchLimits limits = limitsOf(1);
+    int asked = 0;
+    limits.interrupted = [&] { return ++asked > questions; };
+    SteeringCount count;
+    const EdgePath better = refineWalk(steering, path, {true, 150}, limits, count);
+    EXPECT_LE(better.duration(), path.duration());
+    ASSERT_FALSE(better.edges.empty());
+    EXPECT_EQ(better.edges.back().to.position, path.edges.back().to.position);
+    for (size_t i = 1; i < better.edges.size(); ++i)
+      EXPECT_EQ(better.edges[i].from.position, better.edges[i - 1].to.position);
   }
 }
 

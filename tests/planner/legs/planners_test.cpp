@@ -15,6 +15,7 @@ namespace amble {
 namespace {
 
 constexpr long long kSamples = 3000;
+constexpr long long kFewSamples = 1000;  // some planners use all that they are given
 
 SearchLimits limitsOf(std::uint64_t seed) {
   SearchLimits limits;
@@ -27,10 +28,11 @@ class PlannersTest : public testing::Test {
  protected:
   PlannersTest() { twoRooms(steering, 1.4); }
 
-  std::optional<std::vector<WalkEdge>> solve(const PlannerEntry& entry, std::uint64_t seed) {
+  std::optional<std::vector<WalkEdge>> solve(const PlannerEntry& entry, std::uint64_t seed,
+                                             long long samples = kSamples) {
     const OmplSpacePtr space = makeWalkSpace(steering, kRoom, seed);
     const OmplPlannerPtr planner = entry.make(space, limitsOf(seed));
-    auto walk = solveWith(*planner, right, left, limitsOf(seed), kSamples);
+    auto walk = solveWith(*planner, right, left, limitsOf(seed), samples);
     is_roadmap = roadmapOf(*planner) != nullptr;
     return walk;
   }
@@ -116,6 +118,43 @@ TEST_F(PlannersTest, TreesStopAfterTheirSamples) {
     EXPECT_FALSE(solveWith(*planner, left, right, limitsOf(1), 200).has_value()) << entry.name;
     EXPECT_GE(effortOf(*space).samples, 200) << entry.name;
     EXPECT_LE(effortOf(*space).samples, 310) << entry.name;  // EST tries up to 100 at once
+  }
+}
+
+TEST_F(PlannersTest, TheSameSeedGivesTheSameWalkOnAnyNumberOfThreads) {
+  for (const PlannerEntry& entry : planners()) {
+    if (!entry.make) continue;
+    std::vector<std::vector<WalkEdge>> walks;
+    for (const int threads : {1, 2, 4}) {
+      SearchLimits limits = limitsOf(6);
+      limits.threads = threads;
+      const OmplSpacePtr space = makeWalkSpace(steering, kRoom, 6);
+      const auto walk = solveWith(*entry.make(space, limits), right, left, limits, kFewSamples);
+      ASSERT_TRUE(walk.has_value()) << entry.name;
+      walks.push_back(*walk);
+    }
+    for (const auto& walk : walks) {
+      ASSERT_EQ(walk.size(), walks[0].size()) << entry.name;
+      for (size_t i = 0; i < walk.size(); ++i)
+        EXPECT_EQ(walk[i].to.position, walks[0][i].to.position) << entry.name;
+    }
+  }
+}
+
+// Round the gap's corners no walk of a disc is shorter than the taut string between them.
+TEST_F(PlannersTest, NoWalkIsShorterThanTheShortest) {
+  const Eigen::Vector2d from = right.stance.position.head<2>(), to = left.stance.position.head<2>();
+  const Eigen::Vector2d corner(4.0, 4.5 - 0.7);  // the gap's lower side, a disc's radius off or so
+  const double least = (from - corner).norm() + (corner - to).norm() - 0.1;
+  for (const PlannerEntry& entry : planners()) {
+    if (!entry.make) continue;
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      const auto walk = solve(entry, seed, kFewSamples);
+      ASSERT_TRUE(walk.has_value()) << entry.name;
+      double length = 0.0;
+      for (const WalkEdge& edge : *walk) length += edge.length;
+      EXPECT_GE(length, least) << entry.name;
+    }
   }
 }
 

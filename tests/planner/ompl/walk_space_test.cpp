@@ -1,6 +1,7 @@
 #include "planner/ompl/walk_space.h"
 
 #include <gtest/gtest.h>
+#include <ompl/base/MotionValidator.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -111,6 +112,81 @@ TEST_F(WalkSpaceTest, RestartForgetsEdgesAndEffort) {
   const long long asked = steering.asked;
   space->checkMotion(from, to);
   EXPECT_EQ(steering.asked, asked + 1);
+}
+
+TEST_F(WalkSpaceTest, DistanceIsTheWayAndTheTurnAndNeverLessThanTheWay) {
+  const auto& states = *space->getStateSpace();
+  const auto *a = stateAt(1, 1, 0.3), *b = stateAt(3, 2, -2.0), *turned = stateAt(1, 1, 1.3);
+  EXPECT_EQ(states.distance(a, a), 0.0);
+  EXPECT_GE(states.distance(a, b), std::sqrt(5.0));
+  EXPECT_GT(states.distance(a, turned), 0.0);
+  EXPECT_LE(states.distance(a, b), states.getMaximumExtent());
+  Waypoint any = standing(3, 2);
+  any.any_heading = true;
+  ompl::base::State* free = space->allocState();
+  setWaypoint(*space, any, free);
+  EXPECT_DOUBLE_EQ(states.distance(a, free), std::sqrt(5.0));
+  EXPECT_TRUE(states.equalStates(a, stateAt(1, 1, 0.3)));
+  EXPECT_FALSE(states.equalStates(a, turned));
+}
+
+TEST_F(WalkSpaceTest, WhatIsOutOfBoundsIsBroughtToTheirEdge) {
+  for (const auto& [x, y] : {std::pair{20.0, 3.0}, std::pair{-5.0, 9.0}, std::pair{4.0, -1.0}}) {
+    ompl::base::State* state = stateAt(x, y, 1.0);
+    EXPECT_FALSE(space->satisfiesBounds(state));
+    space->enforceBounds(state);
+    EXPECT_TRUE(space->satisfiesBounds(state));
+    const Eigen::Vector2d p = waypointOf(state).stance.position.head<2>();
+    EXPECT_DOUBLE_EQ((p - Eigen::Vector2d(x, y)).norm(),
+                     kRoom.exteriorDistance(Eigen::Vector2d(x, y)));
+    EXPECT_EQ(waypointOf(state).stance.heading, 1.0);
+  }
+  ompl::base::State* within = stateAt(2, 2, 0.5);
+  const long long asked = steering.asked;
+  space->checkMotion(within, stateAt(3, 2));
+  space->enforceBounds(within);  // is no other place then
+  EXPECT_EQ(waypointOf(within).stance.position, Eigen::Vector3d(2, 2, 0));
+  EXPECT_EQ(steering.asked, asked + 1);
+}
+
+TEST_F(WalkSpaceTest, OfARefusedMotionTheLastValidStateIsItsBegin) {
+  const auto *from = stateAt(1, 1), *to = stateAt(7, 1);
+  ompl::base::State* last = space->allocState();
+  std::pair<ompl::base::State*, double> end{last, 0.5};
+  EXPECT_FALSE(space->getMotionValidator()->checkMotion(from, to, end));
+  EXPECT_EQ(end.second, 0.0);
+  EXPECT_EQ(waypointOf(last).stance.position, waypointOf(from).stance.position);
+  end = {nullptr, 0.5};
+  EXPECT_FALSE(space->getMotionValidator()->checkMotion(from, to, end));
+  EXPECT_EQ(space->getMotionValidator()->getInvalidMotionCount(), 2u);
+}
+
+TEST_F(WalkSpaceTest, AnEdgeThatIsLearntIsNeverAsked) {
+  const auto *from = stateAt(1, 1), *to = stateAt(7, 1);  // which steering would refuse
+  WalkEdge edge;
+  edge.length = 42.0;
+  learnEdge(*space, from, to, edge);
+  EXPECT_TRUE(space->checkMotion(from, to));
+  EXPECT_EQ(motionOf(*space, from, to).edge->length, 42.0);
+  EXPECT_EQ(steering.asked, 0);
+}
+
+TEST_F(WalkSpaceTest, ASeedSaysWhatIsDrawn) {
+  const auto drawn = [&](std::uint64_t seed) {
+    restart(*space, seed);
+    EXPECT_EQ(seedOf(*space), seed);
+    const auto sampler = space->allocStateSampler();
+    ompl::base::State* state = space->allocState();
+    std::vector<Eigen::Vector3d> places;
+    for (int i = 0; i < 10; ++i) {
+      sampler->sampleUniform(state);
+      places.push_back(waypointOf(state).stance.position);
+      EXPECT_TRUE(space->satisfiesBounds(state));
+    }
+    return places;
+  };
+  EXPECT_EQ(drawn(5), drawn(5));
+  EXPECT_NE(drawn(5), drawn(6));
 }
 
 }  // namespace

@@ -119,5 +119,50 @@ TEST_F(BodyCoreTest, FurnitureDoesNotMakeItThinner) {
       coreOf(slatted).touch({path, 0.0, true, true, with_post.ground}, with_post.world, *own));
 }
 
+/// The room without its wall and table, and six boxes anywhere in it.
+Scene randomRoom(std::uint64_t seed) {
+  SampleStream stream(seed, 0);
+  Scene scene = furnishedScene();
+  scene.objects.resize(5);
+  for (int i = 0; i < 6; ++i) {
+    const Eigen::Vector3d size(stream.uniform(0.1, 0.9), stream.uniform(0.1, 0.9),
+                               stream.uniform(0.2, 1.8));
+    const double below = stream.uniform() < 0.3 ? 0.8 : 0.0;  // some hang
+    scene.objects.push_back(boxObject(
+        "box", size, {stream.uniform(0.5, 5.5), stream.uniform(0.5, 3.5), below + size.z() / 2}));
+  }
+  return scene;
+}
+
+TEST_F(BodyCoreTest, NeverRefusesAFreeWalkInAnyRoom) {
+  int free = 0, refused = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const FurnishedRoom random(randomRoom(seed));
+    const BodyCore core = coreOf(random);
+    const CollisionScratchPtr own = random.world.makeScratch();
+    SampleStream stream(seed, 1);
+    AnimationBuffer buffer;
+    for (int i = 0; i < 80; ++i) {
+      Stance from, to;
+      from.position << stream.uniform(0.3, 5.7), stream.uniform(0.3, 3.7), 0.0;
+      to.position << stream.uniform(0.3, 5.7), stream.uniform(0.3, 3.7), 0.0;
+      const Eigen::Vector3d way = to.position - from.position;
+      from.heading = std::atan2(way.y(), way.x()) + stream.uniform(-0.5, 0.5);
+      to.heading = std::atan2(way.y(), way.x()) + stream.uniform(-0.5, 0.5);
+      const RootPath path({makeBezier(from.position.head<2>(), from.heading, to.position.head<2>(),
+                                      to.heading, 0.4)});
+      const auto touch = core.touch({path, 0.0, true, true, random.ground}, random.world, *own);
+      if (random.synthesizer.walk(from, to, path, true, buffer).refused != WalkRule::kNone)
+        continue;
+      const bool is_free = !random.world.check(buffer.poses, buffer.soles, true, *own);
+      EXPECT_FALSE(is_free && touch) << seed << " " << i;
+      free += is_free;
+      refused += touch.has_value();
+    }
+  }
+  EXPECT_GT(free, 10);
+  EXPECT_GT(refused, 20);
+}
+
 }  // namespace
 }  // namespace amble

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "base/sample_stream.h"
+#include "planner/steering/straight_walk.h"
 #include "tests/planner/furnished_room.h"
 
 namespace amble {
@@ -54,6 +58,80 @@ TEST_F(CylinderSteeringTest, HoldsTheWholeBodyOfAWalk) {
 TEST_F(CylinderSteeringTest, OutOfTheFloorThereIsNoGround) {
   Stance outside = standing(9, 9).stance;
   EXPECT_EQ(steering.stand(outside, *scratch)->rule, WalkRule::kNoGround);
+}
+
+/// Distance of a place in the plan to what stands there, and is higher than the cylinder's foot.
+double clearanceAt(const FurnishedRoom& room, const Eigen::Vector2d& p) {
+  double least = HUGE_VAL;
+  for (size_t i = 1; i < room.scene.objects.size(); ++i) {
+    const Eigen::Vector2d half = std::get<Box>(room.scene.objects[i].shape).size.head<2>() / 2;
+    const Eigen::Vector2d at = room.scene.objects[i].X_WO.translation().head<2>();
+    least = std::min(least, Eigen::AlignedBox2d(at - half, at + half).exteriorDistance(p));
+  }
+  return least;
+}
+
+TEST_F(CylinderSteeringTest, StandsWhereItsCircleIsFreeAnywhereInTheRoom) {
+  SampleStream stream(31, 0);
+  int blocked = 0;
+  for (int i = 0; i < 500; ++i) {
+    Stance stance = standing(stream.uniform(0, 6), stream.uniform(0, 4)).stance;
+    const double gap = clearanceAt(room, stance.position.head<2>()) - 0.3;
+    if (std::abs(gap) < 1e-4) continue;
+    EXPECT_EQ(steering.stand(stance, *scratch).has_value(), gap < 0.0) << gap;
+    blocked += gap < 0.0;
+  }
+  EXPECT_GT(blocked, 100);
+  EXPECT_LT(blocked, 400);
+}
+
+TEST_F(CylinderSteeringTest, AnEdgeIsFreeWhereEveryPlaceOfItIsBothWays) {
+  SampleStream stream(32, 0);
+  int free = 0, met = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Waypoint a = standing(stream.uniform(0, 6), stream.uniform(0, 4)),
+                   b = standing(stream.uniform(0, 6), stream.uniform(0, 4));
+    double gap = HUGE_VAL;
+    for (int k = 0; k <= 1000; ++k) {
+      const Eigen::Vector3d p =
+          a.stance.position + (b.stance.position - a.stance.position) * k / 1000.0;
+      gap = std::min(gap, clearanceAt(room, p.head<2>()) - 0.3);
+    }
+    if (std::abs(gap) < 0.003) continue;
+    const SteerResult there = steering.steer(a, b, *scratch), back = steering.steer(b, a, *scratch);
+    EXPECT_EQ(there.edge.has_value(), gap > 0.0) << gap;
+    EXPECT_EQ(back.edge.has_value(), gap > 0.0) << gap;
+    ++(gap > 0.0 ? free : met);
+    if (!there.edge) continue;
+    EXPECT_NEAR(there.edge->length / there.edge->duration, steering.topSpeed(), 1e-9);
+    EXPECT_EQ(there.edge->from.position, a.stance.position);
+    EXPECT_EQ(there.edge->to.position, b.stance.position);
+  }
+  EXPECT_GT(free, 20);
+  EXPECT_GT(met, 50);
+}
+
+TEST_F(CylinderSteeringTest, AThinnerOneStandsWhereverAThickerDoes) {
+  const CylinderSteering thick(room.scene, room.ground, {0.45, 1.7, 1.2});
+  const SteeringScratchPtr own = thick.makeScratch();
+  SampleStream stream(33, 0);
+  for (int i = 0; i < 200; ++i) {
+    Stance stance = standing(stream.uniform(0, 6), stream.uniform(0, 4)).stance;
+    if (!thick.stand(stance, *own)) {
+      EXPECT_FALSE(steering.stand(stance, *scratch));
+    }
+  }
+}
+
+TEST_F(CylinderSteeringTest, WhatLiesFlatOnTheFloorPassesBelow) {
+  Scene scene = furnishedScene();
+  scene.objects.push_back(boxObject("rug", {1, 1, 0.01}, {1.5, 2, 0.005}));
+  scene.objects.push_back(boxObject("sill", {1, 0.2, 0.15}, {1.5, 3.3, 0.075}));
+  const FurnishedRoom with(scene);
+  const CylinderSteering over(with.scene, with.ground, {0.3, 1.7, 1.2});
+  const SteeringScratchPtr own = over.makeScratch();
+  EXPECT_TRUE(over.steer(standing(0.5, 2), standing(2.5, 2), *own).edge.has_value());
+  EXPECT_FALSE(over.steer(standing(1.5, 2.5), standing(1.5, 3.6), *own).edge.has_value());
 }
 
 }  // namespace

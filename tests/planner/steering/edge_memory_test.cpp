@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <random>
+
 namespace amble {
 namespace {
 
@@ -36,6 +39,31 @@ TEST(EdgeMemory, KnowsNothingOfOtherPairsNorAfterClearing) {
   EXPECT_EQ(memory.find(2, 1), nullptr);
   memory.clear();
   EXPECT_EQ(memory.find(1, 2), nullptr);
+}
+
+// As a table of pairs would, and with one question for each pair however often it is asked.
+TEST(EdgeMemory, AnswersAnyOrderOfQuestionsWithOneAskingAPair) {
+  std::mt19937 generator(1);
+  std::uniform_int_distribution<PlaceId> place(-1, 8);  // -1: a candidate's
+  EdgeMemory memory;
+  std::map<std::pair<PlaceId, PlaceId>, double> table;
+  int asked = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const PlaceId from = place(generator), to = place(generator);
+    const int before = asked;
+    const double length = memory.answer(from, to, [&] { return walkOf(++asked); }).edge->length;
+    const auto [entry, is_new] = table.try_emplace({from, to}, length);
+    EXPECT_EQ(entry->second, length);
+    EXPECT_EQ(is_new, asked == before + 1);
+  }
+  EXPECT_EQ(asked, static_cast<int>(table.size()));
+}
+
+TEST(EdgeMemory, WhatIsLearntLastCounts) {
+  EdgeMemory memory;
+  memory.learn(1, 2, walkOf(3.0));
+  memory.learn(1, 2, walkOf(4.0));
+  EXPECT_EQ(memory.answer(1, 2, [] { return walkOf(9.0); }).edge->length, 4.0);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "tests/environments/test_scenes.h"
 
 namespace amble {
@@ -70,6 +72,58 @@ TEST(GroundReach, WhereNothingIsKnownNothingIsSaid) {
   const Scene scene = sceneOf({platform("west", -4, -1, 0)});
   const SceneGround ground(scene);
   EXPECT_FALSE(findGap(ground, {-2, 0, 0}, {9, 0, 0}, kStep).has_value());
+}
+
+// Platforms in a row: the first gap that no step crosses is the one that is found.
+TEST(GroundReach, OfRandomRowsIsTheFirstGapThatIsTooWide) {
+  std::mt19937_64 generator(3);
+  std::uniform_real_distribution<double> length(1.5, 3.0), gap(0.2, 2.2);
+  // What is wider than a step, but for the squares and the feet that it is widened by, may be
+  // either.
+  constexpr double kDoubt = 0.45;
+  int open = 0, closed = 0;
+  for (int n = 0; n < 40; ++n) {
+    std::vector<SceneObject> row;
+    double x = 0.0;
+    std::optional<double> first;  // where the ground ends
+    bool doubtful = false;
+    Eigen::Vector3d last;
+    for (int i = 0; i < 5; ++i) {
+      const double end = x + length(generator);
+      row.push_back(platform("p", x, end, 0.0));
+      last = {0.5 * (x + end), 0, 0};
+      const double wide = gap(generator);
+      if (i < 4) {
+        doubtful = doubtful || (!first && wide > kStep - 0.05 && wide < kStep + kDoubt);
+        if (wide > kStep && !first) first = end;
+      }
+      x = end + wide;
+    }
+    if (doubtful) continue;
+    const Scene scene = sceneOf(row);
+    const SceneGround ground(scene);
+    const auto found = findGap(ground, {0.7, 0, 0}, last, kStep);
+    ASSERT_EQ(found.has_value(), first.has_value()) << n;
+    ++(first ? open : closed);
+    if (!found) continue;
+    EXPECT_NEAR(found->near.x(), *first, 0.15);
+    EXPECT_GT(found->width(), kStep - 0.05);
+  }
+  EXPECT_GT(open, 3);
+  EXPECT_GE(closed, 1);
+}
+
+TEST(GroundReach, ALongerStepNeverFindsAGapThatAShorterDoesNot) {
+  const Scene scene = sceneOf(
+      {platform("a", -4, -1.6, 0), platform("b", -0.9, 0.2, 0), platform("c", 1.3, 4, 0.2)});
+  const SceneGround ground(scene);
+  bool found = true;
+  for (double step = 0.3; step < 2.0; step += 0.1) {
+    const bool here = findGap(ground, {-2, 0, 0}, {2, 0, 0.2}, step).has_value();
+    EXPECT_TRUE(found || !here) << step;
+    found = here;
+  }
+  EXPECT_FALSE(found);
 }
 
 }  // namespace

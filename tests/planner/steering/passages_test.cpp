@@ -81,5 +81,51 @@ TEST(Passages, LeadUpRampsAndKerbs) {
   for (const Passage& passage : kerbs) EXPECT_NEAR(passage.high.z() - passage.low.z(), 0.12, 1e-9);
 }
 
+TEST(Passages, BeginAndEndOnLevelGroundTheLowerFirst) {
+  std::vector<SceneObject> objects = stairs(6, 0.16, 0.3);
+  objects.push_back(makeObject("upper", Box{{3, 4, 0.2}}, {6 * 0.3 + 1.5, 0, 7 * 0.16 - 0.1}));
+  objects.push_back(makeObject("kerb", Box{{3, 3, 0.12}}, {-5, 4, 0.06}));
+  objects.push_back(floorSlab());
+  const Scene scene = sceneOf(objects);
+  const SceneGround ground(scene);
+  const auto passages = findPassages(ground);
+  ASSERT_GE(passages.size(), 2u);
+  for (size_t i = 0; i < passages.size(); ++i) {
+    const Passage& passage = passages[i];
+    EXPECT_LT(passage.low.z(), passage.high.z());
+    if (i > 0) {
+      EXPECT_GE(passage.low.z(), passages[i - 1].low.z() - 1e-9);
+    }
+    const Eigen::Vector3d way = passage.high - passage.low;
+    EXPECT_NEAR(wrapAngle(passage.heading - std::atan2(way.y(), way.x())), 0.0, 1e-6);
+    for (const Eigen::Vector3d& end : {passage.low, passage.high}) {
+      const auto under = ground.surface(end.x(), end.y(), end.z(), 0.01);
+      ASSERT_TRUE(under.has_value());
+      EXPECT_NEAR(under->height, end.z(), 1e-9);
+      EXPECT_NEAR(under->normal.z(), 1.0, 1e-9);
+    }
+  }
+}
+
+TEST(Passages, LeadUpNoLedgeThatIsHigherThanAStep) {
+  for (const auto& [rise, leads] : {std::pair{0.2, true}, std::pair{0.5, false}}) {
+    const auto passages = passagesOf(
+        {floorSlab(), makeObject("ledge", Box{{4, 4, rise}}, {3, 3, rise / 2}, Role::kGround)});
+    EXPECT_EQ(!passages.empty(), leads) << rise;
+  }
+}
+
+TEST(Passages, AreTheSameTwice) {
+  std::vector<SceneObject> objects = stairs(5, 0.17, 0.29);
+  objects.push_back(makeObject("upper", Box{{3, 3, 0.2}}, {5 * 0.29 + 1.5, 0, 6 * 0.17 - 0.1}));
+  objects.push_back(floorSlab());
+  const auto once = passagesOf(objects), again = passagesOf(objects);
+  ASSERT_EQ(once.size(), again.size());
+  for (size_t i = 0; i < once.size(); ++i) {
+    EXPECT_EQ(once[i].low, again[i].low);
+    EXPECT_EQ(once[i].high, again[i].high);
+  }
+}
+
 }  // namespace
 }  // namespace amble

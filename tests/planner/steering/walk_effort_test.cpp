@@ -33,5 +33,18 @@ TEST(WalkEffort, GoingDownIsChargedNothingAndLiftingSomething) {
   EXPECT_NEAR(high, 2.0 * low, 1e-12);
 }
 
+TEST(WalkEffort, OfStepsAddsUpAndGrowsWithEachMetre) {
+  const std::vector<GaitParameters> steps = {{0.5, 0.1, 0.17}, {0.6, 0.2, 0.0}, {0.4, 0.05, -0.1}};
+  double sum = 0.0;
+  for (const GaitParameters& step : steps) sum += effortOf(walkOf({step}), 0.05, 1.2);
+  EXPECT_NEAR(effortOf(walkOf(steps), 0.05, 1.2), sum, 1e-12);
+  double before = -1.0;
+  for (const double climb : {0.0, 0.05, 0.1, 0.2}) {
+    const double now = effortOf(walkOf({{0.5, 0.05, climb}}), 0.05, 1.2);
+    EXPECT_GT(now, before);
+    before = now;
+  }
+}
+
 }  // namespace
 }  // namespace amble

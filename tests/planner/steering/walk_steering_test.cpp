@@ -203,5 +203,203 @@ TEST(SteeringRules, EachBelongsToAStageAndHasANameOfItsOwn) {
   EXPECT_EQ(stageOf(WalkRule::kContact), SteeringStage::kValidation);
 }
 
+/// Whether a walk is free, by points of its capsules' axes at five moments a frame: apart from
+/// FCL, trees, fields and bounds. Boxes that stand upright only, soles over the floor left out.
+bool isFreeByPoints(const FurnishedRoom& room, const AnimationBuffer& walk, double slack) {
+  constexpr int kMoments = 5, kPoints = 7;
+  std::vector<JointFrame> joints(room.synthesizer.skeleton().size());
+  Pose pose;
+  pose.rotations.resize(joints.size());
+  for (int i = 0; i < kMoments * (walk.size() - 1) + 1; ++i) {
+    const int frame = i / kMoments, next = std::min(frame + 1, walk.size() - 1);
+    interpolatePose(walk.poses[frame], walk.poses[next], i % kMoments / double{kMoments}, pose);
+    forwardKinematics(room.synthesizer.skeleton(), pose, joints);
+    for (const BodyPart& part : room.body.parts) {
+      for (int k = 0; k < kPoints; ++k) {
+        const Eigen::Vector3d p =
+            joints[part.joint] * (part.from + (part.to - part.from) * k / (kPoints - 1.0));
+        for (size_t object = 0; object < room.scene.objects.size(); ++object) {
+          const Eigen::Vector3d half = std::get<Box>(room.scene.objects[object].shape).size / 2;
+          const Eigen::Vector3d at = room.scene.objects[object].X_WO.translation();
+          if (part.sole >= 0 && object == 0) continue;  // the floor
+          if (Eigen::AlignedBox3d(at - half, at + half).exteriorDistance(p) < part.radius - slack)
+            return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+TEST_F(WalkSteeringTest, AnEdgeThatIsValidIsFreeByAnotherReckoning) {
+  SampleStream stream(21, 0);
+  int edges = 0;
+  for (int i = 0; i < 60 && edges < 12; ++i) {
+    const SteerResult result = steering.steer(anywhere(stream), anywhere(stream), *scratch);
+    if (!result.edge) continue;
+    ++edges;
+    AnimationBuffer walk;
+    steering.animate(*result.edge, walk);
+    EXPECT_TRUE(isFreeByPoints(room, walk, 1e-6)) << i;
+  }
+  EXPECT_EQ(edges, 12);
+}
+
+TEST_F(WalkSteeringTest, StandingIsRefusedWhereABoxIsInTheBodyAndNowhereElse) {
+  SampleStream stream(22, 0);
+  int blocked = 0;
+  for (int i = 0; i < 300; ++i) {
+    Stance stance = anywhere(stream).stance;
+    AnimationBuffer pose;
+    room.synthesizer.stand(stance, pose);
+    const auto failure = steering.stand(stance, *scratch);
+    if (failure && failure->rule != WalkRule::kContact) continue;  // no room for a foot
+    blocked += failure.has_value();
+    if (failure) {
+      EXPECT_FALSE(isFreeByPoints(room, pose, -0.02)) << i;  // a point within 2 cm of its skin
+    } else {
+      EXPECT_TRUE(isFreeByPoints(room, pose, 1e-6)) << i;
+    }
+  }
+  EXPECT_GT(blocked, 30);
+  EXPECT_LT(blocked, 250);
+}
+
+TEST_F(WalkSteeringTest, TheContactThatIsNamedIsThere) {
+  SampleStream stream(23, 0);
+  int named = 0;
+  for (int i = 0; i < 60; ++i) {
+    const SteerResult result = steering.steer(anywhere(stream), anywhere(stream), *scratch);
+    if (result.edge || result.failure.rule != WalkRule::kContact) continue;
+    ++named;
+    const SteeringFailure& failure = result.failure;
+    ASSERT_TRUE(failure.part >= 0 && failure.object >= 0);
+    const BodyPart& part = room.body.parts[failure.part];
+    const SceneObject& object = room.scene.objects[failure.object];
+    const Eigen::Vector3d half = std::get<Box>(object.shape).size / 2;
+    const Eigen::AlignedBox3d box(object.X_WO.translation() - half,
+                                  object.X_WO.translation() + half);
+    // The middle of a part is its half length and its radius from what it touches, and may move so
+    // far from frame to frame.
+    EXPECT_LT(box.exteriorDistance(failure.at),
+              part.radius + 0.5 * (part.to - part.from).norm() + 0.05)
+        << part.name << " and " << object.name;
+    EXPECT_TRUE(room.bounds.contains(failure.body.head<2>()));
+  }
+  EXPECT_GT(named, 15);
+}
+
+TEST_F(WalkSteeringTest, EdgesAreWholeFramesOfWholeStepsAlongTheirPaths) {
+  SampleStream stream(24, 0);
+  int edges = 0;
+  for (int i = 0; i < 80; ++i) {
+    const Waypoint from = anywhere(stream), to = anywhere(stream);
+    const SteerResult result = steering.steer(from, to, *scratch);
+    if (!result.edge) continue;
+    ++edges;
+    const WalkEdge& edge = *result.edge;
+    const double frames = edge.duration / room.synthesizer.settings().frame_time;
+    EXPECT_NEAR(frames, std::round(frames), 1e-6);
+    EXPECT_EQ(edge.from.position, from.stance.position);
+    EXPECT_EQ(edge.to.position, to.stance.position);
+    EXPECT_EQ(edge.from.heading, from.stance.heading);
+    EXPECT_EQ(edge.to.heading, to.stance.heading);
+    if (edge.path.empty()) continue;
+    EXPECT_GT(edge.steps, 0);
+    EXPECT_EQ(edge.length, edge.path.length());
+    const RootPath::Sample first = edge.path.at(0.0), last = edge.path.at(edge.length);
+    EXPECT_LT((first.position - from.stance.position.head<2>()).norm(), 1e-9);
+    EXPECT_LT((last.position - to.stance.position.head<2>()).norm(), 1e-9);
+    EXPECT_NEAR(wrapAngle(first.heading - from.stance.heading - edge.turn_first), 0.0, 1e-6);
+    EXPECT_NEAR(wrapAngle(to.stance.heading - edge.turn_last - last.heading), 0.0, 1e-6);
+    EXPECT_LE(edge.length / edge.duration, steering.topSpeed());
+    EXPECT_GE(edge.cost(), edge.duration);
+  }
+  EXPECT_GT(edges, 8);
+}
+
+TEST_F(WalkSteeringTest, AnswersDependOnNothingThatWasAskedBefore) {
+  SampleStream stream(25, 0);
+  std::vector<std::pair<Waypoint, Waypoint>> questions;
+  for (int i = 0; i < 25; ++i) questions.emplace_back(anywhere(stream), anywhere(stream));
+  std::vector<SteerResult> there;
+  for (const auto& [from, to] : questions) there.push_back(steering.steer(from, to, *scratch));
+  const SteeringScratchPtr fresh = steering.makeScratch();
+  for (size_t i = questions.size(); i-- > 0;) {  // in the other order
+    const SteerResult again = steering.steer(questions[i].first, questions[i].second, *fresh);
+    ASSERT_EQ(again.edge.has_value(), there[i].edge.has_value());
+    EXPECT_EQ(again.poses, there[i].poses);
+    EXPECT_EQ(again.failure.rule, there[i].failure.rule);
+    EXPECT_EQ(again.failure.object, there[i].failure.object);
+    EXPECT_EQ(again.failure.at, there[i].failure.at);
+    if (!again.edge) continue;
+    EXPECT_EQ(again.edge->duration, there[i].edge->duration);
+    EXPECT_EQ(again.edge->length, there[i].edge->length);
+  }
+}
+
+// Through a stance that walks: what one edge ends with the next begins with, to the bit.
+TEST_F(WalkSteeringTest, EdgesJoinAtAWalkingStanceWithoutAJump) {
+  for (const double heading : {90.0, 80.0, 100.0}) {
+    const Waypoint from = standing(1.5, 0.5, 90), through = walking(1.5, 2.0, heading),
+                   to = standing(1.5, 3.5, 90);
+    const SteerResult first = steering.steer(from, through, *scratch);
+    ASSERT_TRUE(first.edge.has_value()) << heading;
+    EXPECT_FALSE(first.edge->to.standing);
+    const SteerResult second = steering.steer({first.edge->to}, to, *scratch);
+    ASSERT_TRUE(second.edge.has_value()) << heading;
+    AnimationBuffer a, b;
+    steering.animate(*first.edge, a);
+    steering.animate(*second.edge, b);
+    EXPECT_EQ(a.poses.p_WR(a.size() - 1), b.poses.p_WR(0));
+    for (int joint = 0; joint < a.poses.joints(); ++joint)
+      EXPECT_EQ(a.poses.rotations(a.size() - 1)[joint].coeffs(),
+                b.poses.rotations(0)[joint].coeffs());
+    EXPECT_LT(first.edge->duration + second.edge->duration,
+              steering.steer(from, standing(1.5, 2.0, 90), *scratch).edge->duration +
+                  steering.steer(standing(1.5, 2.0, 90), to, *scratch).edge->duration);
+  }
+}
+
+TEST_F(WalkSteeringTest, PlacingAStanceMovesItUpAndDownOnly) {
+  Stance stance = standing(2, 1, 30).stance;
+  stance.position.z() = 0.8;
+  EXPECT_TRUE(steering.place(stance));
+  EXPECT_EQ(stance.position, Eigen::Vector3d(2, 1, 0));
+  stance.position.z() = 30.0;
+  EXPECT_FALSE(steering.place(stance));
+  EXPECT_EQ(steering.layers(), 0);
+  EXPECT_TRUE(steering.passages().empty());
+}
+
+TEST(WalkSteeringUneven, PassagesOfAStairAreWalkedUpAndDown) {
+  Scene scene;
+  scene.objects = {boxObject("low", {3, 3, 0.2}, {-1.5, 0, -0.1}),
+                   boxObject("high", {3, 3, 0.2}, {1.16 + 1.5, 0, 0.85 - 0.1})};
+  for (int i = 0; i < 4; ++i)
+    scene.objects.push_back(
+        boxObject("tread", {0.29, 3, 0.17 * (i + 1)}, {0.29 * (i + 0.5), 0, 0.085 * (i + 1)}));
+  const FurnishedRoom room(scene);
+  const WalkSteering steering(room.synthesizer, room.world, room.ground);
+  const SteeringScratchPtr scratch = steering.makeScratch();
+  EXPECT_GE(steering.layers(), 1);
+  const auto passages = steering.passages();
+  ASSERT_FALSE(passages.empty());
+  int up = 0, down = 0;
+  for (const StancePair& pair : passages) {
+    Stance low = pair.first, high = pair.second;
+    EXPECT_FALSE(steering.stand(low, *scratch));
+    EXPECT_FALSE(steering.stand(high, *scratch));
+    const SteerResult rising = steering.steer({low}, {high}, *scratch);
+    up += rising.edge.has_value();
+    down += steering.steer({high}, {low}, *scratch).edge.has_value();
+    if (rising.edge) {
+      EXPECT_GT(rising.edge->effort, 0.0);  // 0.85 m are won
+    }
+  }
+  EXPECT_GT(up, 0);
+  EXPECT_GT(down, 0);
+}
+
 }  // namespace
 }  // namespace amble
