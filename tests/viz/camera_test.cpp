@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace amble {
@@ -50,6 +51,40 @@ TEST(Camera, EnlargedSeesTheSameInMorePixels) {
   for (const Vector3f& p : kBox)
     EXPECT_LT((large.toPixel(large.toView(p)) - 2 * camera.toPixel(camera.toView(p))).norm(),
               1e-2f);
+}
+
+TEST(Camera, TheEyeStandsWhereItsDirectionSays) {
+  for (const ViewDirection from : {ViewDirection{0.0, 0.5}, {2.0, 1.2}, {-1.1, 0.1}}) {
+    const Camera camera = frameView(kBox, from, 640, 480, 10);
+    const Vector3f back = -camera.axes.row(2).transpose();
+    EXPECT_NEAR(std::atan2(back.y(), back.x()), from.azimuth, 1e-5);
+    EXPECT_NEAR(std::asin(back.z()), from.elevation, 1e-5);
+    for (const Vector3f& p : kBox) {
+      EXPECT_GT(camera.toView(p).z(), 0.0f);  // before it
+      EXPECT_NEAR(camera.towardsEye(p).norm(), 1.0f, 1e-5f);
+      EXPECT_GT(camera.towardsEye(p).dot(camera.eye - p), 0.0f);
+    }
+  }
+}
+
+TEST(Camera, WhatIsHigherIsHigherInThePicture) {
+  const Camera camera = frameView(kBox, {0.3, 0.6}, 640, 480, 10);
+  for (int i = 0; i < 4; ++i) {
+    const float low = camera.toPixel(camera.toView(kBox[i])).y();
+    EXPECT_LT(camera.toPixel(camera.toView(kBox[i + 4])).y(), low);
+  }
+}
+
+TEST(Camera, ParallelViewsShowEqualLengthsEqual) {
+  Camera camera;
+  camera.parallel = true;
+  camera.axes = viewAxes({1, 0.5f, -0.3f});
+  camera.scale = 50;
+  const Vector3f step(0.3f, -0.8f, 0.5f);
+  const auto seen = [&](const Vector3f& p) {
+    return Vector2f(camera.toPixel(camera.toView(p + step)) - camera.toPixel(camera.toView(p)));
+  };
+  EXPECT_LT((seen({0, 0, 0}) - seen({40, -7, 3})).norm(), 1e-2f);
 }
 
 }  // namespace

@@ -102,5 +102,31 @@ TEST(AddRibbon, OfNothingIsNothing) {
   EXPECT_TRUE(triangles.empty());
 }
 
+TEST(CornerNormals, EdgesFlatterThanTheCreaseAreSmoothAndOthersSharp) {
+  // A roof of two slopes: 0.5 rad between their normals.
+  const double h = std::tan(0.25);
+  const TriangleMesh roof{{{-1, 0, 0}, {0, 0, h}, {0, 1, h}, {-1, 1, 0}, {1, 0, 0}, {1, 1, 0}},
+                          {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}}};
+  const auto smooth = cornerNormals(roof, 0.6), sharp = cornerNormals(roof, 0.4);
+  // The ridge's corners: 1 of triangles 0, 2, 3 and 2 of triangles 0, 1, 3.
+  EXPECT_NEAR(smooth[1].x(), smooth[6].x(), 0.2f);
+  EXPECT_GT(sharp[6].x() - sharp[1].x(), 0.45f);
+  for (const auto& normals : {smooth, sharp})
+    for (const Vector3f& normal : normals) EXPECT_NEAR(normal.norm(), 1.0f, 1e-5f);
+}
+
+TEST(AddMesh, KeepsEveryTriangleItsColourAndItsFlags) {
+  std::vector<DrawTriangle> triangles;
+  const TriangleMesh ball = makeSphere(1.0, 20);
+  addMesh(ball, rgb(7, 8, 9), kTwoSided | kNoShadow, triangles);
+  ASSERT_EQ(triangles.size(), ball.triangles.size());
+  for (size_t i = 0; i < triangles.size(); ++i) {
+    EXPECT_EQ(triangles[i].color, rgb(7, 8, 9));
+    EXPECT_EQ(triangles[i].flags, kTwoSided | kNoShadow);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_EQ(triangles[i].p[k], ball.vertices[ball.triangles[i][k]].cast<float>());
+  }
+}
+
 }  // namespace
 }  // namespace amble

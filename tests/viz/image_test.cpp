@@ -5,6 +5,8 @@
 
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "base/error.h"
@@ -63,6 +65,52 @@ TEST(TinyText, StaysInsideThePictureAndItsWidth) {
     for (int x = 1; x < 1 + textWidth("17", 1); ++x) lit += image.pixel(x, y)[0] == 255;
   EXPECT_GT(lit, 10);
   EXPECT_EQ(image.pixel(0, 0)[0], 0);
+}
+
+/// The names of a PNG's chunks, in order; their lengths must fill the file.
+std::vector<std::string> chunksOf(const std::string& bytes) {
+  std::vector<std::string> names;
+  size_t at = 8;  // behind the signature
+  while (at + 8 <= bytes.size()) {
+    size_t length = 0;
+    for (size_t i = 0; i < 4; ++i)
+      length = 256 * length + static_cast<unsigned char>(bytes[at + i]);
+    names.push_back(bytes.substr(at + 4, 4));
+    at += length + 12;
+  }
+  EXPECT_EQ(at, bytes.size());
+  return names;
+}
+
+// A time stamp or a program's name would make two pictures of the same walk differ.
+TEST(Image, HoldsThePictureAndNothingElse) {
+  for (const auto& [width, height] : {std::pair{1, 1}, std::pair{300, 200}, std::pair{5, 900}}) {
+    const std::string bytes = pngOf(gradient(width, height));
+    EXPECT_EQ(bytes.substr(0, 8), "\x89PNG\r\n\x1a\n");
+    const auto chunks = chunksOf(bytes);
+    ASSERT_GE(chunks.size(), 3u);
+    EXPECT_EQ(chunks.front(), "IHDR");
+    EXPECT_EQ(chunks.back(), "IEND");
+    for (size_t i = 1; i + 1 < chunks.size(); ++i) EXPECT_EQ(chunks[i], "IDAT");
+  }
+}
+
+TEST(Image, AFileHoldsTheSameBytesAsAStream) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "amble-image-test.png";
+  writePng(file, gradient(31, 17));
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  EXPECT_EQ(bytes, pngOf(gradient(31, 17)));
+  std::filesystem::remove(file);
+}
+
+TEST(Image, PixelsAreRowsFromTheTop) {
+  Image image(4, 3);
+  image.pixel(3, 2)[1] = 9;
+  EXPECT_EQ(image.rgb.size(), 36u);
+  EXPECT_EQ(image.rgb[(2 * 4 + 3) * 3 + 1], 9);
+  const Image& same = image;
+  EXPECT_EQ(same.pixel(3, 2), image.pixel(3, 2));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "viz/draw_mesh.h"
 
@@ -100,6 +101,40 @@ TEST(Lighting, ACornerIsDarkerThanTheOpenFloor) {
 TEST(Lighting, ThreadsChangeNoByte) {
   const Image one = lit(things(), {});
   for (const int threads : {2, 5}) EXPECT_EQ(lit(things(), {}, threads).rgb, one.rgb) << threads;
+}
+
+float linearOf(uint8_t byte) { return std::pow(static_cast<float>(byte) / 255.0f, 2.2f); }
+
+TEST(Lighting, SunAndSkyAddUpAsLightDoes) {
+  const Image sky = lit(things(), {.sun = 0.0f, .sky = 0.3f});
+  const Image sun = lit(things(), {.sun = 0.3f, .sky = 0.0f});
+  const Image both = lit(things(), {.sun = 0.3f, .sky = 0.3f});
+  for (int y = 8; y < kSize - 8; ++y) {
+    for (int x = 8; x < kSize - 8; ++x) {  // of the floor and what stands on it
+      const float sum = linearOf(sky.pixel(x, y)[1]) + linearOf(sun.pixel(x, y)[1]);
+      EXPECT_NEAR(linearOf(both.pixel(x, y)[1]), sum, 0.012f) << x << " " << y;
+    }
+  }
+}
+
+TEST(Lighting, HowLongTheWayToTheSunIsDoesNotMatter) {
+  const Image once = lit(things(), {.to_sun = {-0.35f, -0.25f, 0.9f}});
+  const Image far = lit(things(), {.to_sun = {-3.5f, -2.5f, 9.0f}});
+  EXPECT_EQ(once.rgb, far.rgb);
+}
+
+TEST(Lighting, ASurfaceTurnedAwayFromTheSunHasTheSkyOnly) {
+  const LightSettings below{.to_sun = {0.1f, 0.1f, -1.0f}, .sun = 0.6f, .sky = 0.4f};
+  const LightSettings none{.sun = 0.0f, .sky = 0.4f};
+  EXPECT_EQ(lit(things(), below).rgb, lit(things(), none).rgb);
+}
+
+TEST(Lighting, DarkerThingsAreDarkerEverywhere) {
+  std::vector<DrawTriangle> dark = things();
+  for (DrawTriangle& t : dark) t.color *= 0.6f;
+  const Image bright = lit(things(), {}), dim = lit(dark, {});
+  EXPECT_TRUE(nowhereBrighter(dim, bright));
+  EXPECT_LT(dim.pixel(kSize / 2, kSize / 2)[0], bright.pixel(kSize / 2, kSize / 2)[0]);
 }
 
 }  // namespace

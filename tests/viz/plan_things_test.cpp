@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/environments/test_meshes.h"
 #include "tests/viz/test_walk.h"
 
 namespace amble {
@@ -38,6 +39,35 @@ TEST(PlanThings, ObjectsOfOneNameAreOneThingUnlessTheyFillAFlat) {
   EXPECT_EQ(cutScene(scene, 0.0).size(), 1u);
   scene.objects[1].X_WO.translation().x() = 9.0;
   EXPECT_EQ(cutScene(scene, 0.0).size(), 2u);
+}
+
+// A table's top is over its legs: what a body can touch is the top, at hip height too.
+TEST(PlanThings, OfAMeshAreTheOutlinesOfItsSlices) {
+  TriangleMesh table = moved(makeBox({1.2, 0.8, 0.04}), {0, 0, 0.72});
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.3, 0.3})
+      table = joined(table, moved(makeBox({0.06, 0.06, 0.7}), {x, y, 0.35}));
+  SceneObject object;
+  object.name = "table";
+  object.shape = table;
+  object.X_WO.translation() = Eigen::Vector3d(2, 1, 0);
+  Scene scene;
+  scene.objects = {object};
+  const auto things = cutScene(scene, 0.0);
+  ASSERT_EQ(things.size(), 1u);
+  EXPECT_NEAR(coveredArea(things[0].body), 1.2 * 0.8, 0.03);
+  EXPECT_NEAR(coveredArea(things[0].hips), 1.2 * 0.8, 0.03);
+  EXPECT_NEAR(coveredArea(things[0].floor), 4 * 0.06 * 0.06, 0.01);
+  EXPECT_NEAR(things[0].top, 0.74, 1e-9);
+  EXPECT_LT((things[0].box.center() - Eigen::Vector2d(2, 1)).norm(), 0.01);
+}
+
+TEST(PlanThings, WhatHangsOverEveryHeadIsNotDrawn) {
+  Scene scene;
+  scene.objects = {testBox("lamp", {0.4, 0.4, 0.3}, {1, 1, 2.2})};
+  const auto things = cutScene(scene, 0.0);
+  EXPECT_TRUE(things[0].body.empty() && things[0].hips.empty() && things[0].floor.empty());
+  EXPECT_TRUE(things[0].box.isEmpty());
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <random>
 
 #include "viz/draw_mesh.h"
 #include "viz/lighting.h"
@@ -148,6 +150,58 @@ TEST(Lighting, WhatLiesUnderAPlateIsInItsShadow) {
   const int open = image.pixel(32 - 20, 32)[0];
   EXPECT_LT(shade, open - 30);
   EXPECT_NEAR(image.pixel(32 + 24, 32)[0], open, 6);  // (1.5, 0) is in the sun
+}
+
+// Every sample by itself: a line through its middle down to the triangles it meets.
+TEST(Rasterizer, ASampleSeesTheNearestOfRandomTriangles) {
+  std::mt19937 generator(4);
+  std::uniform_real_distribution<float> place(-2.5f, 2.5f), height(-1.0f, 3.0f);
+  std::vector<DrawTriangle> triangles;
+  for (int i = 0; i < 40; ++i) {
+    DrawTriangle t;
+    for (auto& p : t.p) p = {place(generator), place(generator), height(generator)};
+    t.normal.fill(Vector3f::UnitZ());
+    t.color = rgb(i + 1, 0, 0);
+    t.flags = kTwoSided;
+    triangles.push_back(t);
+  }
+  const Camera camera = fromAbove();
+  const SampleBuffer buffer = rasterize(triangles, camera, kSize, kSize);
+  int seen = 0;
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      const double px = (x + 0.5 - 32) / 16, py = (32 - y - 0.5) / 16;
+      double highest = -1e9;
+      bool doubtful = false;
+      int owner = 0;
+      for (size_t i = 0; i < triangles.size(); ++i) {
+        const Eigen::Vector3d a = triangles[i].p[0].cast<double>(),
+                              b = triangles[i].p[1].cast<double>(),
+                              c = triangles[i].p[2].cast<double>();
+        const auto area = [](const Eigen::Vector3d& u, const Eigen::Vector3d& v, double qx,
+                             double qy) {
+          return (u.x() - qx) * (v.y() - qy) - (u.y() - qy) * (v.x() - qx);
+        };
+        const double whole = area(b, c, a.x(), a.y());
+        const double wa = area(b, c, px, py) / whole, wb = area(c, a, px, py) / whole;
+        const double least = std::min({wa, wb, 1 - wa - wb});
+        doubtful = doubtful || std::abs(least) < 1e-4;
+        if (least < 0) continue;
+        const double z = wa * a.z() + wb * b.z() + (1 - wa - wb) * c.z();
+        doubtful = doubtful || std::abs(z - highest) < 1e-4;
+        if (z > highest) owner = static_cast<int>(i) + 1;
+        highest = std::max(highest, z);
+      }
+      if (doubtful) continue;
+      const Sample& sample = buffer.at(x, y);
+      EXPECT_EQ(sample.color[0], owner);
+      if (owner > 0) {
+        EXPECT_NEAR(sample.depth, 5 - highest, 1e-3);
+        ++seen;
+      }
+    }
+  }
+  EXPECT_GT(seen, 1000);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include "test_walk.h"
 #include "viz/color.h"
-#include "viz/room.h"
 
 namespace amble {
 namespace {
@@ -59,45 +58,6 @@ TEST(RenderWalk, SeesAWalkBehindAWall) {
   walk->scene.objects.push_back(testBox("divider", {4, 0.1, 2.5}, {3, 1.2, 1.25}));
   walk->scene.objects.push_back(testBox("divider-2", {4, 0.1, 2.5}, {3, 2.8, 1.25}));
   EXPECT_GT(strongPixels(renderWalk(walk->view, kSmall), 0), before / 3);
-}
-
-TEST(Room, LeavesOutTheCeilingAndCutsTheWallsTowardsTheEye) {
-  Scene scene = testRoom();
-  scene.objects.push_back(testBox("ceiling", {6, 4, 0.2}, {3, 2, 2.6}));
-  scene.objects.push_back(
-      testBox("picture", {0.8, 0.03, 0.5}, {3, 0.02, 1.5}));  // hangs on the south wall
-  const auto room = sortRoom(scene, 0);
-  const RoomSight sight{{3, -8, 6}, {{3, 2, 1}}, 0};  // the eye is south of the room
-  std::vector<DrawTriangle> triangles;
-  addRoom(room, sight, triangles);
-  float highest = 0, south = 0, north = 0;
-  for (const DrawTriangle& t : triangles) {
-    for (const auto& p : t.p) {
-      highest = std::max(highest, p.z());
-      if (p.y() < -0.01f) south = std::max(south, p.z());  // the side walls end at 0 and at 4
-      if (p.y() > 4.01f) north = std::max(north, p.z());
-    }
-  }
-  EXPECT_NEAR(highest, 2.5, 1e-5);
-  EXPECT_NEAR(north, 2.5, 1e-5);
-  EXPECT_GT(south, 0.01f);
-  EXPECT_LT(south, 0.3f);
-  const auto on_south = [](const DrawTriangle& t) {
-    return t.p[0].z() > 1 && t.p[0].y() < 0.05f && t.p[0].y() > 0.001f;
-  };
-  EXPECT_EQ(std::count_if(triangles.begin(), triangles.end(), on_south),
-            0);  // no picture in the air
-}
-
-TEST(Room, TellsFloorsWallsBeamsAndFurniture) {
-  Scene scene = testRoom();
-  scene.objects.push_back(testBox("beam", {0.2, 4, 0.9}, {3, 2, 2.05}));
-  const auto room = sortRoom(scene, 0);
-  ASSERT_EQ(room.size(), 7u);
-  EXPECT_EQ(room[0].part, RoomPart::kFloor);
-  for (int i = 1; i <= 4; ++i) EXPECT_EQ(room[i].part, RoomPart::kWall);
-  EXPECT_EQ(room[5].part, RoomPart::kFurniture);
-  EXPECT_EQ(room[6].part, RoomPart::kOverhead);
 }
 
 TEST(RenderStrip, IsAGridOfTiles) {
@@ -175,6 +135,55 @@ TEST(Colors, AreWhatTheNamesSay) {
   EXPECT_TRUE(namedColor("flat", "IKEA_sofa").has_value());
   EXPECT_FALSE(namedColor("zzz", "").has_value());
   EXPECT_EQ(otherColor("zzz"), otherColor("zzz"));
+}
+
+TEST(RenderWalk, MoreBodiesCoverMoreOfThePicture) {
+  const auto walk = makeTestWalk();
+  RenderSettings often = kSmall, seldom = kSmall;
+  often.every = 0.25;
+  seldom.every = 4.0;
+  const Image many = renderWalk(walk->view, often), few = renderWalk(walk->view, seldom);
+  EXPECT_GT(strongPixels(many, 2) + strongPixels(many, 0),
+            strongPixels(few, 2) + strongPixels(few, 0));
+}
+
+TEST(RenderWalk, AThingThatIsAddedChangesThePictureWhereItIsOnly) {
+  const auto walk = makeTestWalk();
+  const Image before = renderWalk(walk->view, kSmall);
+  walk->scene.objects.push_back(testBox("crate", {0.3, 0.3, 0.3}, {0.4, 3.6, 0.15}));
+  const Image after = renderWalk(walk->view, kSmall);
+  long changed = 0;
+  for (size_t i = 0; i < before.rgb.size(); ++i) changed += before.rgb[i] != after.rgb[i];
+  EXPECT_GT(changed, 20);
+  EXPECT_LT(changed, static_cast<long>(before.rgb.size() / 10));
+}
+
+TEST(RenderWalk, WhereTheWorldIsDoesNotMatter) {
+  const auto here = makeTestWalk(), there = makeTestWalk();
+  const Eigen::Vector3d by(32, -16, 0);
+  for (SceneObject& object : there->scene.objects) object.X_WO.translation() += by;
+  for (Footprint& print : there->animation.footprints) print.position += by;
+  for (int i = 0; i < there->animation.size(); ++i) {
+    there->animation.poses.p_WR(i) += by;
+    there->animation.states[i].position += by;
+  }
+  there->path = RootPath({makeBezier({33, -14}, 0, {37, -14}, 0)});
+  there->view.start->position += by.head<2>();
+  there->view.goal->position += by.head<2>();
+  const Image a = renderWalk(here->view, kSmall), b = renderWalk(there->view, kSmall);
+  long differ = 0;  // planks lie by World's metres: the floor's grain is another
+  for (size_t i = 0; i < a.rgb.size(); ++i) differ += std::abs(a.rgb[i] - b.rgb[i]) > 40;
+  EXPECT_LT(differ, static_cast<long>(a.rgb.size() / 100));
+}
+
+TEST(RenderWalk, AnyAskedSizeIsDrawn) {
+  const auto walk = makeTestWalk();
+  for (const auto& [width, height] : {std::pair{16, 16}, std::pair{33, 90}, std::pair{200, 40}}) {
+    const Image image = renderWalk(walk->view, {width, height, 1.0});
+    EXPECT_EQ(image.width, width);
+    EXPECT_EQ(image.height, height);
+    EXPECT_EQ(image.rgb.size(), static_cast<size_t>(3 * width * height));
+  }
 }
 
 }  // namespace

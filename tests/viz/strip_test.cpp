@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "tests/viz/test_walk.h"
 #include "viz/color.h"
@@ -65,6 +67,78 @@ TEST(StripOfWhole, ShowsAWalkOfAnyLengthToItsEnd) {
       EXPECT_LE((frames + strip.step - 1) / strip.step, strip.pictures) << frames;
     }
   }
+}
+
+/// The tile of a strip that is `index` pictures from its begin.
+Image tileOf(const Image& strip, const StripSettings& settings, int columns, int index) {
+  Image tile(settings.tile_width, settings.tile_height);
+  for (int y = 0; y < tile.height; ++y)
+    std::copy_n(strip.pixel(index % columns * tile.width, index / columns * tile.height + y),
+                3 * tile.width, tile.pixel(0, y));
+  return tile;
+}
+
+TEST(RenderStrip, EveryTileIsThePictureOfItsFrame) {
+  const auto walk = makeTestWalk();
+  StripSettings settings{
+      .first = 3, .step = 11, .pictures = 5, .columns = 2, .tile_width = 60, .tile_height = 80};
+  const Image strip = renderStrip(walk->view, settings);
+  ASSERT_EQ(strip.width, 120);
+  ASSERT_EQ(strip.height, 240);
+  for (int i = 0; i < 5; ++i) {
+    StripSettings one = settings;
+    one.first = settings.first + i * settings.step;
+    one.pictures = one.columns = 1;
+    EXPECT_EQ(renderStrip(walk->view, one).rgb, tileOf(strip, settings, 2, i).rgb) << i;
+  }
+  // What is left of the last row stays blank.
+  const Image last = tileOf(strip, settings, 2, 5);
+  EXPECT_EQ(std::count(last.rgb.begin(), last.rgb.end(), 250), static_cast<long>(last.rgb.size()));
+}
+
+TEST(RenderStrip, EndsWithTheWalk) {
+  const auto walk = makeTestWalk();  // 121 frames
+  for (const auto& [first, step, pictures] :
+       {std::array{0, 30, 5}, std::array{100, 10, 3}, std::array{120, 1, 1}}) {
+    const StripSettings settings{.first = first,
+                                 .step = step,
+                                 .pictures = 50,
+                                 .columns = 50,
+                                 .tile_width = 20,
+                                 .tile_height = 24};
+    EXPECT_EQ(renderStrip(walk->view, settings).width, 20 * pictures) << first;
+  }
+}
+
+// The root is held in the middle: a walk that moves is seen as one on the spot.
+TEST(RenderStrip, FramesOfTheSamePoseLookTheSame) {
+  const auto walk = makeTestWalk();
+  walk->animation.footprints.clear();
+  const StripSettings tile{.pictures = 1, .columns = 1, .tile_width = 120, .tile_height = 160};
+  StripSettings later = tile;
+  later.first = 60;  // 2 m on: the marks on the floor are again where they were
+  const Image a = renderStrip(walk->view, tile), b = renderStrip(walk->view, later);
+  long differ = 0;
+  for (int y = 30; y < a.height; ++y)  // below the numbers
+    for (int x = 0; x < a.width; ++x) differ += std::abs(a.pixel(x, y)[0] - b.pixel(x, y)[0]) > 8;
+  EXPECT_LT(differ, a.width * a.height / 200);
+}
+
+TEST(RenderStrip, FromTheOtherSideTheOtherLegIsNearer) {
+  const auto walk = makeTestWalk();
+  walk->animation.footprints.clear();
+  StripSettings right{.pictures = 1, .columns = 1};
+  StripSettings left = right;
+  left.side = -right.side;
+  // The legs are in line: only the nearer one's colour is seen.
+  const auto blue = [&](const Image& image) {
+    long count = 0;
+    for (size_t i = 0; i < image.rgb.size(); i += 3) count += image.rgb[i + 2] > image.rgb[i] + 40;
+    return count;
+  };
+  const long from_left = blue(renderStrip(walk->view, left));
+  const long from_right = blue(renderStrip(walk->view, right));
+  EXPECT_GT(from_left, 4 * from_right);
 }
 
 }  // namespace

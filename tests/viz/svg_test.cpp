@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <pugixml.hpp>
 #include <regex>
@@ -113,6 +114,36 @@ TEST(Svg, RoadmapEdgesAreDrawnAlongTheirWalks) {
   EXPECT_EQ(pointsOf(edges[0].node()).size(), curve.size());
   EXPECT_EQ(pointsOf(edges[1].node()).size(), 2u);
   EXPECT_EQ(pointsOf(edges[0].node()).front(), pointsOf(edges[1].node()).back());
+}
+
+TEST(Svg, AFramesPicturesAreMapsOfTheWorld) {
+  const SvgFrame frame{{-3, 7}, 40};
+  const Eigen::Vector2d a(1, 2), b(4, -2);
+  // Lengths by the scale, left turns become right turns, and the way back is exact.
+  EXPECT_DOUBLE_EQ((frame(a) - frame(b)).norm(), 40 * (a - b).norm());
+  const Eigen::Vector2d back(frame(a).x() / 40 - 3, 7 - frame(a).y() / 40);
+  EXPECT_LT((back - a).norm(), 1e-12);
+  EXPECT_GT(frame(a + Eigen::Vector2d(1, 0)).x(), frame(a).x());
+  EXPECT_LT(frame(a + Eigen::Vector2d(0, 1)).y(), frame(a).y());
+}
+
+TEST(Svg, PathsHaveEveryPointOnceAndCloseWhereAsked) {
+  EXPECT_EQ(svgPath(std::vector<Eigen::Vector2d>{}, false), "");
+  std::vector<Eigen::Vector2d> points;
+  for (int i = 0; i < 9; ++i) points.push_back({i * 1.5, -i * 0.25});
+  for (const bool closed : {false, true}) {
+    const std::string path = svgPath(points, closed);
+    EXPECT_EQ(std::count(path.begin(), path.end(), 'M'), 1);
+    EXPECT_EQ(std::count(path.begin(), path.end(), 'L'), 8);
+    EXPECT_EQ(path.back() == 'Z', closed);
+  }
+}
+
+TEST(Svg, AttributesFollowOneAnother) {
+  const XmlAttributes both = XmlAttributes{{"a", 1}, {"b", "x"}} + XmlAttributes{{"c", 2.5}};
+  ASSERT_EQ(both.size(), 3u);
+  EXPECT_EQ(both[0].name + both[1].name + both[2].name, "abc");
+  EXPECT_EQ(both[2].value, "2.5");
 }
 
 }  // namespace

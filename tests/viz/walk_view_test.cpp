@@ -52,5 +52,33 @@ TEST(WalkView, APlacedShoeIsTheShoeMoved) {
   }
 }
 
+TEST(WalkView, ABodyIsPlacedByItsPose) {
+  const auto walk = makeTestWalk();
+  const PlacedBody first = placeBodyAt(walk->view, 0), later = placeBodyAt(walk->view, 60);
+  for (size_t i = 0; i < first.from.size(); ++i) {  // 2 m on, in the same pose
+    EXPECT_LT((later.from[i] - first.from[i] - Eigen::Vector3d(2, 0, 0)).norm(), 1e-9);
+    EXPECT_LT((later.to[i] - first.to[i] - Eigen::Vector3d(2, 0, 0)).norm(), 1e-9);
+  }
+}
+
+TEST(WalkView, AViewHasABodyWhenAllOfItIsThere) {
+  const auto walk = makeTestWalk();
+  EXPECT_TRUE(walk->view.hasBody());
+  for (int missing = 0; missing < 3; ++missing) {
+    WalkView view = walk->view;
+    if (missing == 0) view.body = nullptr;
+    if (missing == 1) view.skeleton = nullptr;
+    if (missing == 2) view.animation = nullptr;
+    EXPECT_FALSE(view.hasBody());
+    EXPECT_NEAR(soleLength(view), 0.27, 1e-9);
+  }
+}
+
+TEST(WalkView, ShoesScaleWithTheirLength) {
+  const auto small = shoeOutline(kLeft, 0.2), large = shoeOutline(kLeft, 0.3);
+  ASSERT_EQ(small.size(), large.size());
+  for (size_t i = 0; i < small.size(); ++i) EXPECT_LT((1.5 * small[i] - large[i]).norm(), 1e-12);
+}
+
 }  // namespace
 }  // namespace amble
