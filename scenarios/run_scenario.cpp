@@ -124,8 +124,8 @@ RunResult runScenario(const Scenario& scenario, const RunOptions& options) {
   const auto time_limit = std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(scenario.planner.time_limit));
   const LoadLimits limits{options.memory, {options.stop, begin + time_limit}};
-  result.problem = std::make_unique<const Problem>(scenario, options.frame_time, limits,
-                                                    options.checker);
+  result.problem =
+      std::make_unique<const Problem>(scenario, options.frame_time, limits, options.checker);
   PlanRequest request = requestOf(*result.problem, options);
   result.report.inputs = inputDigests(*result.problem);
   result.report.times.load = secondsSince(begin);

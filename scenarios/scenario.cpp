@@ -12,8 +12,8 @@ namespace amble {
 namespace {
 
 constexpr FileKind kScenarioKind = {"a scenario (YAML)", size_t{1} << 20};
-constexpr double kFarthest =
-    100000.0;  // of a coordinate [m]: beyond it a place is a slip of the pen
+// Of a coordinate [m]: beyond it a place is a slip of the pen
+constexpr double kFarthest = 100000.0;
 
 double asAngle(const YamlNode& node, double min_deg, double max_deg, const char* what) {
   return node.asDouble(min_deg, max_deg, what) * kDegree;

@@ -11,8 +11,8 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float kFieldOfView =
-    0.56f;  // across the picture's width [rad]; narrow: rooms look like models
+// Across the picture's width [rad]; narrow: rooms look like models
+constexpr float kFieldOfView = 0.56f;
 
 // Smallest and largest of the points' pixels.
 Eigen::AlignedBox2f pixelBounds(const Camera& camera, std::span<const Vector3f> points) {

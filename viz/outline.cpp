@@ -16,8 +16,8 @@ using Eigen::Vector3d;
 constexpr double kSliceStep = 0.10;  // between two cuts through closed meshes [m]
 constexpr int kMostCells = 4000000;  // the grid gets coarser where it would be larger than this
 constexpr double kSmallest = 6.0;    // pieces and holes below this are noise [cells]
-constexpr double kStraight =
-    0.8;  // how far a traced corner may lie off the line that replaces it [cells]
+// How far a traced corner may lie off the line that replaces it [cells]
+constexpr double kStraight = 0.8;
 
 // Cells that are covered, with a border of one empty cell all round.
 class Grid {

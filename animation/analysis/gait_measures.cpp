@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kTrim = 0.15;      // of a plant, at both ends (QUALITY.md)
 constexpr double kFlatUntil = 0.5;  // of a plant: from then on the heel may have risen
-constexpr double kSpeedWindow =
-    0.5;  // smoothing of the pelvis for speed, as MANIFEST's of the captures [s]
+// Smoothing of the pelvis for speed, as MANIFEST's of the captures [s]
+constexpr double kSpeedWindow = 0.5;
 // Of a swing: in between the toe passes the standing foot; before and after it is on its way up and
 // down.
 constexpr double kClearFrom = 0.3, kClearTo = 0.7;

@@ -22,8 +22,8 @@ constexpr double kUnfilteredRate = 1.1 * kMeasureRate;
 constexpr double kQuietJoint = 1.0;  // pops: a joint's percentile is not taken below this [rad/s²]
 constexpr double kBackwards = 8.0 * kDegree;  // knee: QUALITY.md
 constexpr double kPathWindow = 0.25;          // path error: smoothing of the root, QUALITY.md [s]
-constexpr double kPathReach =
-    0.5;  // path error: how far along the path the nearest point may be [s]
+// Path error: how far along the path the nearest point may be [s]
+constexpr double kPathReach = 0.5;
 
 // Rows between rows, linearly: sampled at `rate`, from rows at `own_rate`.
 Eigen::MatrixXd resampled(const Eigen::MatrixXd& rows, double own_rate, double rate) {

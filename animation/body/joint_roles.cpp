@@ -285,8 +285,8 @@ const std::vector<std::string>& roleNames() {
 }
 
 double guessUnit(const Skeleton& skeleton_in_file_units, const JointRoles& roles) {
-  constexpr double kUsualLeg =
-      0.83;  // thigh + shank of an adult of 1.7 m [m] (Winter: 0.491 of the stature)
+  // Thigh + shank of an adult of 1.7 m [m] (Winter: 0.491 of the stature)
+  constexpr double kUsualLeg = 0.83;
   constexpr std::array<double, 5> kUnits = {1.0, 0.01, 0.0254, 0.056444,
                                             0.001};  // m, cm, inch, CMU, mm [m]
   const double leg = 0.5 * (roles.legLength(skeleton_in_file_units, kLeft) +

@@ -1,5 +1,4 @@
-/// Whole bodies against the scene: which frame of a motion touches what, between frames
-/// too.
+/// Whole bodies against the scene: which frame of a motion touches what, between frames too.
 ///
 /// Solid: a closed mesh is solid (inside by parity over closed components, hollow shells free
 /// within), an open one is a surface. Ground: soles may touch what is ground while planted, to 5

@@ -10,9 +10,8 @@ namespace amble {
 
 /// A line for each object of role `auto` with an open sheet, as large as a floor is, that faces
 /// down and under which there is nothing to stand on: a floor that is wound the wrong way. Ceilings
-/// face down, too, and have a floor under them.
-/// And a line where steps that the character takes singly follow one another in a flight that walks
-/// do not climb, at the highest of them.
+/// face down, too, and have a floor under them. And a line where steps that the character takes
+/// singly follow one another in a flight that walks do not climb, at the highest of them.
 std::vector<std::string> groundWarnings(const Scene& scene, const SceneGround& ground);
 
 }  // namespace amble

@@ -16,8 +16,8 @@ namespace {
 // it.
 constexpr int kAttempts = 10;
 constexpr double kMeasuredWalk = 3.0;  // long enough for strides at full speed [m]
-constexpr double kThinnestCylinder =
-    0.3;  // where there is no ground for that walk: half of two elbows' breadth [m]
+// Where there is no ground for that walk: half of two elbows' breadth [m]
+constexpr double kThinnestCylinder = 0.3;
 
 CylinderSteering::Settings cylinderOf(const PlanRequest& request) {
   const WalkSynthesizer& synthesizer = *request.synthesizer;

@@ -4,9 +4,8 @@
 /// Nodes are guards, no two of which cover each other, and connectors, which join what could not be
 /// walked before. What the paper's symmetric "sees" becomes here:
 /// - A guard covers a sample when walks lead both ways between them. In each component (strongly
-/// connected) the guards are
-///   asked one after another, the nearest first, until one covers the sample. An edge that is found
-///   in one direction only is kept with the node.
+///   connected) the guards are asked one after another, the nearest first, until one covers the
+///   sample. An edge that is found in one direction only is kept with the node.
 /// - A sample that no guard covers becomes a guard. One through which some node can be walked to
 ///   that could not be before becomes a connector: with walks both ways that is the paper's "sees
 ///   guards of two components". Any other is thrown away.
@@ -16,17 +15,16 @@
 ///   things. So a passage too narrow to turn in, with a bend that no edge walks through, is not
 ///   found.
 /// - Headings: a node is a standing stance with a sampled heading. It may be entered and left by
-/// any heading, since the walker
-///   turns on the spot there; the turn is a part of the edge and checked with it.
+///   any heading, since the walker turns on the spot there; the turn is a part of the edge and
+///   checked with it.
 /// - Failures: M = max_failures uniform samples in a row that made no guard stop the search, and
 ///   1 - 1/M estimates the covered share of the places where the body can stand by any heading
 ///   (stance_sampler.h). As in the paper a connector does not set the count back; it counts as a
 ///   failure. Samples of the bridge test become guards and connectors too, but are not counted and
 ///   set nothing back, since the estimate is about uniform ones.
 /// - Ends of a query are the first guards, and stay guards even where one covers the other. An end
-/// that can only be left or only
-///   be entered (a free heading, a stance that walks) is a terminal: it covers nothing, and is
-///   asked only where it could join.
+///   that can only be left or only be entered (a free heading, a stance that walks) is a terminal:
+///   it covers nothing, and is asked only where it could join.
 /// - Guards farther than kFarthestGuard are not asked: a guard's domain is as large as a hall, not
 /// as a map, and no walk that is worth a check leads through all of it. Ends of a query ask all.
 /// - The search ends as soon as walks lead from start to goal; it does not wait for walks back.

@@ -11,8 +11,8 @@ namespace {
 constexpr double kShankHeight = 0.22;
 constexpr double kUsedShare = 0.5;   // of what was measured
 constexpr double kThinnest = 0.005;  // a line that is covered by less is none [m]
-constexpr double kSpacing =
-    0.1;  // of points along the path: chords of its tightest bends leave it by 3 mm [m]
+// Of points along the path: chords of its tightest bends leave it by 3 mm [m]
+constexpr double kSpacing = 0.1;
 // Of limbs at the path's ends, beyond how far before or behind its point they are there [m].
 constexpr double kEndMargin = 0.1;
 

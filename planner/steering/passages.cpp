@@ -13,8 +13,8 @@ namespace amble {
 namespace {
 
 constexpr int kSeedSpacing = 3;  // squares between places that lines begin at
-constexpr double kNeighbourhood =
-    0.45;                            // that a direction uphill is taken from: a tread and more [m]
+// That a direction uphill is taken from: a tread and more [m]
+constexpr double kNeighbourhood = 0.45;
 constexpr double kStride = 0.05;     // between points of a line [m]
 constexpr double kLevelRun = 0.5;    // without a change of height: ground is level there [m]
 constexpr double kLevelSpan = 0.02;  // that heights of level ground may differ by [m]

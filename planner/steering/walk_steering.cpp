@@ -23,8 +23,8 @@ constexpr double kSameHeading = 1e-9;  // a smaller turn is none [rad]
 constexpr double kWidestCurve = 100 * kDegree;
 // Stride and cadence give way a little so that steps and frames are whole.
 constexpr double kSpeedMargin = 1.15;
-constexpr double kMeasuredWalk =
-    3.0;  // that the core is measured on: long enough for full strides [m]
+// That the core is measured on: long enough for full strides [m]
+constexpr double kMeasuredWalk = 3.0;
 
 // How far a stance that is put on the ground may be from it: a flight of stairs is higher, what the
 // ground rises by between the places of a proposal is not [m].

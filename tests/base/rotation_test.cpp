@@ -93,7 +93,7 @@ TEST(Rotation, UnwrappedAnglesMeanTheSameRotation) {
                             previous = randomVector(generator, 30.0);
       const Eigen::Vector3d near = unwrapEuler(angles, previous);
       EXPECT_LT(difference(fromEuler(near, order), fromEuler(angles, order)), 1e-13);
-      // Each angle is the nearest of its turns.
+      // Each angle is the nearest of its turns:
       // within half of one.
       EXPECT_LE((near - previous).cwiseAbs().maxCoeff(), kPi + 1e-9);
     }

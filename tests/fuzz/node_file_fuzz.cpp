@@ -1,5 +1,4 @@
-// An FBX, glTF or Collada file of any bytes; AMBLE_FUZZ_NAME is its name, whose end
-// says which.
+// An FBX, glTF or Collada file of any bytes; AMBLE_FUZZ_NAME is its name, whose end says which.
 #include "animation/captures/node_file.h"
 #include "tests/fuzz/fuzz.h"
 
