@@ -44,18 +44,54 @@ struct SampledRoadmap::Draft {
 bool SampledRoadmap::ask(Candidate& candidate, Question question, Verdict& verdict,
                          SteeringScratch& scratch) const {
   verdict.questions.push_back(question);
-  const SteerResult& answer = candidate.answers.answer(question.from(), question.to(), [&] {
-    const Waypoint& node = roadmap_.nodes()[question.node].at;
-    if (const SteerResult* known = candidate.known.find(question.from(), question.to()))
-      return *known;
-    return question.to_node ? steering_.steer(candidate.at, node, scratch)
-                            : steering_.steer(node, candidate.at, scratch);
-  });
+  const SteerResult& answer = candidate.answers.answer(
+      question.from(), question.to(), [&] { return steer(candidate, question, scratch); });
   return answer.edge.has_value();
 }
 
+bool SampledRoadmap::askRoughly(Candidate& candidate, Question question, Verdict& verdict,
+                                SteeringScratch& scratch) const {
+  if (!candidate.answers.find(question.from(), question.to()) &&
+      !candidate.known.find(question.from(), question.to())) {
+    const Waypoint& node = roadmap_.nodes()[question.node].at;
+    const Waypoint& from = question.to_node ? candidate.at : node;
+    const Waypoint& to = question.to_node ? node : candidate.at;
+    if (steering_.looksFree(from, to, scratch)) {
+      SteerResult assumed;
+      assumed.edge = WalkEdge{};
+      assumed.assumed = true;
+      candidate.answers.learn(question.from(), question.to(), std::move(assumed));
+    }
+  }
+  return ask(candidate, question, verdict, scratch);
+}
+
+SteerResult SampledRoadmap::steer(const Candidate& candidate, Question question,
+                                  SteeringScratch& scratch) const {
+  if (const SteerResult* known = candidate.known.find(question.from(), question.to()))
+    return *known;
+  const Waypoint& node = roadmap_.nodes()[question.node].at;
+  return question.to_node ? steering_.steer(candidate.at, node, scratch)
+                          : steering_.steer(node, candidate.at, scratch);
+}
+
+// A verdict that rests on no assumed edge, or throws the candidate away.
+Verdict SampledRoadmap::judgeExactly(Candidate& candidate, SteeringScratch& scratch) const {
+  while (true) {
+    Verdict verdict = judge(candidate, scratch);
+    bool exact = true;
+    for (const Question& question : verdict.questions) {
+      if (!verdict.keep || !candidate.answers.find(question.from(), question.to())->assumed)
+        continue;
+      exact = false;
+      candidate.answers.learn(question.from(), question.to(), steer(candidate, question, scratch));
+    }
+    if (exact) return verdict;
+  }
+}
+
 int SampledRoadmap::commit(Candidate& candidate, SteeringScratch& scratch) {
-  const Verdict verdict = judge(candidate, scratch);
+  const Verdict verdict = judgeExactly(candidate, scratch);
   int node = -1;
   if (verdict.keep) {
     node = roadmap_.addNode({candidate.at, verdict.kind, candidate.enter, candidate.leave});

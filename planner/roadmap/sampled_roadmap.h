@@ -97,6 +97,11 @@ class SampledRoadmap {
   /// is an edge
   bool ask(Candidate& candidate, Question question, Verdict& verdict,
            SteeringScratch& scratch) const;
+  /// The same, content with that there looks to be an edge (Steering::looksFree). Most candidates
+  /// are thrown away, and their edges with them: only those of one that is kept are made, and where
+  /// one of them is refused the candidate is judged again.
+  bool askRoughly(Candidate& candidate, Question question, Verdict& verdict,
+                  SteeringScratch& scratch) const;
 
  private:
   struct Draft;
@@ -106,6 +111,8 @@ class SampledRoadmap {
             std::vector<SteeringScratchPtr>& scratches);
   int insert(Candidate candidate, SteeringScratch& scratch);
   int commit(Candidate& candidate, SteeringScratch& scratch);
+  Verdict judgeExactly(Candidate& candidate, SteeringScratch& scratch) const;
+  SteerResult steer(const Candidate& candidate, Question question, SteeringScratch& scratch) const;
   void insertPassages(const Eigen::AlignedBox2d& region, const SearchLimits& limits);
   void insertPassage(const StancePair& pair, const SearchLimits& limits, SteeringScratch& scratch);
   SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch);

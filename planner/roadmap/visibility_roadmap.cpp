@@ -46,8 +46,8 @@ bool VisibilityRoadmap::askGuards(Candidate& candidate, Verdict& verdict,
   std::vector<bool> covered(roadmap().size(), false);  // by component
   for (const int guard : guards) {
     if (covered[component[guard]]) continue;
-    const bool out = candidate.leave && ask(candidate, {guard, true}, verdict, scratch);
-    const bool in = candidate.enter && ask(candidate, {guard, false}, verdict, scratch);
+    const bool out = candidate.leave && askRoughly(candidate, {guard, true}, verdict, scratch);
+    const bool in = candidate.enter && askRoughly(candidate, {guard, false}, verdict, scratch);
     if (!out || !in) continue;
     covered[component[guard]] = true;
     if (verdict.stands_for < 0) verdict.stands_for = guard;

@@ -83,6 +83,13 @@ struct BodyCore::Measure {
     return std::clamp(wish.value_or(0.5 * (low + high)), low, high);
   }
 
+  double farthestAside() const {
+    double aside = 0.0;
+    for (const std::vector<Eigen::Vector3d>* ends : {&from, &to})
+      for (const Eigen::Vector3d& end : *ends) aside = std::max(aside, std::abs(end.y()));
+    return aside;
+  }
+
   // The line that is covered at a height, or by the middle of the part.
   Line line(std::optional<double> height, double radius, int part) const {
     Eigen::AlignedBox2d box;
@@ -118,6 +125,8 @@ BodyCore::BodyCore(const StraightWalk& walk, const Skeleton& skeleton, const Joi
     }
   }
   for (size_t part = 0; part < parts; ++part) {
+    half_breadth_ =
+        std::max(half_breadth_, measures[part].farthestAside() + body.parts[part].radius);
     const int joint = body.parts[part].joint;
     const bool trunk = joint == roles.hips || joint == roles.head;
     if (!trunk && !isLimb(joint, roles)) continue;
@@ -151,7 +160,8 @@ std::optional<BodyCore::Touch> BodyCore::touch(const Way& way, const CollisionWo
       const bool covered = s - path.length() / count >= first && s <= last;
       if (i > 0 && covered && is_level) {
         const int object = world.touched(before[k], here, line.radius, scratch);
-        if (object >= 0) return Touch{line.part, object, here, at.heading};
+        const Eigen::Vector3d body(at.position.x(), at.position.y(), level.z());
+        if (object >= 0) return Touch{line.part, object, here, body, at.heading};
       }
       before[k] = here;
     }

@@ -25,11 +25,15 @@ class BodyCore {
   BodyCore(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
            const Body& body, double stature);
 
+  /// From the path to the body's farther side, largest over the walk; 0 without one [m].
+  double halfBreadth() const { return half_breadth_; }
+
   struct Touch {
     int part = -1;
     int object = -1;
-    Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< [m, World]
-    double heading = 0.0;                          ///< of the path there [rad]
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();    ///< where the part is [m, World]
+    Eigen::Vector3d body = Eigen::Vector3d::Zero();  ///< the path there, on the ground [m, World]
+    double heading = 0.0;                            ///< of the path there [rad]
   };
   struct Way {
     const RootPath& path;
@@ -53,6 +57,7 @@ class BodyCore {
     int part = -1;  // of the body
   };
   std::vector<Line> lines_;
+  double half_breadth_ = 0.0;
 };
 
 }  // namespace amble

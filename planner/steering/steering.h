@@ -69,6 +69,7 @@ struct SteerResult {
   std::optional<WalkEdge> edge;
   SteeringFailure failure;  ///< meaningful where there is no edge
   int poses = 0;            ///< frames handed to the collision check
+  bool assumed = false;     ///< that there is an edge, which nobody has made (looksFree)
 };
 
 /// Scratch memory of one thread.
@@ -94,6 +95,10 @@ class Steering {
   /// The walk from one waypoint to another, checked, or the rule that refused.
   virtual SteerResult steer(const Waypoint& from, const Waypoint& to,
                             SteeringScratch& scratch) const = 0;
+
+  /// Whether there is so much room all along that steer() will find a walk, nearly for sure: for
+  /// who only wants to know whether one place is reached from another. False says nothing.
+  virtual bool looksFree(const Waypoint&, const Waypoint&, SteeringScratch&) const { return false; }
 
   /// Heights of the ground at (x, y), where it lies in several layers or is not level; else none is
   /// needed: `place` finds it [m].

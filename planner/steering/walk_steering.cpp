@@ -287,9 +287,8 @@ bool WalkSteering::coreTouches(const WalkEdge& edge, SteeringScratch& scratch,
       {edge.path, edge.from.position.z(), edge.from.standing, edge.to.standing, ground_}, world_,
       *walkScratch(scratch).collision);
   if (!touch) return false;
-  const Eigen::Vector3d ground(touch->at.x(), touch->at.y(), edge.from.position.z());
   failure = {WalkRule::kContact, touch->part, touch->object, 0.0,
-             touch->at,          ground,      touch->heading};
+             touch->at,          touch->body, touch->heading};
   return true;
 }
 
@@ -344,6 +343,31 @@ SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to,
     if (passes(makeEdge(from, to, way))) break;
   }
   return all;
+}
+
+// Of the way that steer() would try first, on level ground: it is long enough, bends gently, and
+// posts along it that are somewhat thicker than the walking body touch nothing.
+bool WalkSteering::looksFree(const Waypoint& from, const Waypoint& to,
+                             SteeringScratch& scratch) const {
+  constexpr double kSpacing = 0.1;  // of posts [m]
+  constexpr double kSpare = 1.15;   // of their radius
+  const bool plain = from.stance.standing && to.stance.standing && ground_.isLevel();
+  if (!plain || core_.halfBreadth() <= 0.0) return false;
+  const Eigen::Vector2d line = (to.stance.position - from.stance.position).head<2>();
+  if (line.norm() < synthesizer_.shortestWalk()) return false;
+  const WalkEdge edge = makeEdge(from, to, waysBetween(from, to).front());
+  CollisionScratch& own = *walkScratch(scratch).collision;
+  const int count = static_cast<int>(edge.length / kSpacing) + 1;
+  for (int i = 0; i <= count; ++i) {
+    const RootPath::Sample at = edge.path.at(edge.length * i / count);
+    if (std::abs(at.curvature) * synthesizer_.settings().speed > synthesizer_.maxTurnRate())
+      return false;
+    const Eigen::Vector3d foot(at.position.x(), at.position.y(),
+                               from.stance.position.z() + kSpacing);
+    const Eigen::Vector3d head = foot + Eigen::Vector3d(0.0, 0.0, synthesizer_.stature());
+    if (world_.touched(foot, head, kSpare * core_.halfBreadth(), own) >= 0) return false;
+  }
+  return true;
 }
 
 SteerResult WalkSteering::smallSteps(const Waypoint& from, const Waypoint& to,

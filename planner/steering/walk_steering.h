@@ -37,6 +37,7 @@ class WalkSteering : public Steering {
   bool place(Stance& stance) const override;
   SteerResult steer(const Waypoint& from, const Waypoint& to,
                     SteeringScratch& scratch) const override;
+  bool looksFree(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch) const override;
   double topSpeed() const override;
   std::vector<double> floors(double x, double y) const override { return ground_.floors(x, y); }
   int layers() const override;

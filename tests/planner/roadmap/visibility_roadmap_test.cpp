@@ -160,6 +160,46 @@ TEST_F(TwoRooms, EveryEdgeWasCheckedInItsOwnDirection) {
   }
 }
 
+// Says of some ways that they look free: of those that are, or of all.
+struct HopefulSteering : DiscSteering {
+  bool always = false;
+  bool looksFree(const Waypoint& from, const Waypoint& to, SteeringScratch&) const override {
+    return always || !blockedBetween(from.stance.position.head<2>(), to.stance.position.head<2>());
+  }
+};
+
+TEST_F(TwoRooms, WhatOnlyLooksFreeIsNoEdge) {
+  HopefulSteering hopeful;
+  twoRooms(hopeful, 0.3);  // narrower than the disc
+  hopeful.always = true;
+  VisibilityRoadmap roadmap({hopeful, kRoom});
+  const int from = roadmap.insert(standing(1, 1), true, true),
+            to = roadmap.insert(standing(7, 1), true, true);
+  EXPECT_FALSE(roadmap.connect(from, to, limitsOf(5, 60)));
+  for (const RoadmapEdge& edge : roadmap.roadmap().edges()) {
+    EXPECT_GT(edge.walk.duration, 0.0);
+    EXPECT_FALSE(
+        hopeful.blockedBetween(edge.walk.from.position.head<2>(), edge.walk.to.position.head<2>()));
+  }
+}
+
+TEST_F(TwoRooms, WhatRightlyLooksFreeIsNotAskedAboutAndChangesNoRoadmap) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    HopefulSteering hopeful;
+    twoRooms(hopeful, 0.8);
+    const long long asked = steering.asked;
+    VisibilityRoadmap plain({steering, kRoom}), rough({hopeful, kRoom});
+    for (VisibilityRoadmap* roadmap : {&plain, &rough}) {
+      const int from = roadmap->insert(standing(1, 1), true, true),
+                to = roadmap->insert(standing(7, 1), true, true);
+      roadmap->connect(from, to, limitsOf(seed));
+    }
+    expectSame(plain.roadmap(), rough.roadmap());
+    EXPECT_EQ(plain.samples(), rough.samples());
+    EXPECT_LT(hopeful.asked, steering.asked - asked);
+  }
+}
+
 TEST_F(TwoRooms, FailuresInARowEndTheSearchAndEstimateCoverage) {
   VisibilityRoadmap roadmap({sealed, kRoom});
   const int from = roadmap.insert(standing(1, 1), true, true),

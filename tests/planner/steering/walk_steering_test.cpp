@@ -114,6 +114,21 @@ TEST_F(WalkSteeringTest, WhatTheCoreRefusesTheBodyRefuses) {
   EXPECT_GT(refused, 30);
 }
 
+TEST_F(WalkSteeringTest, WhatLooksFreeIsFree) {
+  SampleStream stream(9, 0);
+  int free = 0;
+  for (int i = 0; i < 400; ++i) {
+    Waypoint from = anywhere(stream), to = anywhere(stream);
+    if (steering.stand(from.stance, *scratch) || steering.stand(to.stance, *scratch) ||
+        !steering.looksFree(from, to, *scratch))
+      continue;
+    ++free;
+    EXPECT_TRUE(steering.steer(from, to, *scratch).edge.has_value());
+  }
+  EXPECT_GT(free, 30);
+  EXPECT_FALSE(steering.looksFree(standing(1.5, 1.5), standing(4.5, 2.5), *scratch));
+}
+
 TEST_F(WalkSteeringTest, TurningOnTheSpotIsAnEdge) {
   const SteerResult result = steering.steer(standing(1.5, 2, 0), standing(1.5, 2, 170), *scratch);
   ASSERT_TRUE(result.edge.has_value());
