@@ -137,5 +137,28 @@ TEST(Lighting, DarkerThingsAreDarkerEverywhere) {
   EXPECT_LT(dim.pixel(kSize / 2, kSize / 2)[0], bright.pixel(kSize / 2, kSize / 2)[0]);
 }
 
+// A plate's shadow lies where the sun's rays by it meet the floor, whichever way they come.
+TEST(Lighting, AShadowLiesAsFarAsideAsTheSunIsLow) {
+  constexpr float kHigh = 0.5f;
+  for (const Vector3f& to_sun : {Vector3f(1, 0, 1), Vector3f(-1, 0.5f, 1), Vector3f(0, -0.8f, 1)}) {
+    std::vector<DrawTriangle> plate;
+    addBox({3.6, 3.6, 0.1}, {0, 0, -0.05}, 0, plate);
+    const std::vector<DrawTriangle> floor = plate;
+    addBox({0.5, 0.5, 0.02}, {0, 0, kHigh}, 0, plate);
+    const Image shaded = lit(plate, {.to_sun = to_sun, .sky = 0.2f});
+    const Image open = lit(floor, {.to_sun = to_sun, .sky = 0.2f});
+    const Eigen::Vector2f at = -kHigh * to_sun.head<2>() / to_sun.z();
+    const auto darker = [&](const Eigen::Vector2f& p) {  // [m]
+      const int x = static_cast<int>((p.x() + 2.0f) * 12),
+                y = static_cast<int>((2.0f - p.y()) * 12);
+      return open.pixel(x, y)[0] - shaded.pixel(x, y)[0];
+    };
+    const Eigen::Vector2f out = 0.12f * at.normalized();  // away from the plate, which hides some
+    EXPECT_GT(darker(at + out), 40) << to_sun.transpose();
+    EXPECT_LT(darker(-1.6f * at), 8) << to_sun.transpose();
+    EXPECT_LT(darker(2.2f * at), 8) << to_sun.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace amble

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include "viz/draw_mesh.h"
@@ -202,6 +203,71 @@ TEST(Rasterizer, ASampleSeesTheNearestOfRandomTriangles) {
     }
   }
   EXPECT_GT(seen, 1000);
+}
+
+/// How far along a ray a triangle is met, or none; `doubtful` near its edges (Moeller and
+/// Trumbore).
+std::optional<double> meets(const DrawTriangle& t, const Eigen::Vector3d& eye,
+                            const Eigen::Vector3d& way, bool& doubtful) {
+  const Eigen::Vector3d a = t.p[0].cast<double>(), ab = t.p[1].cast<double>() - a,
+                        ac = t.p[2].cast<double>() - a;
+  const Eigen::Vector3d q = way.cross(ac), r = (eye - a).cross(ab);
+  const double det = ab.dot(q), u = (eye - a).dot(q) / det, v = way.dot(r) / det;
+  const double least = std::min({u, v, 1 - u - v}), s = ac.dot(r) / det;
+  doubtful = doubtful || (std::abs(least) < 1e-3 && s > 0.0);
+  if (least < 0.0 || s < 0.0) return std::nullopt;
+  return s;
+}
+
+// A perspective picture against rays from the eye, each through the middle of its sample.
+TEST(Rasterizer, PerspectiveSamplesSeeWhatTheirRaysMeetFirst) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<float> place(-3.0f, 3.0f), away(2.0f, 9.0f);
+  std::vector<DrawTriangle> triangles;
+  for (int i = 0; i < 25; ++i) {
+    DrawTriangle t;
+    const float x = away(generator);
+    for (auto& p : t.p) p = {x + 0.5f * place(generator), place(generator), place(generator)};
+    t.normal.fill(-Vector3f::UnitX());
+    t.color = rgb(i + 1, 0, 0);
+    t.flags = kTwoSided;
+    triangles.push_back(t);
+  }
+  Camera camera;  // at the origin, looking along +x
+  camera.axes = viewAxes(Vector3f::UnitX());
+  camera.centre = {kSize / 2.0f, kSize / 2.0f};
+  camera.scale = 40;
+  const SampleBuffer buffer = rasterize(triangles, camera, kSize, kSize);
+  int seen = 0;
+  for (int y = 0; y < kSize; y += 3) {
+    for (int x = 0; x < kSize; x += 3) {
+      const Eigen::Vector2f middle(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+      const Eigen::Vector3d way = camera.toWorld(middle, 1.0f).cast<double>();
+      double nearest = 1e9, second = 1e9;
+      int owner = 0;
+      bool doubtful = false;
+      for (size_t i = 0; i < triangles.size(); ++i) {
+        const auto s = meets(triangles[i], Eigen::Vector3d::Zero(), way, doubtful);
+        if (!s || *s < kNearest) continue;
+        if (*s < nearest) owner = static_cast<int>(i) + 1;
+        second = std::min(second, std::max(*s, nearest));
+        nearest = std::min(nearest, *s);
+      }
+      if (doubtful || second - nearest < 1e-3) continue;
+      EXPECT_EQ(buffer.at(x, y).color[0], owner) << x << " " << y;
+      if (owner == 0) continue;
+      EXPECT_NEAR(buffer.at(x, y).depth, nearest, 1e-3 * nearest);  // along the view, as the ray is
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 80);
+}
+
+TEST(Rasterizer, WhatIsSkippedIsNotInTheDepths) {
+  const auto triangles = std::vector{level(0, rgb(1, 1, 1)), level(1, rgb(2, 2, 2), kNoShadow)};
+  EXPECT_NEAR(rasterizeDepth(triangles, fromAbove(), kSize, kSize, 0).at(32, 32), 4, 1e-5);
+  EXPECT_NEAR(rasterizeDepth(triangles, fromAbove(), kSize, kSize, kNoShadow).at(32, 32), 5, 1e-5);
+  EXPECT_EQ(rasterizeDepth({}, fromAbove(), kSize, kSize, 0).at(32, 32), 0);
 }
 
 }  // namespace

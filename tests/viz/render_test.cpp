@@ -186,5 +186,18 @@ TEST(RenderWalk, AnyAskedSizeIsDrawn) {
   }
 }
 
+// The bar in the lower left corner is the key to the bodies' colours.
+TEST(RenderWalk, TheTimeBarRunsThroughTheColoursOfTime) {
+  const Image image = renderWalk(makeTestWalk()->view, {640, 400, 1.0});
+  const auto near = [&](int x, const Color& color) {
+    const uint8_t* p = image.pixel(x, 400 - 26 - 7);
+    return (rgb(p[0], p[1], p[2]) - color).cwiseAbs().maxCoeff() < 0.02f;
+  };
+  int first = 0;
+  while (first < 640 && !near(first, timeColor(0.0))) ++first;
+  ASSERT_LT(first, 200);
+  for (int i = 4; i < 256; i += 4) EXPECT_TRUE(near(first + i, timeColor(i / 260.0))) << i;
+}
+
 }  // namespace
 }  // namespace amble

@@ -7,6 +7,7 @@
 #include "tests/viz/test_walk.h"
 #include "viz/color.h"
 #include "viz/render.h"
+#include "viz/tiny_text.h"
 
 namespace amble {
 namespace {
@@ -139,6 +140,37 @@ TEST(RenderStrip, FromTheOtherSideTheOtherLegIsNearer) {
   const long from_left = blue(renderStrip(walk->view, left));
   const long from_right = blue(renderStrip(walk->view, right));
   EXPECT_GT(from_left, 4 * from_right);
+}
+
+TEST(RenderStrip, EveryTileHasItsFrameAndItsTime) {
+  const auto walk = makeTestWalk();
+  for (const auto& [frame, text] :
+       {std::pair{0, "0  0.000 s"}, std::pair{45, "45  1.500 s"}, std::pair{120, "120  4.000 s"}}) {
+    const StripSettings one{.first = frame, .pictures = 1, .columns = 1};
+    const Image tile = renderStrip(walk->view, one);
+    Image written(tile.width, 24);  // black where the text is
+    std::fill(written.rgb.begin(), written.rgb.end(), uint8_t{255});
+    drawText(written, 6, 6, text, 2, rgb(0, 0, 0));
+    for (int y = 6; y < 20; ++y)
+      for (int x = 6; x < 6 + textWidth(text, 2); ++x)
+        EXPECT_EQ(tile.pixel(x, y)[0] < 128, written.pixel(x, y)[0] == 0) << text << x << " " << y;
+  }
+}
+
+TEST(RenderStrip, FromAboveTheFloorHasItsGridInsteadOfALine) {
+  const auto walk = makeTestWalk();
+  StripSettings level{.pictures = 1, .columns = 1, .tile_width = 120, .tile_height = 160};
+  StripSettings lifted = level;
+  lifted.lift = 0.6;
+  const Image side = renderStrip(walk->view, level), above = renderStrip(walk->view, lifted);
+  // The background is seen beside a walker from the side, and hardly over a floor from above.
+  const auto background = [](const Image& image) {
+    long count = 0;
+    for (size_t i = 0; i < image.rgb.size(); i += 3)
+      count += image.rgb[i] >= 248 && image.rgb[i + 2] >= 248;  // earth is less blue than red
+    return count;
+  };
+  EXPECT_LT(background(above), background(side) / 2);
 }
 
 }  // namespace

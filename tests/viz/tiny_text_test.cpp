@@ -57,5 +57,26 @@ TEST(FillRect, IsCutOffAtTheEdges) {
   EXPECT_EQ(ink(image), 2 * 2);
 }
 
+TEST(TinyText, IsTheSamePictureWhereverItIsDrawn) {
+  Image here(120, 40), there(120, 40);
+  drawText(here, 5, 4, "12.5 s", 2, rgb(255, 255, 255));
+  drawText(there, 30, 17, "12.5 s", 2, rgb(255, 255, 255));
+  EXPECT_EQ(ink(here), ink(there));
+  for (int y = 0; y < 40 - 13; ++y)
+    for (int x = 0; x < 120 - 25; ++x)
+      EXPECT_EQ(here.pixel(x, y)[0], there.pixel(x + 25, y + 13)[0]) << x << " " << y;
+}
+
+TEST(TinyText, ATextIsItsLettersSideBySide) {
+  const std::string_view text = "3:07";
+  Image whole(100, 20), letters(100, 20);
+  drawText(whole, 2, 2, text, 2, rgb(255, 255, 255));
+  for (size_t i = 0; i < text.size(); ++i)
+    drawText(letters, 2 + textWidth(text.substr(0, i), 2), 2, text.substr(i, 1), 2,
+             rgb(255, 255, 255));
+  EXPECT_EQ(whole.rgb, letters.rgb);
+  EXPECT_EQ(textWidth("", 3), 0);
+}
+
 }  // namespace
 }  // namespace amble
