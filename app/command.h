@@ -7,13 +7,10 @@
 #include <utility>
 #include <vector>
 
-namespace amble {
+#include "app/exit_status.h"
+#include "app/ramp.h"
 
-/// Exit status, as grep's (DESIGN.md, section 4).
-inline constexpr int kExitDone = 0;       ///< a walk was found; all hold
-inline constexpr int kExitNone = 1;       ///< none was found; something differs
-inline constexpr int kExitWrong = 2;      ///< the input or the use is wrong
-inline constexpr int kExitStopped = 130;  ///< Ctrl-C, as shells count it
+namespace amble {
 
 /// The command that was chosen, to be run when the command line has been read.
 using Command = std::function<int()>;
@@ -29,13 +26,7 @@ void addInspect(CLI::App& app, Command& chosen);
 
 /// Accepts a finite decimal number within a range, ends included; CLI11's own lets `nan` through.
 CLI::Validator number(double min, double max, const std::string& unit = "");
-/// A value that may change over a walk: `0.5`, or `0.5..0.9` from its begin to its end.
-struct Ramp {
-  double from = 0.0, to = 0.0;
-
-  double at(double share) const { return from + share * (to - from); }  ///< share [0, 1]
-};
-/// Accepts such a value whose ends are within a range.
+/// Accepts a Ramp as text whose ends are within a range.
 CLI::Validator ramp(double min, double max, const std::string& unit);
 Ramp readRamp(const std::string& text);  ///< @pre ramp() has accepted it
 /// Accepts two numbers with a comma between them, each within its range.

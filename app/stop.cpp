@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-#include "app/command.h"
+#include "app/exit_status.h"
 #include "base/output_file.h"
 
 namespace amble {
