@@ -25,7 +25,7 @@ struct Options {
   ValidateOptions validate;
 };
 
-void printText(const std::string& walk, const WalkValidation& result) {
+void printText(const std::string& walk, const WalkValidation& result, const GroundLimits& limits) {
   fmt::print("{}: {} frames of {:.7g} s, {} poses checked\n", walk, result.frames,
              result.frame_time, result.poses_checked);
   fmt::print("  body         {:.3f} m tall; file unit {:g} m; floor at {:.3f} m\n", result.stature,
@@ -47,6 +47,11 @@ void printText(const std::string& walk, const WalkValidation& result) {
   fmt::print("  hover        {:.1f} mm largest, over {:.0f} mm in {:.1f} % of the planted time{}\n",
              1000.0 * feet.hover_max, 1000.0 * kHoverLimit, 100.0 * feet.hover_share,
              result.hovers() ? ": feet hang in the air" : "");
+  fmt::print(
+      "  steps        {:.3f} m up, {:.3f} m down at most{}\n", result.steps.up, result.steps.down,
+      result.oversteps(limits) ? fmt::format(": over the {:g} m up or {:g} m down that may be",
+                                             limits.max_climb, limits.max_drop)
+                               : std::string());
   fmt::print("  penetration  {:.1f} mm largest\n", 1000.0 * result.ground_penetration);
 }
 
@@ -78,6 +83,7 @@ void printJson(const std::string& walk, const WalkValidation& result) {
        {{"max", result.feet.hover_max},
         {"share", result.feet.hover_share},
         {"limit", kHoverLimit}}},
+      {"steps", {{"up", result.steps.up}, {"down", result.steps.down}}},
       {"ground_penetration", {{"max", result.ground_penetration}}}};
   std::cout << all.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
@@ -92,9 +98,10 @@ int run(Options options) {
   if (options.json) {
     printJson(options.walk, result);
   } else {
-    printText(options.walk, result);
+    printText(options.walk, result, how.limits);
   }
-  const bool holds = result.contacts.empty() && (options.allow_hover || !result.hovers());
+  const bool holds = result.contacts.empty() && (options.allow_hover || !result.hovers()) &&
+                     !result.oversteps(how.limits);
   return holds ? kExitDone : kExitNone;
 }
 
@@ -104,8 +111,8 @@ void addValidate(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "validate",
-      "Check any BVH against a scene: contacts, clearance, foot skate, hovering feet; 1 on contact "
-      "or where planted soles hang in the air");
+      "Check any BVH against a scene: contacts, clearance, foot skate, hovering feet, steps; 1 on "
+      "contact, where planted soles hang in the air, and where a step is too high");
   command->add_option("WALK", options->walk, "BVH file")->required();
   command->add_option("--scene", options->scene, "Scene file (YAML)")->required();
   command->add_option("--unit", options->unit, "Length of the BVH's unit; default: from its legs")

@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "animation/steps/foot_state.h"
 #include "base/statistics.h"
 
 namespace amble {
 namespace {
 
 constexpr double kTrim = 0.15;  // of a plant, at each end
+// Ground that is farther from a planted sole is not what it stands on [m].
+constexpr double kFootReach = 0.1;
 
 // First and last frame of each stay on the ground within [first, last].
 std::vector<std::pair<int, int>> staysOf(const SoleTracks& soles, Side side, int first, int last,
@@ -38,6 +43,16 @@ double hoverOf(const SoleTracks& soles, Side side, int first, int last) {
   std::vector<double> heights;
   for (int frame = first; frame <= last; ++frame) heights.push_back(soles.height(side, frame));
   return std::clamp(median(std::move(heights)), 0.0, kMostHover);
+}
+
+// The ground under the middle of a sole that stands; none where there is none.
+std::optional<FootPlace> placeOf(const SoleTracks& soles, Side side, const FootPlant& plant,
+                                 const Ground& ground) {
+  const SoleEnds ends = soles.ends(side, soles.flattest(side, plant.first, plant.last));
+  const Eigen::Vector3d middle = 0.5 * (ends.heel + ends.ball);
+  const auto surface = ground.surface(middle.x(), middle.y(), middle.z(), kFootReach);
+  if (!surface) return std::nullopt;
+  return FootPlace{{middle.x(), middle.y(), surface->height}, 0.0, surface->normal};
 }
 
 }  // namespace
@@ -80,6 +95,27 @@ StandingFeet measureStandingFeet(const SoleTracks& soles, const FootPlants& plan
   if (feet.plants > 0) feet.skate_mean = slides / feet.plants;
   if (frames > 0) feet.hover_share = static_cast<double>(hovering) / frames;
   return feet;
+}
+
+StepHeights measureStepHeights(const SoleTracks& soles, const FootPlants& plants,
+                               const Ground& ground) {
+  std::map<std::pair<int, int>, std::optional<FootPlace>> places;  // by first frame, and side
+  for (const Side side : {kLeft, kRight}) {
+    for (const FootPlant& plant : plants.plants[side]) {
+      places[{plant.first, side}] = placeOf(soles, side, plant, ground);
+    }
+  }
+  StepHeights steps;
+  std::optional<FootPlace> last;
+  for (const auto& [when, place] : places) {
+    if (last && place) {
+      const double height = stepHeight(*last, *place);
+      steps.up = std::max(steps.up, height);
+      steps.down = std::max(steps.down, -height);
+    }
+    if (place) last = place;
+  }
+  return steps;
 }
 
 }  // namespace amble

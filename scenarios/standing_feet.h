@@ -23,6 +23,10 @@ inline constexpr double kMostHover = 1.0;
 StandingFeet measureStandingFeet(const SoleTracks& soles, const FootPlants& plants,
                                  double frame_time);
 
+/// From one plant to the next, of whichever foot.
+StepHeights measureStepHeights(const SoleTracks& soles, const FootPlants& plants,
+                               const Ground& ground);
+
 /// As plants are told apart (PlantOptions::shortest_gap) [s].
 inline constexpr double kShortestGap = 0.08;
 

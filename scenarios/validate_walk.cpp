@@ -175,8 +175,9 @@ WalkValidation validateWalk(const std::filesystem::path& bvh,
   result.contacts = findContacts(world, poses, frame_time);
   measureClearance(world, poses, frame_time, options.clearance_limit, result);
   const SoleTracks soles(clip.skeleton, body, clip.poses, ground);
-  result.feet =
-      measureStandingFeet(soles, plantsOver(clip, roles, ground, result.floor), clip.frame_time);
+  const FootPlants plants = plantsOver(clip, roles, ground, result.floor);
+  result.feet = measureStandingFeet(soles, plants, clip.frame_time);
+  result.steps = measureStepHeights(soles, plants, ground);
   result.ground_penetration = soles.penetration();
   return result;
 }

@@ -23,7 +23,7 @@ struct ValidateOptions {
   double fps = 0.0;
   std::optional<double> floor;   ///< height of the floor [m]; none: the one below the feet
   LoadLimits load = {};          ///< of the scene
-  GroundLimits limits;           ///< what of the scene is ground: that of the walk's scenario
+  GroundLimits limits;           ///< what is walked on, and by what steps: the scenario's
   double clearance_limit = 2.0;  ///< how far clearances are looked for [m, > 0]
 };
 
@@ -39,9 +39,14 @@ struct WalkValidation {
   std::string clearance_part, clearance_object;  ///< empty where nothing is within the limit
   double clearance_time = 0.0;                   ///< [s]
   StandingFeet feet;
+  StepHeights steps;                ///< [m]
   double ground_penetration = 0.0;  ///< largest depth of a sole [m]
 
   bool hovers() const { return feet.hover_max > kHoverLimit; }
+  /// Whether a step is higher than the limits have it, by more than kStepSlack.
+  bool oversteps(const GroundLimits& limits) const {
+    return steps.up > limits.max_climb + kStepSlack || steps.down > limits.max_drop + kStepSlack;
+  }
 };
 
 /// The most poses that are checked, times the skeleton's joints: half a gigabyte.

@@ -24,4 +24,12 @@ struct StandingFeet {
   double hover_share = 0.0;
 };
 
+/// The highest steps from one plant to the next, of whichever foot, as footsteps are judged
+/// (stepHeight): a slope is no step [m, >= 0].
+struct StepHeights {
+  double up = 0.0, down = 0.0;
+};
+/// Steps may be so much higher than a limit: soles may sink in as deep [m].
+inline constexpr double kStepSlack = 0.005;
+
 }  // namespace amble
