@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "animation/captures/bvh.h"
+#include "animation/library/statures.h"
 #include "base/data_directory.h"
 #include "base/error.h"
 #include "base/rotation.h"
@@ -232,7 +233,7 @@ MotionLibrary readMotionLibrary(const std::filesystem::path& file) {
   library.skeleton_file = root.at("skeleton").asString();
   library.skeleton = readBvh(root.at("skeleton").asPath()).skeleton;
   library.roles = readRoles(root.at("joints"), library.skeleton);
-  library.stature = root.at("stature").asDouble(0.3, 3.0, "stature [m]");
+  library.stature = root.at("stature").asDouble(kShortestStature, kTallestStature, "stature [m]");
   for (const YamlNode& node : root.at("motions").items()) {
     library.motions.push_back(readLibraryMotion(node, library.skeleton.size()));
     const std::string& name = library.motions.back().name;

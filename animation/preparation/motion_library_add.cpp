@@ -11,11 +11,13 @@
 #include "animation/clips/loop_clip.h"
 #include "animation/clips/mirror_clip.h"
 #include "animation/library/motion_library_reader.h"
+#include "animation/library/statures.h"
 #include "animation/preparation/mirror_cycle.h"
 #include "animation/preparation/transition_fit.h"
 #include "animation/preparation/walk_cycle_fit.h"
 #include "base/error.h"
 #include "base/rotation.h"
+#include "base/text.h"
 
 namespace amble {
 namespace {
@@ -48,12 +50,16 @@ bool sameSkeleton(const Skeleton& a, const Skeleton& b) {
   return same;
 }
 
-void adoptSkeleton(MotionLibrary& library, const LevelCapture& capture) {
+void adoptSkeleton(MotionLibrary& library, const LevelCapture& capture, const std::string& file) {
   std::vector<Joint> joints = capture.motion.clip.skeleton.joints();
   joints[0].offset.setZero();
   library.skeleton = Skeleton(std::move(joints));
   library.roles = capture.motion.roles;
   library.stature = statureOf(library.skeleton, library.roles);
+  if (library.stature >= kShortestStature && library.stature <= kTallestStature) return;
+  throw InputError(file, 0, "is of a person of " + shortNumber(library.stature, 3) + " m",
+                   shortNumber(kShortestStature) + " to " + shortNumber(kTallestStature) +
+                       " m; --unit says what the file's is");
 }
 
 // The clip of another skeleton on the library's; larger people move slower (Froude).
@@ -227,7 +233,7 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   LevelCapture capture = readLevelCapture(request.file, request.read);
   addToes(capture.motion.clip, capture.motion.roles, file);
   capture.motion.clip.skeleton = withBvhNames(capture.motion.clip.skeleton);
-  if (library.skeleton.size() == 0) adoptSkeleton(library, capture);
+  if (library.skeleton.size() == 0) adoptSkeleton(library, capture, file);
   const bool is_stand = request.name == "stand" && request.kind == MotionKind::kPosture;
   if (!is_stand && library.find("stand") == nullptr) borrowStand(library, capture.motion.clip);
   Clip clip = is_stand && library.motions.empty() ? capture.motion.clip
