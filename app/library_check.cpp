@@ -20,14 +20,9 @@ struct Options {
 // A cycle prepared once more may differ in the last digits that the file keeps.
 constexpr double kSame = 1e-4;
 
-// What the motion measures, prepared once more from its capture, on the library's own skeleton.
-Motion preparedAgain(const MotionLibrary& library, const Motion& motion,
-                     const std::filesystem::path& captures) {
-  MotionLibrary again = library;
-  again.motions.clear();
-  if (motion.name != "stand") again.motions.push_back(*library.find("stand"));
+MotionRequest requestOf(const Motion& motion, const std::filesystem::path& captures) {
   MotionRequest request;
-  request.name = motion.name;
+  request.name = motion.name + " again";
   request.kind = motion.kind;
   if (motion.kind == MotionKind::kWalk) request.turning = motion.turning;
   request.chains = motion.chains;
@@ -37,8 +32,24 @@ Motion preparedAgain(const MotionLibrary& library, const Motion& motion,
   if (motion.kind == MotionKind::kPosture || motion.kind == MotionKind::kBlocking) {
     request.frames = {motion.source.frames[0], motion.source.frames[1]};
   }
-  addMotion(again, request);
+  return request;
+}
+
+// What the motion measures, prepared once more from its capture, on the library's own skeleton.
+Motion preparedAgain(const MotionLibrary& library, const Motion& motion,
+                     const std::filesystem::path& captures) {
+  MotionLibrary again = library;
+  again.motions = {*library.find("stand")};  // what captures of other rigs are carried over by
+  addMotion(again, requestOf(motion, captures));
   return again.motions.back();
+}
+
+// A library's first capture borrows the stance of the default one where it has none of its own.
+Motion standBorrowedAgain(const MotionLibrary& library, const std::filesystem::path& captures) {
+  MotionLibrary again = library;
+  again.motions.clear();
+  addMotion(again, requestOf(library.motions.at(1), captures));
+  return *again.find("stand");
 }
 
 // In one line why the motion is not what the library says; empty where it is.
@@ -68,18 +79,31 @@ std::string facts(const Motion& motion) {
       motion.cycle.residual / kDegree, 1000.0 * motion.cycle.slide);
 }
 
+bool mayHaveBorrowed(const MotionLibrary& library, const Motion& motion) {
+  return motion.name == "stand" && library.motions.size() > 1 &&
+         &motion == &library.motions.front() && library.file != motionLibraryFile("default");
+}
+
+// In one line what is wrong with the motion; empty where it is what its capture gives.
+std::string problemOf(const MotionLibrary& library, const Motion& motion,
+                      const std::filesystem::path& captures) {
+  try {
+    if (mayHaveBorrowed(library, motion) &&
+        difference(motion, standBorrowedAgain(library, captures)).empty()) {
+      return "";
+    }
+    return difference(motion, preparedAgain(library, motion, captures));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
 int run(const Options& options) {
   const MotionLibrary library = readMotionLibrary(motionLibraryFile(options.library));
   int wrong = 0;
   for (const Motion& motion : library.motions) {
-    std::string problem;
-    if (!options.captures.empty()) {
-      try {
-        problem = difference(motion, preparedAgain(library, motion, options.captures));
-      } catch (const InputError& error) {
-        problem = error.what();
-      }
-    }
+    const std::string problem =
+        options.captures.empty() ? "" : problemOf(library, motion, options.captures);
     if (!problem.empty()) ++wrong;
     fmt::print("{:<6} {:<26} {:<9} {}\n", problem.empty() ? "ok" : "WRONG", motion.name,
                motionKindNames()[static_cast<size_t>(motion.kind)],

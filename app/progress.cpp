@@ -59,7 +59,10 @@ void Progress::draw(const std::string& stage, double done) {
 
 void Progress::clear() {
   const std::lock_guard lock(mutex_);
-  if (drawn_) fmt::print(stderr, "\r\033[K");
+  if (drawn_) {
+    fmt::print(stderr, "\r\033[K");
+    std::fflush(stderr);  // before what is printed to standard output
+  }
   drawn_ = false;
 }
 
