@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kCaptures = std::string(AMBLE_SHARED) + "/mocap/";
+const std::string kCaptures = captureFolder();
 const std::string kWalk = kCaptures + "cmu_mb2/07_01.bvh";
 
 class Analyse : public Program {

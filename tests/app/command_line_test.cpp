@@ -11,22 +11,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kRoom =
-    "name: room\n"
-    "objects:\n"
-    "  - {name: floor, box: {size: [6, 4, 0.1]}, at: [3, 2, -0.05]}\n";
-const char* const kScenario =
-    "scene: room.yaml\n"
-    "start: {at: [1, 2], heading: 0}\n"
-    "goal: {at: [5, 2], heading: 0}\n"
-    "planner: {seed: 3, max_failures: 30}\n";
-
-class CommandLine : public Program {
+class CommandLine : public InRoom {
  protected:
   void SetUp() override {
-    Program::SetUp();
-    write("in/room.yaml", kRoom);
-    write("in/scenario.yaml", kScenario);
+    InRoom::SetUp();
+    write("in/scenario.yaml", kScenario + "planner: {seed: 3, max_failures: 30}\n");
   }
 };
 
@@ -60,7 +49,7 @@ TEST_F(CommandLine, APlannerThatIsMistypedIsNoLineOfTheFile) {
 }
 
 TEST_F(CommandLine, AScenarioMayComeByAPipe) {
-  write("scenario.yaml", std::string("scene: in/room.yaml\n") + (kScenario + 17));
+  write("scenario.yaml", "scene: in/room.yaml\n" + kScenario.substr(kScenario.find("start")));
   const Ran piped = run("plan - -o out --formats json < scenario.yaml");
   EXPECT_EQ(piped.status, 0) << piped.err;
   EXPECT_EQ(run("check - < scenario.yaml").status, 0);
@@ -79,7 +68,7 @@ TEST_F(CommandLine, WhatNeverEndsIsRefusedBeforeItFillsTheMachine) {
   expectRefused("plan - -o out </dev/zero", {"-: is larger than 1 MiB; expected"}, bounded);
   write("in/endless.yaml", "scene: /dev/zero\nstart: {at: [1, 1]}\ngoal: {at: [2, 1]}\n");
   expectRefused("plan in/endless.yaml -o out", {"/dev/zero: ", "; expected"}, bounded);
-  write("in/library.yaml", std::string(kScenario) + "character: {library: /dev/zero}\n");
+  write("in/library.yaml", kScenario + "character: {library: /dev/zero}\n");
   expectRefused("plan in/library.yaml -o out", {"/dev/zero: ", "; expected"}, bounded);
 }
 

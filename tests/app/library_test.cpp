@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const std::string kCaptures = std::string(AMBLE_SHARED) + "/mocap/";
+const std::string kCaptures = captureFolder();
 const std::string kWalk = kCaptures + "accad_female1/Female1_B03_Walk1.bvh";
 const std::string kTurn = kCaptures + "accad_female1/Female1_B09_WalkTurnLeft90.bvh";
 const std::string kStand = kCaptures + "accad_female1/Female1_A01_Stand.bvh";

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "test_paths.h"
+
 namespace amble {
 namespace {
 
@@ -80,5 +82,32 @@ void Program::expectRefused(const std::string& arguments, const std::vector<std:
   }
   EXPECT_EQ(files(), files_before);
 }
+
+const std::string InRoom::kRoom =
+    "name: room\n"
+    "objects:\n"
+    "  - {name: floor, box: {size: [6, 4, 0.1]}, at: [3, 2, -0.05]}\n";
+const std::string InRoom::kScenario =
+    "scene: room.yaml\n"
+    "start: {at: [1, 2], heading: 0}\n"
+    "goal: {at: [5, 2], heading: 0}\n";
+
+void InRoom::SetUp() {
+  Program::SetUp();
+  write("in/room.yaml", kRoom);
+  write("in/scenario.yaml", kScenario);
+}
+
+void InRoom::wallOff() const {
+  write("in/room.yaml",
+        read("in/room.yaml") + "  - {name: wall, box: {size: [0.2, 4, 2.5]}, at: [4, 2, 1.25]}\n");
+}
+
+void InRoom::makeEndless() const {
+  wallOff();
+  write("in/scenario.yaml", kScenario + "planner: {max_failures: 1000000, time_limit: 600}\n");
+}
+
+std::string captureFolder() { return std::string(AMBLE_SHARED) + "/mocap/"; }
 
 }  // namespace amble

@@ -38,4 +38,19 @@ class Program : public testing::Test {
   std::filesystem::path folder_;
 };
 
+/// A floor of 6 x 4 m, in/room.yaml, and 4 m to walk over it, in/scenario.yaml.
+class InRoom : public Program {
+ protected:
+  static const std::string kRoom, kScenario;
+
+  void SetUp() override;
+  /// A wall between start and goal.
+  void wallOff() const;
+  /// No walk, and far too many samples to try.
+  void makeEndless() const;
+};
+
+/// mocap/ of the shared folder, with a slash behind it.
+std::string captureFolder();
+
 }  // namespace amble

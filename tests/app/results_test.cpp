@@ -7,32 +7,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kRoom =
-    "name: room\n"
-    "objects:\n"
-    "  - {name: floor, box: {size: [6, 4, 0.1]}, at: [3, 2, -0.05]}\n";
-const char* const kWall = "  - {name: wall, box: {size: [0.2, 4, 2.5]}, at: [4, 2, 1.25]}\n";
-const char* const kScenario =
-    "scene: room.yaml\n"
-    "start: {at: [1, 2], heading: 0}\n"
-    "goal: {at: [5, 2], heading: 0}\n";
-
 // What Ctrl-C does, SIGTERM does: a shell has its background jobs ignore SIGINT.
 const std::string kStopped = " & pid=$!; sleep 1; kill -TERM $pid; wait $pid";
 
-class Results : public Program {
+class Results : public InRoom {
  protected:
-  void SetUp() override {
-    Program::SetUp();
-    write("in/room.yaml", kRoom);
-    write("in/scenario.yaml", kScenario);
-  }
-  // No walk, and far too many samples to try.
-  void makeEndless() const {
-    write("in/room.yaml", std::string(kRoom) + kWall);
-    write("in/scenario.yaml",
-          std::string(kScenario) + "planner: {max_failures: 1000000, time_limit: 600}\n");
-  }
   std::set<std::string> results() const {
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder_ / "out")) {
@@ -59,8 +38,8 @@ TEST_F(Results, OfTwoRunsNoneIsMixed) {
   write("out/notes.txt", "the user's own");
   ASSERT_EQ(run("plan in/scenario.yaml -o out --formats bvh --seed 7").status, 0);
   EXPECT_EQ(results(), (std::set<std::string>{"notes.txt", "walk.bvh"}));
-  write("in/room.yaml", std::string(kRoom) + kWall);
-  write("in/scenario.yaml", std::string(kScenario) + "planner: {max_failures: 3}\n");
+  wallOff();
+  write("in/scenario.yaml", kScenario + "planner: {max_failures: 3}\n");
   EXPECT_EQ(run("plan in/scenario.yaml -o out --formats json").status, 1);
   EXPECT_EQ(results(), (std::set<std::string>{"notes.txt", "report.json"}));
 }
