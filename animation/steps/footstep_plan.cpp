@@ -114,6 +114,11 @@ Way cheapestWay(const FootstepRequest& r, const GroundLimits& limits, const Foot
   return way;
 }
 
+// How much farther than it need a foot stands before what the next steps up to.
+double kneeRoom(double height) {
+  return FootstepCosts::kKneeRoom * std::max(0.0, height - FootstepCosts::kKneeClears);
+}
+
 Side sideOf(const FootstepPlan& plan, int i) { return i % 2 == 0 ? plan.first : other(plan.first); }
 
 // Puts each place between its neighbours as their wanted steps have it, on the surface that it
@@ -125,6 +130,8 @@ void evenOut(const FootstepRequest& r, const TrialRequest& along, const Foothold
   std::vector<std::pair<double, double>> free(n);
   for (int i = 0; i < n; ++i) {
     free[i] = surfaceAround(along, holds, trials, sideOf(plan, i), chain[i]);
+    const double room = kneeRoom(stepHeight(plan.places[i + 2], plan.places[i + 3]));
+    free[i].second = std::max(free[i].first, free[i].second - room);
   }
   std::vector<double> wanted(n + 1);
   for (int i = 0; i <= n; ++i) {

@@ -4,7 +4,8 @@
 /// Places are tried along the path, on the lines of the left and of the right foot (FootTrials). Of
 /// all sequences that alternate between them the cheapest is taken (dynamic programming: costs
 /// add up from step to step), then its places are evened out within the surfaces that they stand
-/// on. So on a stair every tread gets one foot, in its middle, and the steps before it give way.
+/// on. So on a stair every tread gets one foot, in its middle (nearer to the edge that it came over
+/// where the next riser is high), and the steps before it give way.
 #pragma once
 
 #include <array>
@@ -31,6 +32,10 @@ struct FootstepCosts {
   static constexpr double kTreadTilt = 0.08;
   /// Surfaces as short as this have feet in their middle, those of TrialGrid::kNarrow anywhere [m].
   static constexpr double kNarrowest = 0.15;
+  /// Knees bend over the toes by more the higher the next step is: beyond so high [m] feet stand by
+  /// so much times the rest [1] farther before its riser than they need, else shank and thigh enter
+  /// the nosing. By trial: at 1, flights of 0.28 m are climbed at up to 1.2 m/s only.
+  static constexpr double kKneeClears = 0.2, kKneeRoom = 2.0;
   static constexpr int kSweeps = 40;  ///< of evening out: places move by less than 1 mm after them
 };
 

@@ -80,6 +80,28 @@ TEST(FootstepPlan, EveryTreadGetsOneFootInItsMiddleWhereverTheStairsBegin) {
   }
 }
 
+// The higher the next step, the farther before its riser a foot stands, the whole sole on its
+// tread.
+TEST(FootstepPlan, FeetStandFartherBeforeHighRisers) {
+  double before = -1.0;
+  for (const double rise : {0.18, 0.28}) {
+    const Stairs flight{.rise = rise, .going = 0.37, .count = 6, .start = 1.5};
+    const FootstepPlan plan =
+        planOver(StairGround(flight), 1.5 + 5 * 0.37 + 1.5, {.max_climb = 0.3});
+    ASSERT_EQ(plan.refused, WalkRule::kNone) << rise;
+    double least = 1.0;
+    for (const FootPlace& place : plan.places) {
+      const double into = place.position.x() - flight.start;
+      if (into < 0.0 || into > 5 * flight.going) continue;
+      const double room = flight.going * std::ceil(into / flight.going) - into;
+      EXPECT_GT(flight.going - room, feet()[kLeft].radius - feet()[kLeft].heel_x - 1e-3) << rise;
+      least = std::min(least, room);
+    }
+    EXPECT_GT(least, before + 0.03) << rise;
+    before = least;
+  }
+}
+
 TEST(FootstepPlan, LeftAndRightAlternateAndStayOnTheirLines) {
   const FootstepPlan plan =
       planOver(StairGround({.rise = 0.17, .going = 0.29, .count = 5, .start = 1.3}), 4.0);

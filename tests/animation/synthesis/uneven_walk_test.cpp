@@ -172,6 +172,51 @@ TEST(UnevenWalk, ToesClearEveryNosingWhereverTheStairsBegin) {
   }
 }
 
+// How far a thigh or a shank, so thick, keeps from every nosing at the least [m].
+double leastFromNosings(const WalkSynthesizer& walker, const AnimationBuffer& walk,
+                        const Stairs& flight, double thigh, double shank) {
+  std::vector<JointFrame> joints(walker.skeleton().size());
+  const auto flat = [&](int joint) {
+    return Eigen::Vector2d(joints[joint].p_WJ.x(), joints[joint].p_WJ.z());
+  };
+  double least = 1.0;
+  for (int i = 0; i < walk.size(); ++i) {
+    forwardKinematics(walker.skeleton(), walk.poses[i], joints);
+    for (const LegJoints& leg : walker.roles().legs) {
+      const Eigen::Vector2d hip = flat(leg.up_leg), knee = flat(leg.leg), ankle = flat(leg.foot);
+      for (int k = 0; k < flight.count; ++k) {
+        const Eigen::Vector2d nosing(flight.start + k * flight.going, (k + 1) * flight.rise);
+        const auto from = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+          const double t = std::clamp((nosing - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+          return (a + t * (b - a) - nosing).norm();
+        };
+        least = std::min({least, from(hip, knee) - thigh, from(knee, ankle) - shank});
+      }
+    }
+  }
+  return least;
+}
+
+// Thighs and shanks as thick as the collision check's body has them.
+TEST(UnevenWalk, KneesPassOverTheNosingsOfHighFlights) {
+  for (const double rise : {0.25, 0.28}) {
+    for (const double speed : {0.8, 1.2}) {
+      const Stairs flight{.rise = rise, .going = 0.37, .count = 5, .start = 1.3};
+      const StairGround ground(flight);
+      const WalkSynthesizer walker(library(), ground,
+                                   {.speed = speed, .limits = {.max_climb = 0.4}});
+      const Walked walked = walkOver(walker, ground, 1.3 + 4 * 0.37 + 1.3);
+      const std::string what = std::to_string(rise) + " m at " + std::to_string(speed) + " m/s";
+      ASSERT_EQ(walked.result.refused, WalkRule::kNone) << what;
+      expectGoodSteps(walker, ground, walked.buffer, what);
+      EXPECT_GT(leastFromNosings(walker, walked.buffer, flight, 0.0446 * walker.stature(),
+                                 0.0343 * walker.stature()),
+                0.0)
+          << what;
+    }
+  }
+}
+
 TEST(UnevenWalk, StridesAndLiftsComeAsAskedAndHoldTheBarsOfGoodWalks) {
   const FlatGround ground;
   const WalkSynthesizer walker(library(), ground, {});
