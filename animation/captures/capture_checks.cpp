@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "animation/captures/step_rhythm.h"
 #include "base/rotation.h"
+#include "base/statistics.h"
 
 namespace amble {
 namespace {
@@ -113,9 +115,7 @@ double jointJitter(const Clip& clip) {
       variances.push_back(std::max(0.0, -products[j] / (4.0 * 3.0 * (frames - 3))));
   }
   if (variances.empty()) return 0.0;
-  const auto middle = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 2);
-  std::nth_element(variances.begin(), middle, variances.end());
-  return std::sqrt(*middle);
+  return std::sqrt(upperMedian(std::move(variances)));
 }
 
 std::vector<std::string> captureWarnings(const Clip& clip, const JointRoles& roles) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "animation/body/pelvis.h"
 #include "base/rotation.h"
+#include "base/statistics.h"
 
 namespace amble {
 namespace {
@@ -70,10 +72,7 @@ double groundSpeed(const FeetTrack& track, int first, int last) {
   for (int i = first; i < last; ++i) {
     if (track.side[i] == track.side[i + 1]) speeds.push_back(track.lower[i] - track.lower[i + 1]);
   }
-  if (speeds.empty()) return 0.0;
-  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
-  std::nth_element(speeds.begin(), middle, speeds.end());
-  return *middle;
+  return speeds.empty() ? 0.0 : upperMedian(std::move(speeds));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "animation/captures/capture_checks.h"
+#include "base/statistics.h"
 
 namespace amble {
 namespace {
@@ -26,12 +27,6 @@ std::vector<double> changes(const Clip& clip) {
     change.push_back(sum / joints);
   }
   return change;
-}
-
-double quantile(std::vector<double> values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * (values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 /// Where the clip begins to be motion.

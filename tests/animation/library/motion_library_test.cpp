@@ -1,0 +1,79 @@
+#include "animation/library/motion_library.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "animation/library/motion_library_reader.h"
+
+namespace amble {
+namespace {
+
+const MotionLibrary& library() {
+  static const MotionLibrary kLibrary = openMotionLibrary("default");
+  return kLibrary;
+}
+
+TEST(MotionLibrary, LacksAStandThenAStraightWalkThenNothing) {
+  MotionLibrary made;
+  EXPECT_NE(whatItLacks(made).problem.find("stand"), std::string::npos);
+  Motion stand;
+  stand.name = "stand";  // a walk of that name is no posture
+  made.motions = {stand};
+  EXPECT_NE(whatItLacks(made).problem.find("stand"), std::string::npos);
+  made.motions[0].kind = MotionKind::kPosture;
+  Motion walk;
+  walk.turning = true;
+  made.motions.push_back(walk);
+  EXPECT_NE(whatItLacks(made).problem.find("straight walk"), std::string::npos);
+  made.motions.back().turning = false;
+  EXPECT_TRUE(whatItLacks(made).problem.empty());
+}
+
+TEST(MotionLibrary, FindsEveryMotionByItsNameAndNoOther) {
+  for (const Motion& motion : library().motions) {
+    ASSERT_NE(library().find(motion.name), nullptr);
+    EXPECT_EQ(library().find(motion.name)->name, motion.name);
+  }
+  EXPECT_EQ(library().find(""), nullptr);
+  EXPECT_EQ(library().find("Stand"), nullptr);
+}
+
+// Actions are laid over each other by chain, and feet are the steps'.
+TEST(MotionLibrary, ChainsShareNoJointAndHaveNoneOfTheLegs) {
+  std::set<int> legs;
+  for (const LegJoints& leg : library().roles.legs) {
+    for (int j = 0; j < library().skeleton.size(); ++j) {
+      if (library().skeleton.isAncestor(leg.up_leg, j)) legs.insert(j);
+    }
+  }
+  std::set<int> seen;
+  for (const std::string& chain : chainNames()) {
+    const std::vector<int> joints = chainJoints(library().skeleton, library().roles, chain);
+    EXPECT_FALSE(joints.empty()) << chain;
+    for (const int j : joints) {
+      EXPECT_TRUE(seen.insert(j).second) << chain << " and " << j;
+      EXPECT_FALSE(legs.contains(j)) << chain;
+      EXPECT_NE(j, library().roles.hips) << chain;
+    }
+  }
+}
+
+TEST(MotionLibrary, AChainThatTheRigHasNotIsEmpty) {
+  EXPECT_TRUE(chainJoints(library().skeleton, library().roles, "tail").empty());
+  JointRoles roles = library().roles;
+  roles.neck = roles.head = roles.spine = -1;
+  EXPECT_TRUE(chainJoints(library().skeleton, roles, "head").empty());
+  EXPECT_TRUE(chainJoints(library().skeleton, roles, "trunk").empty());
+}
+
+TEST(MotionLibrary, ItsFeetAreAPersonsFeet) {
+  for (const FootShape& foot : library().feet()) {
+    const double length = foot.tip_x + foot.radius - (foot.heel_x - foot.radius);
+    EXPECT_NEAR(length, kFootLengthOfStature * library().stature, 0.02 * library().stature);
+    EXPECT_GT(foot.ankle_height, foot.radius);
+  }
+}
+
+}  // namespace
+}  // namespace amble

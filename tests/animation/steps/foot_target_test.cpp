@@ -1,0 +1,127 @@
+#include "animation/steps/foot_target.h"
+
+#include <gtest/gtest.h>
+
+#include "animation/library/motion_library_reader.h"
+
+namespace amble {
+namespace {
+
+struct Foot {
+  FootShape shape;
+  FootCycle cycle;
+};
+
+const Foot& foot() {
+  static const Foot kFoot = [] {
+    const MotionLibrary library = openMotionLibrary("default");
+    for (const Motion& motion : library.motions) {
+      if (motion.kind == MotionKind::kWalk) {
+        return Foot{library.feet()[kLeft], motion.cycle.feet[kLeft]};
+      }
+    }
+    return Foot{};
+  }();
+  return kFoot;
+}
+
+// From the origin to `step` ahead.
+FootState stateAt(double at, const Eigen::Vector3d& step = {1.2, 0.0, 0.0}) {
+  FootState state;
+  state.at = at;
+  if (at > 1.0) state.to.position = step;
+  return state;
+}
+
+const Eigen::Vector3d kHip(0.1, 0.0, 0.85);
+
+FootTarget targetAt(const FootState& state, double longest = 9.0, double share = 1.0) {
+  return footTarget(state, foot().cycle, foot().shape, kHip, longest, share);
+}
+
+SoleEnds endsOf(const FootTarget& target) {
+  return soleEnds(foot().shape, target.ankle, target.q_WF);
+}
+
+TEST(FootTarget, OfAFlatFootHasTheSoleOnTheGround) {
+  FootState state = stateAt(0.5);
+  state.strike_roll = state.lift_roll = 0.0;
+  const SoleEnds ends = endsOf(targetAt(state));
+  EXPECT_NEAR(ends.heel.z(), 0.0, 1e-9);
+  EXPECT_NEAR(ends.ball.z(), 0.0, 1e-9);
+}
+
+// A planted foot rolls about heel or ball: one of them rests, none is in the ground.
+TEST(FootTarget, OfAPlantedFootRestsOnHeelOrBall) {
+  for (double at = 0.0; at <= 1.0; at += 0.05) {
+    const SoleEnds ends = endsOf(targetAt(stateAt(at)));
+    EXPECT_NEAR(std::min(ends.heel.z(), ends.ball.z()), 0.0, 1e-6) << at;
+  }
+}
+
+TEST(FootTarget, GoesOnWithoutAJumpWhereTheFootIsLiftedAndPutDown) {
+  FootState landed = stateAt(0.0);
+  landed.from.position = landed.to.position = {1.2, 0.0, 0.0};
+  for (const auto& [a, b] : {std::pair(targetAt(stateAt(1.0)), targetAt(stateAt(1.0 + 1e-6))),
+                             std::pair(targetAt(stateAt(2.0)), targetAt(landed))}) {
+    EXPECT_LT((a.ankle - b.ankle).norm(), 1e-4);
+    EXPECT_LT(a.q_WF.angularDistance(b.q_WF), 1e-3);
+    EXPECT_NEAR(a.toe_bend, b.toe_bend, 1e-3);
+  }
+}
+
+TEST(FootTarget, TurnsAndMovesWithTheGroundItStandsOn) {
+  const Eigen::Vector3d away(3.0, -2.0, 0.5);
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()));
+  for (const double at : {0.1, 0.6, 1.3, 1.8}) {
+    FootState state = stateAt(at);
+    const FootTarget here = targetAt(state);
+    for (FootPlace* place : {&state.from, &state.to}) {
+      place->position = away + turn * place->position;
+      place->heading += 0.7;
+    }
+    const FootTarget there = footTarget(state, foot().cycle, foot().shape, away + turn * kHip, 9.0);
+    EXPECT_LT((there.ankle - (away + turn * here.ankle)).norm(), 1e-9) << at;
+    EXPECT_LT(there.q_WF.angularDistance(turn * here.q_WF), 1e-7) << at;
+  }
+}
+
+// Behind the walker, a leg that is too short for the captured foot lifts its heel: the ankle comes
+// as near as the leg is long, and no farther than HeelRise::kMost; the ball stays.
+TEST(FootTarget, AHeelBehindRisesUntilTheLegReaches) {
+  FootState state = stateAt(0.8);
+  const Eigen::Vector3d hip(0.55, 0.0, 0.80);
+  const auto at = [&](double longest, double share = 1.0) {
+    return footTarget(state, foot().cycle, foot().shape, hip, longest, share);
+  };
+  const FootTarget captured = at(9.0);
+  const double far = (captured.ankle - hip).norm();
+  const FootTarget risen = at(far - 0.02);
+  EXPECT_LE((risen.ankle - hip).norm(), far - 0.02 + 1e-9);
+  EXPECT_GT(risen.toe_bend, captured.toe_bend);
+  EXPECT_NEAR(endsOf(risen).ball.z(), endsOf(captured).ball.z(), 1e-6);
+  const FootTarget most = at(0.5 * far);
+  EXPECT_NEAR(most.toe_bend - captured.toe_bend, HeelRise::kMost, 1e-6);
+  EXPECT_NEAR(at(0.5 * far, 0.0).toe_bend, captured.toe_bend, 1e-9);
+}
+
+TEST(FootTarget, AFootUnderTheHipDoesNotRise) {
+  const FootState state = stateAt(0.5);
+  const Eigen::Vector3d hip(-0.1, 0.0, 0.8);
+  const FootTarget captured = footTarget(state, foot().cycle, foot().shape, hip, 9.0);
+  const FootTarget asked = footTarget(state, foot().cycle, foot().shape, hip, 0.5);
+  EXPECT_NEAR(asked.toe_bend, captured.toe_bend, 1e-9);
+}
+
+TEST(FootTarget, TheLiftFactorGivesTheLiftThatIsAsked) {
+  for (const double rise : {0.0, 0.17, -0.1}) {
+    FootState state = stateAt(1.5, {0.9, 0.0, rise});
+    for (const double lift : {0.05, 0.1, 0.2}) {
+      state.swing.lift = liftFactor(lift, state, foot().cycle, foot().shape);
+      EXPECT_NEAR(swingLift(state, foot().cycle, foot().shape), lift, 1e-6) << rise << " " << lift;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace amble
