@@ -50,16 +50,16 @@ std::vector<std::string> flightWarnings(double rise, double max_climb, int tread
 }
 
 TEST(GroundWarnings, AFlightOfStepsTooHighForFlightsIsToldWithItsRise) {
-  const auto warnings = flightWarnings(0.28, 0.4);
+  const auto warnings = flightWarnings(0.33, 0.4);
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("rise by 0.28 m"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("rise by 0.33 m"), std::string::npos) << warnings[0];
 }
 
 TEST(GroundWarnings, LowFlightsAndSingleStepsAreNot) {
-  EXPECT_TRUE(flightWarnings(0.25, 0.4).empty());
+  EXPECT_TRUE(flightWarnings(0.28, 0.4).empty());
   EXPECT_TRUE(flightWarnings(0.17, 0.4).empty());
-  EXPECT_TRUE(flightWarnings(0.28, 0.4, 1).empty());
-  EXPECT_TRUE(flightWarnings(0.28, 0.25).empty());  // nobody asks to climb it
+  EXPECT_TRUE(flightWarnings(0.33, 0.4, 1).empty());
+  EXPECT_TRUE(flightWarnings(0.33, 0.3).empty());  // nobody asks to climb it
 }
 
 }  // namespace
