@@ -38,11 +38,20 @@ void Program::TearDown() {
 }
 
 Program::Ran Program::run(const std::string& arguments, const std::string& before) const {
+  return shell("'" AMBLE_PROGRAM "' " + arguments, before);
+}
+
+Program::Ran Program::onTerminal(const std::string& arguments, const std::string& before) const {
+  return shell("script -qec \"'" AMBLE_PROGRAM "' " + arguments + "\" /dev/null",
+               "export TERM=xterm; " + before);
+}
+
+Program::Ran Program::shell(const std::string& commands, const std::string& before) const {
   // What the shell does first, the redirection of the program itself last, so that a test may
   // redirect too.
   const std::string command = "cd '" + folder_.string() + "' && " + before + " exec >'" +
                               folder_.string() + ".out' 2>'" + folder_.string() +
-                              ".err' </dev/null; '" AMBLE_PROGRAM "' " + arguments;
+                              ".err' </dev/null; " + commands;
   const int status = std::system(command.c_str());
   Ran ran;
   ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

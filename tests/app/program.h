@@ -24,6 +24,9 @@ class Program : public testing::Test {
   /// @param before  shell commands that run first, such as a limit
   Ran run(const std::string& arguments, const std::string& before = "") const;
 
+  /// The same on a terminal of its own, by script(1): what it shows there, both streams, is `out`.
+  Ran onTerminal(const std::string& arguments, const std::string& before = "") const;
+
   /// Writes a file into folder_; its folders are made.
   void write(const std::string& name, const std::string& text) const;
   std::string read(const std::string& name) const;
@@ -36,6 +39,10 @@ class Program : public testing::Test {
                      const std::string& before = "") const;
 
   std::filesystem::path folder_;
+
+ private:
+  /// A shell's commands in folder_.
+  Ran shell(const std::string& commands, const std::string& before) const;
 };
 
 /// A floor of 6 x 4 m, in/room.yaml, and 4 m to walk over it, in/scenario.yaml.
