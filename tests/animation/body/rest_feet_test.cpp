@@ -1,0 +1,45 @@
+#include "animation/body/rest_feet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/rotation.h"
+#include "tests/animation/rig.h"
+
+namespace amble {
+namespace {
+
+// The rig with its toe joint `degrees` below the ankle's level.
+Skeleton dropped(const Rig& rig, Side side, double degrees) {
+  std::vector<Joint> joints = rig.skeleton.joints();
+  Joint& toe = joints[rig.roles.legs[side].toe];
+  const double length = toe.offset.norm();
+  toe.offset =
+      length * Eigen::Vector3d(0.0, -std::sin(degrees * kDegree), std::cos(degrees * kDegree));
+  return Skeleton(std::move(joints));
+}
+
+TEST(RestFeet, TheWorseFootCountsInAnyUnit) {
+  const Rig rig;
+  const double own = restFootDrop(rig.skeleton, rig.roles);
+  EXPECT_LT(own, kHangingFoot);
+  for (const Side side : {kLeft, kRight}) {
+    for (const double degrees : {50.0, 78.0, 90.0}) {
+      const Skeleton hangs = dropped(rig, side, degrees);
+      EXPECT_NEAR(restFootDrop(hangs, rig.roles), degrees * kDegree, 1e-6);
+      EXPECT_NEAR(restFootDrop(hangs.scaled(100.0), rig.roles), degrees * kDegree, 1e-6);
+      EXPECT_EQ(restFootDrop(hangs, rig.roles) > kHangingFoot, degrees > 70.0);
+    }
+  }
+}
+
+// Toes above the ankle's level, of a foot drawn from the sole up, are no drop.
+TEST(RestFeet, ToesAboveTheAnkleDoNotHang) {
+  const Rig rig;
+  const Skeleton up = dropped(rig, kLeft, -20.0);
+  EXPECT_NEAR(restFootDrop(up, rig.roles), restFootDrop(rig.skeleton, rig.roles), 1e-9);
+}
+
+}  // namespace
+}  // namespace amble
