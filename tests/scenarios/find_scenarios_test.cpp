@@ -26,7 +26,7 @@ TEST_F(FindScenarios, FoldersAreSearchedAndOtherFilesPassedOver) {
   write("deeper/a.yml", kScenario);
   write("deeper/notes.txt", kScenario);
   write("deeper/other.yaml", "objects: []\n");
-  write("deeper/huge.yaml", kScenario + std::string(kScenarioKind.limit, '#'));
+  write("deeper/huge.yaml", kScenario + std::string(size_t{1} << 20, '#'));
   const std::vector<fs::path> expected = {folder_ / "b.yaml", folder_ / "deeper" / "a.yml"};
   std::vector<fs::path> found;
   for (const ScenarioFile& file : findScenarios({folder_})) {
