@@ -48,7 +48,7 @@ TEST(LevelCapture, ATiltedFloorIsLevelled) {
   AMBLE_NEEDS_CAPTURES();
   const CapturedMotion motion = capture();
   const auto low = lowest(levelled(motion.clip, motion.roles), motion.roles);
-  for (const Eigen::Vector3d& axis : {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()}) {
+  for (const Eigen::Vector3d axis : {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()}) {
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(2.0 * kDegree, axis));
     FloorFit fit;
     const Clip level =
