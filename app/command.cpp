@@ -82,7 +82,8 @@ void addMemoryOption(CLI::App& command, size_t& bytes) {
   command
       .add_option_function<long>(
           "--memory", [&bytes](long megabytes) { bytes = static_cast<size_t>(megabytes) << 20; },
-          "Memory that reading a mesh file may fill [MB]; default: " + std::to_string(bytes >> 20))
+          "Memory that reading a mesh, FBX, glTF or DAE file may fill [MB]; default: " +
+              std::to_string(bytes >> 20))
       ->check(wholeNumber(1, 1 << 20));
 }
 

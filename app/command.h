@@ -34,7 +34,7 @@ CLI::Validator twoNumbers(const Ramp& first, const Ramp& second, const std::stri
 std::pair<double, double> readTwoNumbers(const std::string& text);  ///< @pre accepted
 /// Shows how the command is used, behind its options.
 void addExamples(CLI::App& command, const std::vector<std::string>& lines);
-/// `--memory MB`, for commands that read meshes. @param bytes  is set to it
+/// `--memory MB`, for commands that read meshes or captures. @param bytes  is set to it
 void addMemoryOption(CLI::App& command, size_t& bytes);
 /// Accepts a whole number within a range, ends included.
 CLI::Validator wholeNumber(long min, long max);

@@ -31,6 +31,6 @@ Findings inspectMesh(const std::filesystem::path& file, const LoadLimits& limits
 std::optional<Findings> inspectClip(const std::filesystem::path& file,
                                     const MotionReadOptions& options);
 Findings inspectLibrary(const std::filesystem::path& file);
-Findings inspectScenario(const ScenarioFile& file);
+Findings inspectScenario(const ScenarioFile& file, const LoadLimits& limits);
 
 }  // namespace amble

@@ -19,7 +19,7 @@ Findings inspectYaml(const std::filesystem::path& file, const LoadLimits& limits
   const std::string text = readWholeFile(file, kAnyYaml);
   const YamlNode root = parseYaml(text, file.string());
   if (root.isMap()) {
-    if (root.has("scene") || root.has("start")) return inspectScenario({file, text});
+    if (root.has("scene") || root.has("start")) return inspectScenario({file, text}, limits);
     if (root.has("motions")) return inspectLibrary(file);
     if (root.has("objects")) return inspectScene(file, limits);
   }
@@ -60,13 +60,13 @@ void addInspect(CLI::App& app, Command& chosen) {
                    "YAML, captures or mesh files; - is a BVH on standard input")
       ->required();
   addReadOptions(*command, options->read);
-  addMemoryOption(*command, options->limits.memory);
   command->add_flag("--json", options->json, "Print results for machines");
   addExamples(*command, {"amble inspect scenarios/living-room.yaml",
                          "amble inspect environments/scenes/living-room/scene.yaml --json"});
   command->callback([options, &chosen] {
     chosen = [options] {
       options->limits.stop.flag = &stopFlag();
+      options->limits.memory = options->read.memory;
       std::vector<Findings> all;
       for (const std::string& file : options->files) {
         all.push_back(inspectFile(file, options->read.forReader(), options->limits));

@@ -7,7 +7,7 @@
 #include "environments/ground/ground_warnings.h"
 #include "environments/scene/mesh_reader.h"
 #include "environments/scene/scene.h"
-#include "scenarios/scenario.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 namespace {
@@ -130,9 +130,7 @@ Findings inspectScene(const std::filesystem::path& file, const LoadLimits& limit
               {"triangles", scene.triangleCount()},
               {"levels", heights},
               {"objects", Json::array()}};
-  out.warnings = scene.warnings;
-  for (std::string& warning : groundWarnings(scene, ground))
-    out.warnings.push_back(std::move(warning));
+  out.warnings = sceneWarnings(scene, ground);
   if (heights.empty()) out.warnings.push_back("there is nothing to stand on");
   for (const SceneObject& object : scene.objects) describeObject(object, out);
   return out;
@@ -167,9 +165,10 @@ Findings inspectMesh(const std::filesystem::path& file, const LoadLimits& limits
   return out;
 }
 
-Findings inspectScenario(const ScenarioFile& file) {
+Findings inspectScenario(const ScenarioFile& file, const LoadLimits& limits) {
   const Scenario scenario = readScenario(file);
-  const Scene scene = readScene(scenario.scene);
+  const Scene scene = loadScene(scenario, limits);
+  const SceneGround ground(scene, groundSettings(scenario, loadLibrary(scenario)), limits.stop);
   Findings out{file.file.string(), "scenario", {}, {}, {}};
   const CharacterSpec& who = scenario.character;
   out.facts = {
@@ -194,6 +193,7 @@ Findings inspectScenario(const ScenarioFile& file) {
               {"planner", scenario.planner.name},
               {"seed", scenario.planner.seed},
               {"speed", scenario.walk.speed}};
+  out.warnings = sceneWarnings(scene, ground);
   const Eigen::AlignedBox3d box = scene.bounds();
   for (const auto* place : {&scenario.start, &scenario.goal}) {
     const Eigen::Array2d at = place->at.array();

@@ -161,6 +161,10 @@ int run(const Options& options) {
   how.memory = options.memory;
   how.checker = options.checker == "fcl" ? Checker::kFcl : Checker::kFast;
   how.stop = &stopFlag();
+  how.loaded = [&](const Problem& problem) {
+    for (const std::string& warning : sceneWarnings(problem.scene, problem.ground))
+      fmt::print(stderr, "{}: warning: {}\n", scenario.scene.string(), warning);
+  };
   how.progress = [&](const SearchProgress& at) {
     const double done =
         at.total > 0 ? static_cast<double>(at.done) / static_cast<double>(at.total) : -1.0;
@@ -174,11 +178,6 @@ int run(const Options& options) {
     fmt::print(stderr, "amble plan: stopped; nothing was written to {}\n", folder.string());
     return kExitStopped;
   }
-  std::vector<std::string> warnings = result.problem->scene.warnings;
-  for (std::string& warning : groundWarnings(result.problem->scene, result.problem->ground))
-    warnings.push_back(std::move(warning));
-  for (const std::string& warning : warnings)
-    fmt::print(stderr, "{}: warning: {}\n", scenario.scene.string(), warning);
   writeAll(options, result, folder);
   if (options.json) {
     writeJson(std::cout, result.report);

@@ -14,6 +14,7 @@ MotionReadOptions ReadOptions::forReader() const {
   options.take = take;
   options.asf = asf;
   options.roles = roles;
+  options.memory = memory;
   return options;
 }
 
@@ -41,6 +42,7 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
       ->check(number(1, kMostFrames, "1/s"));
   command.add_option("--take", options.take,
                      "Animation of FBX, glTF and DAE files; default: the one in which most moves");
+  addMemoryOption(command, options.memory);
 }
 
 void addReadings(const CapturedMotion& motion, Findings& out) {

@@ -14,15 +14,16 @@ namespace amble {
 /// Most frames a second that a clip may have [1/s]: no capture has more, and none needs them.
 inline constexpr double kMostFrames = 1000.0;
 
-/// --unit, --up, --facing, --asf, --roles, --file-fps, --take as they were given.
+/// --unit, --up, --facing, --asf, --roles, --file-fps, --take, --memory as they were given.
 struct ReadOptions {
   double unit = 0.0;        // [m]; 0: not given
   std::string up;           // "y", "z" or "": not given
   double facing_deg = 0.0;  // [degrees]
   bool has_facing = false;
-  std::string asf, roles;  // files, or ""
-  std::string take;        // "": not given
-  double file_fps = 0.0;   // [1/s]; 0: not given
+  std::string asf, roles;                // files, or ""
+  std::string take;                      // "": not given
+  double file_fps = 0.0;                 // [1/s]; 0: not given
+  size_t memory = GuardLimits{}.memory;  // [bytes]
 
   MotionReadOptions forReader() const;
 };

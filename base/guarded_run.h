@@ -17,6 +17,9 @@ struct GuardLimits {
   std::function<bool()> stopped = {};  ///< asked ten times a second; true ends the work
 };
 
+/// What is expected, for messages, where there is not enough memory.
+inline constexpr const char* kMoreMemory = "a smaller file, or `--memory MB` that lets it";
+
 /// How guarded work ended.
 enum class GuardEnd { kDone, kMemory, kTime, kStopped, kBroken };
 

@@ -30,14 +30,6 @@ std::string listed(const std::vector<double>& heights) {
   return text;
 }
 
-Scene loadScene(const Scenario& scenario, const LoadLimits& limits) {
-  if (!std::filesystem::exists(scenario.scene)) {
-    scenario.source.fail("scene", "the scene '" + scenario.scene.string() + "' is not there",
-                         "the path of a scene file, relative to this one");
-  }
-  return readScene(scenario.scene, limits);
-}
-
 // Actions are held for the whole walk: what is valid for a part of it only cannot be one.
 void requireActions(const Scenario& scenario, const MotionLibrary& library) {
   for (size_t i = 0; i < scenario.walk.actions.size(); ++i) {
@@ -50,18 +42,6 @@ void requireActions(const Scenario& scenario, const MotionLibrary& library) {
   }
 }
 
-MotionLibrary loadLibrary(const Scenario& scenario) {
-  const CharacterSpec& character = scenario.character;
-  if (character.library != "default" && !std::filesystem::exists(character.library)) {
-    scenario.source.fail("character.library",
-                         "the library '" + character.library + "' is not there",
-                         "'default', or the path of a motion library, relative to this file");
-  }
-  MotionLibrary library = openMotionLibrary(character.library);
-  requireActions(scenario, library);
-  return library;
-}
-
 CharacterSettings settingsOf(const Scenario& scenario, double frame_time) {
   CharacterSettings settings;
   settings.height = scenario.character.height;
@@ -72,14 +52,20 @@ CharacterSettings settingsOf(const Scenario& scenario, double frame_time) {
   return settings;
 }
 
-GroundSettings groundSettings(const Scenario& scenario, const MotionLibrary& library) {
-  const CharacterSpec& character = scenario.character;
-  const double stature = character.height > 0.0 ? character.height : library.stature;
-  GroundSettings settings = walkerGround(stature, character.limits);
-  for (const Place& place : {scenario.start, scenario.goal})
-    settings.places.push_back({place.at, place.z});
-  for (const Place& place : scenario.via) settings.places.push_back({place.at, place.z});
-  return settings;
+// Whether an action moves the trunk: who bends is as low as he bends.
+bool mayStoop(const Scenario& scenario, const MotionLibrary& library) {
+  const std::vector<int> trunk = chainJoints(library.skeleton, library.roles, "trunk");
+  for (const std::string& action : scenario.walk.actions)
+    for (const int joint : movedJoints(library, *findAction(library, action)))
+      if (std::find(trunk.begin(), trunk.end(), joint) != trunk.end()) return true;
+  return false;
+}
+
+Body walkerBody(const WalkSynthesizer& walker, bool may_stoop) {
+  Body body = makeBody(walker.skeleton(), walker.roles(), walker.stature(),
+                       {walker.ankleHeight(), walker.toeHeight()}, walker.standingHead());
+  if (!may_stoop) body.upright = walker.stature();
+  return body;
 }
 
 void requireWithinBounds(const Scenario& scenario, const Place& place, const std::string& key) {
@@ -99,6 +85,40 @@ std::string degrees(double angle) {
   std::snprintf(text, sizeof text, "%.3g", angle / kDegree);
   return text;
 }
+
+}  // namespace
+
+Scene loadScene(const Scenario& scenario, const LoadLimits& limits) {
+  if (!std::filesystem::exists(scenario.scene)) {
+    scenario.source.fail("scene", "the scene '" + scenario.scene.string() + "' is not there",
+                         "the path of a scene file, relative to this one");
+  }
+  return readScene(scenario.scene, limits);
+}
+
+MotionLibrary loadLibrary(const Scenario& scenario) {
+  const CharacterSpec& character = scenario.character;
+  if (character.library != "default" && !std::filesystem::exists(character.library)) {
+    scenario.source.fail("character.library",
+                         "the library '" + character.library + "' is not there",
+                         "'default', or the path of a motion library, relative to this file");
+  }
+  MotionLibrary library = openMotionLibrary(character.library);
+  requireActions(scenario, library);
+  return library;
+}
+
+GroundSettings groundSettings(const Scenario& scenario, const MotionLibrary& library) {
+  const CharacterSpec& character = scenario.character;
+  const double stature = character.height > 0.0 ? character.height : library.stature;
+  GroundSettings settings = walkerGround(stature, character.limits);
+  for (const Place& place : {scenario.start, scenario.goal})
+    settings.places.push_back({place.at, place.z});
+  for (const Place& place : scenario.via) settings.places.push_back({place.at, place.z});
+  return settings;
+}
+
+namespace {
 
 // Without ground nobody stands anywhere; what is wrong then is the scene, not a place in it.
 SceneGround makeGround(const Scene& scene, const Scenario& scenario, const MotionLibrary& library,
@@ -157,9 +177,7 @@ Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& l
       ground(makeGround(scene, scenario, library, limits.stop)),
       floor(chooseFloor(scene, ground, scenario, scenario.start, "start")),
       synthesizer(library, ground, settingsOf(scenario, frame_time)),
-      body(makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
-                    {synthesizer.ankleHeight(), synthesizer.toeHeight()},
-                    synthesizer.standingHead())),
+      body(walkerBody(synthesizer, mayStoop(scenario, library))),
       world(scene, ground, synthesizer.skeleton(), body, limits.stop, checker) {}
 
 Eigen::Vector3d Problem::stand(const Place& place, const std::string& key) const {

@@ -39,6 +39,12 @@ struct Problem {
   Eigen::AlignedBox2d bounds() const;
 };
 
+/// What a scenario names, as Problem reads it. @throws InputError; Stopped
+Scene loadScene(const Scenario& scenario, const LoadLimits& limits);
+MotionLibrary loadLibrary(const Scenario& scenario);
+/// What is ground to the scenario's character, whose places are ground.
+GroundSettings groundSettings(const Scenario& scenario, const MotionLibrary& library);
+
 /// Height of the floor that a place stands on [m]. `key` names it in messages: "start", "goal",
 /// "via[0]". @throws InputError
 double chooseFloor(const Scene& scene, const SceneGround& ground, const Scenario& scenario,

@@ -129,6 +129,7 @@ RunResult runScenario(const Scenario& scenario, const RunOptions& options) {
   PlanRequest request = requestOf(*result.problem, options);
   result.report.inputs = inputDigests(*result.problem);
   result.report.times.load = secondsSince(begin);
+  if (options.loaded) options.loaded(*result.problem);
 
   begin = Clock::now();
   request.limits.deadline = begin + time_limit;

@@ -20,6 +20,8 @@ struct RunOptions {
   Checker checker = Checker::kFast;         ///< who is asked about contacts; changes no result
   size_t memory = GuardLimits{}.memory;     ///< that reading a mesh file may fill [bytes, > 0]
   const std::atomic<bool>* stop = nullptr;  ///< Ctrl-C
+  /// Called once, when all is read and before the search begins.
+  std::function<void(const Problem&)> loaded;
   std::function<void(const SearchProgress&)> progress;  ///< called from the calling thread
 };
 

@@ -12,8 +12,9 @@ namespace amble {
 namespace {
 
 constexpr FileKind kScenarioKind = {"a scenario (YAML)", size_t{1} << 20};
-// Of a coordinate [m]: beyond it a place is a slip of the pen
-constexpr double kFarthest = 100000.0;
+// Of a coordinate: beyond it the squares of lengths have no digits left for micrometres, and
+// contacts are told wrongly [m].
+constexpr double kFarthest = 1e5;
 
 double asAngle(const YamlNode& node, double min_deg, double max_deg, const char* what) {
   return node.asDouble(min_deg, max_deg, what) * kDegree;
@@ -32,7 +33,13 @@ Place readPlace(const YamlNode& node, bool with_heading) {
     at.fail("'" + at.path() + "' has " + std::to_string(at.size()) + " numbers",
             "[x, y], or [x, y, z] where floors lie over one another [m]");
   }
-  const Eigen::VectorXd p = at.asVec(has_z ? 3 : 2, "place [m]", -kFarthest, kFarthest);
+  const Eigen::VectorXd p =
+      at.asVec(has_z ? 3 : 2, "place [m]", -YamlNode::kInfinity, YamlNode::kInfinity);
+  if (p.cwiseAbs().maxCoeff() > kFarthest) {
+    at.fail("'" + at.path() + "' is more than 100 km from the origin",
+            "a place nearer to it: a scene on a map's coordinates is brought there by the `at` of "
+            "its objects");
+  }
   place.at = p.head<2>();
   if (has_z) place.z = p.z();
   if (const YamlNode heading = node["heading"]) {

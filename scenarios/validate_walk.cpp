@@ -22,8 +22,9 @@ constexpr double kShortest = 0.4, kTallest = 3.0;
 constexpr double kNearFloor = 0.3;
 
 CapturedMotion readWalk(const std::filesystem::path& file, const ValidateOptions& options) {
-  CapturedMotion walk =
-      readMotion(file, {.metres_per_unit = options.metres_per_unit, .up = options.up});
+  CapturedMotion walk = readMotion(file, {.metres_per_unit = options.metres_per_unit,
+                                          .up = options.up,
+                                          .memory = options.load.memory});
   if (walk.clip.frames() == 0) throw InputError(file.string(), 0, "holds no frames", "a motion");
   if (!walk.clip.joint_positions.empty()) {
     throw InputError(file.string(), 0, "joints other than the root move against their parents",

@@ -141,7 +141,8 @@ std::optional<CapturedMotion> readNodes(const std::filesystem::path& file,
                                                {.metres_per_unit = options.metres_per_unit,
                                                 .up = options.up,
                                                 .frame_time = options.frame_time,
-                                                .take = options.take},
+                                                .take = options.take,
+                                                .memory = options.memory},
                                                &notes);
   if (!clip) return {};
   motion.clip = std::move(*clip);

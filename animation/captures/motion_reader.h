@@ -14,6 +14,7 @@
 #include "animation/body/joint_roles.h"
 #include "animation/captures/reading.h"
 #include "base/file_axes.h"
+#include "base/guarded_run.h"
 
 namespace amble {
 
@@ -33,6 +34,8 @@ struct MotionReadOptions {
   std::filesystem::path asf = {};    ///< skeleton of an AMC; empty: as findAsf() has it
   std::filesystem::path roles = {};  ///< YAML map of role to joint name that overrides the guess
   bool person = true;                ///< a skeleton in which no person is found is refused
+  /// That reading an FBX, glTF or Collada file may fill [bytes, > 0].
+  size_t memory = GuardLimits{}.memory;
 };
 
 struct CapturedMotion {

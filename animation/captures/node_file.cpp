@@ -169,7 +169,7 @@ ImportedNodes unpacked(const std::string& bytes) {
 /// The formats' readers recurse as deep as a file nests, and for ever where nodes are below
 /// themselves: they work in a process of their own.
 ImportedNodes importGuarded(const NodeSource& source, const NodeFileOptions& options) {
-  const GuardLimits limits;
+  const GuardLimits limits{.memory = options.memory};
   const auto work = [&]() -> std::string {
     try {
       return packed(import(source, options));
@@ -184,7 +184,9 @@ ImportedNodes importGuarded(const NodeSource& source, const NodeFileOptions& opt
   };
   const GuardedAnswer answer = runGuarded(work, limits);
   const std::string& name = source.name;
-  if (!answer.done()) throw InputError(name, 0, "cannot be read: " + answer.why(limits), kNodeFile);
+  if (!answer.done())
+    throw InputError(name, 0, "cannot be read: " + answer.why(limits),
+                     answer.end == GuardEnd::kMemory ? kMoreMemory : kNodeFile);
   ImportedNodes imported = unpacked(answer.bytes);
   if (imported.refused) {
     throw InputError(name, imported.line, imported.problem, imported.expected);

@@ -12,6 +12,7 @@
 
 #include "animation/body/clip.h"
 #include "animation/captures/capture_file.h"
+#include "base/guarded_run.h"
 
 namespace amble {
 
@@ -20,6 +21,7 @@ struct NodeFileOptions {
   std::optional<UpAxis> up = {};               ///< none: as the file says
   std::optional<double> frame_time = {};       ///< sampled at; none: the file's [s, > 0]
   std::string take = {};                       ///< animation; "": the one in which most moves
+  size_t memory = GuardLimits{}.memory;        ///< that reading may fill [bytes, > 0]
 };
 
 /// What the file says of itself, and what was passed over.

@@ -143,6 +143,7 @@ class BodyMaker {
   void addHead() {
     const double crown = this->crown();
     const double chin = crown - kHeadHeight * stature_, radius = kHead * stature_;
+    body_.head = static_cast<int>(body_.parts.size());
     add("head", roles_.head, up_ * (chin + radius), up_ * (crown - radius), radius);
   }
 

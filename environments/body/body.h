@@ -30,6 +30,12 @@ struct Body {
   /// How far any point of part i may be from joint j's origin, for joints j that it hangs on; 0 for
   /// others: reach(i, j) is an upper bound over all poses, since bones are rigid [m].
   std::vector<std::vector<double>> reach;  ///< [part][joint]
+
+  int head = -1;  ///< the part
+  /// How tall the body counts as at every frame, over its lowest sole: a walking head dips by some
+  /// centimetres from step to step, and nobody passes upright under what is lower than he stands.
+  /// 0 where it may stoop: the capsules alone count then [m, >= 0]
+  double upright = 0.0;
 };
 
 /// Radii are fractions of stature. Shoulder to shoulder and chest front to back are covered by more

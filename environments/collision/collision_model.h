@@ -1,7 +1,10 @@
 /// A body in a scene as checks of motions have it, and a thread's memory for them.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "animation/body/pose.h"
@@ -102,14 +105,40 @@ struct CollisionModel {
     place(pose, scratch, {&scratch.capsule(0, 0), static_cast<size_t>(parts())});
   }
 
+  /// What an upright body has over its head where that is lower than it stands.
+  std::optional<Capsule> crown(std::span<const Capsule> placed) const {
+    if (body.upright <= 0.0) return std::nullopt;
+    double ground = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < parts(); ++i)
+      if (body.parts[i].sole >= 0) ground = std::min(ground, placed[i].lowest());
+    const Capsule& head = placed[body.head];
+    const Eigen::Vector3d& top = head.from.z() > head.to.z() ? head.from : head.to;
+    const double missing = ground + body.upright - (top.z() + head.radius);
+    if (!(missing > 0.0)) return std::nullopt;
+    return Capsule{top, top + missing * Eigen::Vector3d::UnitZ(), head.radius};
+  }
+
   /// The first part from `begin` on of the standing body there that touches something.
   std::optional<Contact> nextContact(int begin, CollisionScratch& scratch) const {
     constexpr SolePhases standing = {SolePhase::kPlanted, SolePhase::kPlanted};
+    const std::span<const Capsule> placed(&scratch.capsule(0, 0), static_cast<size_t>(parts()));
     for (int part = begin; part < parts(); ++part) {
-      const int object = touched(scratch.capsule(0, part), part, standing, scratch);
+      const int object = touchedAt(placed, part, standing, scratch);
       if (object >= 0) return Contact{0, 0.0, part, object, 0.0};
     }
     return std::nullopt;
+  }
+
+  /// What the part of a placed body touches, or -1; over the head as far as it is upright.
+  int touchedAt(std::span<const Capsule> placed, int part, const SolePhases& soles,
+                CollisionScratch& scratch) const {
+    const int object = touched(placed[part], part, soles, scratch);
+    return object >= 0 || part != body.head ? object : touchedCrown(placed, scratch);
+  }
+  int touchedCrown(std::span<const Capsule> placed, CollisionScratch& scratch) const {
+    const auto over = crown(placed);
+    return over ? touched(*over, body.head, {SolePhase::kPlanted, SolePhase::kPlanted}, scratch)
+                : -1;
   }
 
   /// What the part touches, the ground included, or -1.

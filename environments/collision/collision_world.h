@@ -3,7 +3,8 @@
 /// Solid: a closed mesh is solid (inside by parity over closed components, hollow shells free
 /// within), an open one is a surface. Ground: soles may touch what is ground while planted, to 5
 /// mm; everything else counts (DESIGN.md, section 3). Between frames the root moves linearly and
-/// joints turn by slerp; that too is proved free or reported.
+/// joints turn by slerp; that too is proved free or reported. What an upright body has over its
+/// head (Body::upright) is looked at in frames only: no part of it moves there.
 #pragma once
 
 #include <memory>

@@ -25,8 +25,7 @@ std::optional<Contact> MotionCheck::coarse() {
       if (level > 0 && frame % kStrides[level - 1] == 0) continue;
       place(frame);
       for (int part = 0; part < world_.parts(); ++part) {
-        const int object =
-            world_.touched(scratch_.capsule(frame, part), part, soles_[frame], scratch_);
+        const int object = world_.touchedAt(placed(frame), part, soles_[frame], scratch_);
         if (object >= 0) return Contact{frame, 0.0, part, object, 0.0};
       }
     }
@@ -80,6 +79,8 @@ std::optional<Contact> MotionCheck::checkFrame(int frame) {
     scratch_.freeAround(frame, part) = around;
     int object = around ? -1 : world_.layers.touchedObstacle(capsule, depth, *scratch_.exact);
     if (object < 0) object = world_.layers.ground().touched(capsule, depth, *scratch_.exact);
+    if (object < 0 && part == world_.body.head)
+      object = world_.touchedCrown(placed(frame), scratch_);
     if (object >= 0 && !found) found = Contact{frame, 0.0, part, object, 0.0};
   }
   return found;

@@ -44,6 +44,9 @@ class MotionCheck {
   };
 
   void place(int frame);
+  std::span<const Capsule> placed(int frame) const {
+    return {&scratch_.capsule(frame, 0), static_cast<size_t>(world_.parts())};
+  }
   void measureInterval(int frame);
   std::optional<Contact> checkFrame(int frame);
   std::optional<Contact> checkInterval(int frame);

@@ -60,6 +60,7 @@ struct GroundCells::Builder {
   std::optional<double> beside(const Eigen::Vector3d& p, const Eigen::Vector2d& offset) const;
   bool isStraight(const Eigen::Vector3d& p, const Eigen::Vector2d& offset) const;
   void joinSteps();
+  bool isAsked(int column, int row) const;
   template <typename Visit>
   void eachSpan(Visit visit_one) const;
   template <typename Visit>
@@ -162,19 +163,34 @@ bool GroundCells::Builder::hasRoom(const Eigen::Vector3d& p) const {
   return false;
 }
 
-// Calls visit_one(span, square) for every span; for those of a plain tile at squares of its border
-// only, since the others have no neighbours but their like.
+// Whether the square has neighbours that others of its tile do not stand for. In a plain tile those
+// near a side have, where what lies there is no plain tile; else the middle of the side has them.
+bool GroundCells::Builder::isAsked(int column, int row) const {
+  if (cells.tileAt(column, row).plain < 0) return true;
+  const Eigen::Vector2i square(column, row);
+  for (int axis = 0; axis < 2; ++axis) {
+    const int along = square[axis] % kTile, aside = square[1 - axis] % kTile;
+    for (const int way : {-1, 1}) {
+      const int off = way < 0 ? along : kTile - 1 - along;  // from that side of the tile
+      if (off >= kStepReach) continue;
+      Eigen::Vector2i other = square;
+      other[axis] += way * kTile;
+      const bool outside =
+          (other.array() < 0).any() || (other.array() >= cells.count_.array()).any();
+      if (outside || cells.tileAt(other.x(), other.y()).plain < 0 ||
+          (off == 0 && aside == kTile / 2))
+        return true;
+    }
+  }
+  return false;
+}
+
+// Calls visit_one(span, square) for every span, of plain tiles at the squares that are asked only.
 template <typename Visit>
 void GroundCells::Builder::eachSpan(Visit visit_one) const {
   for (int row = 0; row < cells.count_.y(); ++row) {
     for (int column = 0; column < cells.count_.x(); ++column) {
-      const auto within = [](int k) {
-        return k % kTile >= kStepReach && k % kTile < kTile - kStepReach;
-      };
-      if (within(column) && within(row) && cells.tileAt(column, row).plain >= 0) {
-        column += kTile - 2 * kStepReach - 1;
-        continue;
-      }
+      if (!isAsked(column, row)) continue;
       const auto here = cells.spans(column, row);
       const int first = static_cast<int>(here.data() - cells.spans_.data());
       for (int k = 0; k < static_cast<int>(here.size()); ++k)
@@ -275,7 +291,7 @@ void GroundCells::Builder::goOn() {
   }
 }
 
-// Squares from which ground goes on: of a plain tile all of its border.
+// Squares from which ground goes on: of a plain tile those of its border.
 void GroundCells::Builder::addOpen(int span, const Eigen::Vector2i& square, Open& open) const {
   if (cells.tileAt(square.x(), square.y()).plain < 0) {
     open.emplace_back(span, square);
@@ -285,7 +301,7 @@ void GroundCells::Builder::addOpen(int span, const Eigen::Vector2i& square, Open
   for (int k = 0; k < kTile; ++k) {
     for (const Eigen::Vector2i& at : {Eigen::Vector2i(k, 0), Eigen::Vector2i(k, kTile - 1),
                                       Eigen::Vector2i(0, k), Eigen::Vector2i(kTile - 1, k)})
-      open.emplace_back(span, corner + at);
+      if (isAsked(corner.x() + at.x(), corner.y() + at.y())) open.emplace_back(span, corner + at);
   }
 }
 

@@ -125,4 +125,10 @@ std::vector<std::string> groundWarnings(const Scene& scene, const SceneGround& g
   return warnings;
 }
 
+std::vector<std::string> sceneWarnings(const Scene& scene, const SceneGround& ground) {
+  std::vector<std::string> all = scene.warnings;
+  for (std::string& warning : groundWarnings(scene, ground)) all.push_back(std::move(warning));
+  return all;
+}
+
 }  // namespace amble

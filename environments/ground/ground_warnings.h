@@ -14,4 +14,7 @@ namespace amble {
 /// singly follow one another in a flight that walks do not climb, at the highest of them.
 std::vector<std::string> groundWarnings(const Scene& scene, const SceneGround& ground);
 
+/// All that a scene is warned of: what was noticed when it was read, and of its ground.
+std::vector<std::string> sceneWarnings(const Scene& scene, const SceneGround& ground);
+
 }  // namespace amble

@@ -93,9 +93,8 @@ MeshFile readMesh(const std::filesystem::path& file, size_t memory,
   const GuardedAnswer guarded = runGuarded([&] { return readPacked(file); }, limits);
   if (!guarded.done())
     throw InputError(file.string(), 0, "cannot be read: " + guarded.why(limits),
-                     guarded.end == GuardEnd::kMemory
-                         ? "a smaller mesh, or `--memory MB` that lets it"
-                         : std::string("a mesh as ") + kMeshFormats);
+                     guarded.end == GuardEnd::kMemory ? std::string(kMoreMemory)
+                                                      : std::string("a mesh as ") + kMeshFormats);
   Answer answer = unpacked(guarded.bytes);
   if (!answer.problem.empty()) throw InputError(file.string(), 0, answer.problem, answer.expected);
   return std::move(answer.mesh);

@@ -130,6 +130,21 @@ Eigen::AlignedBox2d TriangleGrid::squareOf(int i, int j) const {
   return grown({low, low.array() + cell_}, kSeam + 1e-9 * cell_);
 }
 
+// The squares of a row that a triangle overlaps, first and last: what of it is in the row is
+// convex.
+std::pair<int, int> TriangleGrid::columnsWithin(const Triangle3& t, const Range& range,
+                                                int row) const {
+  const Eigen::AlignedBox2d strip =
+      squareOf(range.low[0], row).merged(squareOf(range.high[0], row));
+  const Polygon part = clip(t, strip);
+  if (part.count == 0) return {0, -1};
+  const auto begin = part.corners.begin();
+  const auto [low, high] = std::minmax_element(
+      begin, begin + part.count, [](const auto& a, const auto& b) { return a.x() < b.x(); });
+  const double margin = kSeam + 1e-9 * cell_;
+  return {column(low->x() - margin, 0), column(high->x() + margin, 0)};
+}
+
 // A large triangle's bounds hold squares that it does not overlap: most of them for a slanted
 // sliver.
 template <typename Visit>
@@ -140,10 +155,10 @@ void TriangleGrid::eachSquare(Visit visit_one) const {
     const bool few =
         range.high[0] - range.low[0] < kFewSquares && range.high[1] - range.low[1] < kFewSquares;
     for (int j = range.low[1]; j <= range.high[1]; ++j) {
-      for (int i = range.low[0]; i <= range.high[0]; ++i) {
-        if (few || heightsWithin(triangles_[t], squareOf(i, j)))
-          visit_one(static_cast<size_t>(j) * count_[0] + i, static_cast<int>(t));
-      }
+      const auto [first, last] =
+          few ? std::pair(range.low[0], range.high[0]) : columnsWithin(triangles_[t], range, j);
+      for (int i = first; i <= last; ++i)
+        visit_one(static_cast<size_t>(j) * count_[0] + i, static_cast<int>(t));
     }
   }
 }

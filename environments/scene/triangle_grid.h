@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace amble {
@@ -83,6 +84,7 @@ class TriangleGrid {
             {column(box.max().x(), 0), column(box.max().y(), 1)}};
   }
   Eigen::AlignedBox2d squareOf(int i, int j) const;
+  std::pair<int, int> columnsWithin(const Triangle3& t, const Range& range, int row) const;
   template <typename Visit>
   void eachSquare(Visit visit_one) const;
 

@@ -1,5 +1,6 @@
 #include "tests/app/program.h"
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +20,20 @@ std::string readAll(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();
   return text.str();
+}
+
+// As std::system does; and what memory it took [bytes].
+int runShell(const std::string& command, size_t& memory) {
+  const pid_t shell = ::fork();
+  if (shell == 0) {
+    ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    ::_exit(127);
+  }
+  int status = 0;
+  rusage used{};
+  EXPECT_EQ(::wait4(shell, &status, 0, &used), shell);
+  memory = static_cast<size_t>(used.ru_maxrss) << 10;
+  return status;
 }
 
 }  // namespace
@@ -52,8 +67,8 @@ Program::Ran Program::shell(const std::string& commands, const std::string& befo
   const std::string command = "cd '" + folder_.string() + "' && " + before + " exec >'" +
                               folder_.string() + ".out' 2>'" + folder_.string() +
                               ".err' </dev/null; " + commands;
-  const int status = std::system(command.c_str());
   Ran ran;
+  const int status = runShell(command, ran.memory);
   ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   ran.out = readAll(folder_.string() + ".out");
   ran.err = readAll(folder_.string() + ".err");

@@ -14,6 +14,7 @@ class Program : public testing::Test {
   struct Ran {
     int status = -1;
     std::string out, err;
+    size_t memory = 0;  ///< largest that it, or a process of its own, had at a time [bytes]
   };
 
   void SetUp() override;
