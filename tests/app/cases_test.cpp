@@ -194,9 +194,10 @@ const std::vector<Row> kPlans = {
      {"rise by 0.28 m one after another: flights of more than 0.25 m a step are not climbed"}},
 };
 
-// How the program meets a mesh, and how a capture.
-const std::vector<std::string> kAsMesh = {"inspect {}", "convert {} -o out.bvh",
-                                          "plan mesh.yaml -o out"};
+// How the program meets a mesh, and how a capture. The guard's own limit once: to fill it takes
+// seconds.
+const std::vector<std::string> kAsMesh = {"inspect {}", "convert {} -o out.bvh --memory 100",
+                                          "plan mesh.yaml -o out --memory 100"};
 const std::vector<std::string> kAsCapture = {"inspect {}", "analyse {}", "convert {} -o out.bvh",
                                              "validate {} --scene scene.yaml"};
 
