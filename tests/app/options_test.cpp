@@ -133,6 +133,10 @@ class CaptureOptions : public Options {
          [=, this] {
            expectRefused(call(kTwoTakes) + " --take Run", {"no animation 'Run'", "'Idle', 'Walk'"});
          }},
+        {"--memory",
+         [=, this] {
+           expectRefused(call(kTwoTakes) + " --memory 1", {"more than 1 MB", "--memory MB"});
+         }},
     };
   }
   /// The same for a command that prints what it read.
