@@ -121,7 +121,7 @@ class PlaceProbe {
       if (!sides) continue;
       const auto& [near, far] = *sides;
       const double width = near.distance + far.distance + 2.0 * kProbeRadius;
-      if (width >= needed || (why.width && width <= *why.width)) continue;
+      if (width >= needed - kProbeStep || (why.width && width <= *why.width)) continue;
       why.object = near.object;
       why.other = far.object;
       why.at = refusal.at;
@@ -130,7 +130,7 @@ class PlaceProbe {
       why.width = width;
       why.needed = needed;
     }
-    if (!why.width) measureHeadroom(why);
+    if (!why.width) measureHeadroom(refusals, why);
   }
 
   // Where the ground between two stances does not let a walk through.
@@ -174,17 +174,41 @@ class PlaceProbe {
     return best;
   }
 
-  // What hangs over the place, lower than the body is tall.
-  void measureHeadroom(Obstruction& why) const {
-    for (double height = kOverhead * stature_; height < stature_; height += kProbeStep) {
-      const Eigen::Vector3d p = why.body + Eigen::Vector3d(0, 0, height);
-      const int object = request_.world->touched(p, p, kProbeRadius, *scratch_);
-      if (object < 0 || objectName(request_.world->scene().objects[object]) != why.object) continue;
-      if (height <= kOverhead * stature_) return;  // it goes on below: no thing to walk under
-      why.width = height + kProbeRadius;
+  // Of what hangs, lower than the body is tall, over the places where heads were refused the
+  // highest.
+  void measureHeadroom(const std::vector<SteeringFailure>& refusals, Obstruction& why) const {
+    const Body& body = request_.world->body();
+    const size_t stride = 1 + refusals.size() / (4 * kMostMeasured);
+    for (size_t i = 0; i < refusals.size(); i += stride) {
+      const SteeringFailure& refusal = refusals[i];
+      if (refusal.rule != WalkRule::kContact || refusal.part != body.head) continue;
+      const auto height =
+          headroom({refusal.at.x(), refusal.at.y(), refusal.body.z()}, refusal.object);
+      if (!height || (why.width && *height <= *why.width)) continue;
+      why.object = objectName(request_.world->scene().objects[refusal.object]);
+      why.part = body.parts[body.head].name;
+      why.other.clear();
+      why.at = refusal.at;
+      why.gap = refusal.gap;
+      why.width = height;
       why.needed = stature_;
-      return;
+      why.count =
+          std::count_if(refusals.begin(), refusals.end(), [&](const SteeringFailure& other) {
+            return other.object == refusal.object && other.part == body.head;
+          });
     }
+  }
+
+  // From the ground to the underside of an object that hangs over it, lower than the body is tall;
+  // none where it goes on below: it is no thing to walk under.
+  std::optional<double> headroom(const Eigen::Vector3d& ground, int object) const {
+    for (double height = kOverhead * stature_; height < stature_; height += kProbeStep) {
+      const Eigen::Vector3d p = ground + Eigen::Vector3d(0, 0, height);
+      if (request_.world->touched(p, p, kProbeRadius, *scratch_) != object) continue;
+      if (height <= kOverhead * stature_) return std::nullopt;
+      return height + kProbeRadius;
+    }
+    return std::nullopt;
   }
 
   // The ground ends at why.at: how far, or how high, is it to what goes on?
