@@ -60,6 +60,35 @@ TEST(CollisionWorld, StandingOnTheFloorIsFreeAndSixMillimetresDeepIsNot) {
   EXPECT_EQ(deep->object, 0);
 }
 
+TEST(CollisionWorld, AnUprightBodyIsAsTallAsItSaysWhateverItsHeadDoes) {
+  TestWorld world({floorSlab()});
+  const Pose standing = standingAt(world.walker, {0, 0, 0});
+  std::vector<JointFrame> joints(world.walker.skeleton.size());
+  std::vector<Eigen::Vector3d> from(world.walker.body.parts.size()), to(from.size());
+  forwardKinematics(world.walker.skeleton, {standing.p_WR, standing.rotations}, joints);
+  placeBody(world.walker.body, joints, from, to);
+  const int head = world.walker.body.head;
+  ASSERT_EQ(world.walker.body.parts[head].name, "head");
+  const double top = std::max(from[head].z(), to[head].z()) + world.walker.body.parts[head].radius;
+  // A slab that begins 3 cm over the head of who says to be 5 cm taller than it is.
+  const Scene low =
+      sceneOf({floorSlab(), makeObject("lintel", Box{{2, 0.2, 0.4}}, {0, 0, top + 0.03 + 0.2})});
+  const SceneGround ground(low, 0.0);
+  for (const double taller : {0.0, 0.02, 0.05}) {
+    Body body = world.walker.body;
+    body.upright = taller > 0.0 ? top + taller : 0.0;
+    const CollisionWorld under(low, ground, world.walker.skeleton, body);
+    const CollisionScratchPtr scratch = under.makeScratch();
+    const PoseArray poses = motionOf(world.walker, {standing, standing});
+    for (const bool any : {false, true}) {
+      const auto contact = under.check(poses, solesOf(2, true), any, *scratch);
+      EXPECT_EQ(contact.has_value(), taller > 0.03) << taller;
+      EXPECT_TRUE(!contact || contact->part == head);
+    }
+    EXPECT_EQ(under.checkPose(poses[0], *scratch).has_value(), taller > 0.03) << taller;
+  }
+}
+
 TEST(CollisionWorld, ASwingingSoleMayNotBeInTheGround) {
   TestWorld world({floorSlab()});
   const auto at = [&](double z) {
