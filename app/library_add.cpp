@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "animation/body/reference_pose.h"
 #include "animation/body/rest_feet.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/library/motion_library_writer.h"
@@ -134,7 +135,9 @@ std::string sunkText(const MotionLibrary& library) {
   AnimationBuffer stood;
   synthesizer.stand({}, stood);
   const Body body = makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
-                             {synthesizer.ankleHeight(), synthesizer.toeHeight()});
+                             {synthesizer.ankleHeight(), synthesizer.toeHeight()},
+                             {.upright = referenceOf(synthesizer.skeleton(), synthesizer.roles(),
+                                                     library.stand().rotations)});
   std::string text;
   for (const SunkPart& part : sunkParts(body, synthesizer.skeleton(), stood.poses[0])) {
     text += fmt::format("{}{} by {:.0f} mm", text.empty() ? "" : ", ", part.name,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "animation/body/reference_pose.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/synthesis/action.h"
 #include "base/error.h"
@@ -61,9 +62,12 @@ bool mayStoop(const Scenario& scenario, const MotionLibrary& library) {
   return false;
 }
 
-Body walkerBody(const WalkSynthesizer& walker, bool may_stoop) {
+Body walkerBody(const WalkSynthesizer& walker, const MotionLibrary& library, bool may_stoop) {
+  const BodyStance stance{
+      .upright = referenceOf(walker.skeleton(), walker.roles(), library.stand().rotations),
+      .head = walker.standingHead()};
   Body body = makeBody(walker.skeleton(), walker.roles(), walker.stature(),
-                       {walker.ankleHeight(), walker.toeHeight()}, walker.standingHead());
+                       {walker.ankleHeight(), walker.toeHeight()}, stance);
   if (!may_stoop) body.upright = walker.stature();
   return body;
 }
@@ -177,7 +181,7 @@ Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& l
       ground(makeGround(scene, scenario, library, limits.stop)),
       floor(chooseFloor(scene, ground, scenario, scenario.start, "start")),
       synthesizer(library, ground, settingsOf(scenario, frame_time)),
-      body(walkerBody(synthesizer, mayStoop(scenario, library))),
+      body(walkerBody(synthesizer, library, mayStoop(scenario, library))),
       world(scene, ground, synthesizer.skeleton(), body, limits.stop, checker) {}
 
 Eigen::Vector3d Problem::stand(const Place& place, const std::string& key) const {

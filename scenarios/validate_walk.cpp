@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "animation/body/foot_shape.h"
+#include "animation/body/reference_pose.h"
 #include "animation/captures/motion_reader.h"
 #include "base/error.h"
 #include "base/statistics.h"
@@ -168,7 +169,8 @@ WalkValidation validateWalk(const std::filesystem::path& bvh,
   settings.level = result.floor;
   const SceneGround ground(scene, settings, options.load.stop);
   const Body body = makeBody(clip.skeleton, roles, result.stature,
-                             soleOf(clip, roles, result.floor, result.stature));
+                             soleOf(clip, roles, result.floor, result.stature),
+                             {.upright = referenceOf(clip, roles)});
   const CollisionWorld world(scene, ground, clip.skeleton, body, options.load.stop);
   const PoseArray poses = densify(clip.poses, parts);
   const double frame_time = clip.frame_time / parts;

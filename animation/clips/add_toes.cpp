@@ -14,13 +14,14 @@ namespace {
 constexpr double kToesFrom = 0.09;
 constexpr double kToesOfStature = 0.035;  // length of the toes, as FootShape has it
 
-// The joint that follows the foot in the skeleton, its offset and its tip.
-Joint toeOf(const Joint& foot, int foot_index, double stature) {
+// The joint that follows the foot in the skeleton, its offset and its tip. Its name is one that
+// readers of captures know, ours too.
+Joint toeOf(Side side, const Joint& foot, int foot_index, double stature) {
   const Eigen::Vector3d& tip = foot.end_sites.front();
   const double reach = tip.norm();
   const double toes = reach > kToesFrom * stature ? kToesOfStature * stature / reach : 0.0;
   Joint toe;
-  toe.name = foot.name + "Toe";
+  toe.name = side == kLeft ? "LeftToeBase" : "RightToeBase";
   toe.parent = foot_index;
   toe.offset = (1.0 - toes) * tip;
   toe.end_sites = {toes * tip};
@@ -74,7 +75,7 @@ void addToes(Clip& clip, JointRoles& roles, const std::string& file) {
                        "a joint or an End Site at its end");
     }
     const int at = foot + 1;  // behind the foot, as BVH has them
-    const Skeleton with = withJoint(clip.skeleton, toeOf(joint, foot, stature), at);
+    const Skeleton with = withJoint(clip.skeleton, toeOf(side, joint, foot, stature), at);
     for (const std::string& role : roleNames()) {
       setRole(roles, role, moved(roleJoint(roles, role), at));
     }

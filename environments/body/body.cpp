@@ -56,21 +56,16 @@ Eigen::Vector3d nearestAxis(const Eigen::Vector3d& v) {
 class BodyMaker {
  public:
   BodyMaker(const Skeleton& skeleton, const JointRoles& roles, double stature,
-            const SoleHeight& sole, const std::optional<JointFrame>& standing_head)
+            const SoleHeight& sole, const BodyStance& stance)
       : skeleton_(skeleton),
         roles_(roles),
         stature_(stature),
         sole_(sole),
-        standing_head_(standing_head) {
-    // Joint origins of the rest pose, in which every joint's axes are the root's.
-    for (const Joint& joint : skeleton.joints())
-      rest_.push_back(joint.parent < 0 ? Eigen::Vector3d(0, 0, 0)
-                                       : Eigen::Vector3d(rest_[joint.parent] + joint.offset));
-    const LegJoints &l = roles.legs[kLeft], &r = roles.legs[kRight];
-    feet_ = 0.5 * (rest_[l.foot] + rest_[r.foot]);
-    up_ = nearestAxis(rest_[roles.head] - feet_);
-    left_ = nearestAxis(rest_[l.up_leg] - rest_[r.up_leg]);
-    forward_ = left_.cross(up_);
+        standing_head_(stance.head) {
+    // The rest pose, in which every joint's axes are the root's.
+    const std::vector<Eigen::Quaterniond> level(skeleton.size(), Eigen::Quaterniond::Identity());
+    rest_ = upright(level);
+    pose_ = isRest(stance.upright) ? rest_ : upright(stance.upright.q_HJ);
   }
 
   Body make() {
@@ -85,8 +80,45 @@ class BodyMaker {
   }
 
  private:
+  // A pose, and where up, left and ahead are in it.
+  struct Upright {
+    std::vector<Eigen::Vector3d> at;    // by joint, from the root [m]
+    std::vector<Eigen::Quaterniond> q;  // joint axes in the pose's
+    Eigen::Vector3d feet;               // between the ankles
+    Eigen::Vector3d up, left, forward;
+  };
+
+  Upright upright(const std::vector<Eigen::Quaterniond>& rotations) const {
+    Upright pose;
+    for (const JointFrame& frame : posed(skeleton_, rotations)) {
+      pose.at.push_back(frame.p_WJ);
+      pose.q.push_back(frame.q_WJ);
+    }
+    const LegJoints &l = roles_.legs[kLeft], &r = roles_.legs[kRight];
+    pose.feet = 0.5 * (pose.at[l.foot] + pose.at[r.foot]);
+    pose.up = nearestAxis(pose.at[roles_.head] - pose.feet);
+    pose.left = nearestAxis(pose.at[l.up_leg] - pose.at[r.up_leg]);
+    pose.forward = pose.left.cross(pose.up);
+    return pose;
+  }
+
+  // Whether all joints' axes are the root's.
+  static bool isRest(const ReferencePose& pose) {
+    return std::all_of(pose.q_HJ.begin(), pose.q_HJ.end(), [&](const Eigen::Quaterniond& q) {
+      return q.coeffs() == pose.q_HJ.front().coeffs();
+    });
+  }
+
+  // @param from, to  from the joint, as it stands in the pose
   void add(std::string name, int joint, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
            double radius, int sole = -1) {
+    const Eigen::Quaterniond q_JR = pose_.q[joint].conjugate();
+    body_.parts.push_back({std::move(name), joint, q_JR * from, q_JR * to, radius, sole});
+  }
+
+  // The same, as it stands in the rest pose.
+  void addLevel(std::string name, int joint, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                double radius, int sole) {
     body_.parts.push_back({std::move(name), joint, from, to, radius, sole});
   }
 
@@ -94,8 +126,8 @@ class BodyMaker {
   // rest pose.
   void addAcross(const std::string& name, int joint, const Eigen::Vector3d& rest_centre,
                  double breadth, double depth) {
-    const Eigen::Vector3d half = left_ * (0.5 * (breadth - depth) * stature_);
-    const Eigen::Vector3d centre = rest_centre - rest_[joint];
+    const Eigen::Vector3d half = pose_.left * (0.5 * (breadth - depth) * stature_);
+    const Eigen::Vector3d centre = rest_centre - pose_.at[joint];
     add(name, joint, centre + half, centre - half, 0.5 * depth * stature_);
   }
 
@@ -110,21 +142,22 @@ class BodyMaker {
 
   void addTrunk() {
     const Eigen::Vector3d hip_joints =
-        0.5 * (rest_[roles_.legs[kLeft].up_leg] + rest_[roles_.legs[kRight].up_leg]);
+        0.5 * (pose_.at[roles_.legs[kLeft].up_leg] + pose_.at[roles_.legs[kRight].up_leg]);
     const Eigen::Vector3d shoulders =
-        0.5 * (rest_[roles_.arms[kLeft].arm] + rest_[roles_.arms[kRight].arm]);
+        0.5 * (pose_.at[roles_.arms[kLeft].arm] + pose_.at[roles_.arms[kRight].arm]);
     const int spine = roles_.spine >= 0 ? roles_.spine : roles_.hips;
     const int chest = roles_.chest >= 0 ? roles_.chest : spine;
-    const Eigen::Vector3d& p_chest = rest_[chest];
-    addAcross("pelvis", roles_.hips, 0.5 * (hip_joints + rest_[roles_.hips]), kHipBreadth,
+    const Eigen::Vector3d& p_chest = pose_.at[chest];
+    addAcross("pelvis", roles_.hips, 0.5 * (hip_joints + pose_.at[roles_.hips]), kHipBreadth,
               kButtockDepth);
-    addAcross("abdomen", spine, 0.5 * (rest_[roles_.hips] + p_chest), kWaistBreadth, kWaistDepth);
+    addAcross("abdomen", spine, 0.5 * (pose_.at[roles_.hips] + p_chest), kWaistBreadth,
+              kWaistDepth);
     addAcross("chest", chest, 0.5 * (p_chest + shoulders), kChestBreadth, kChestDepth);
     if (roles_.neck >= 0 && roles_.neck != roles_.head)
-      add("neck", roles_.neck, Eigen::Vector3d::Zero(), rest_[roles_.head] - rest_[roles_.neck],
-          kNeck * stature_);
+      add("neck", roles_.neck, Eigen::Vector3d::Zero(),
+          pose_.at[roles_.head] - pose_.at[roles_.neck], kNeck * stature_);
     else
-      add("neck", chest, shoulders - p_chest, rest_[roles_.head] - p_chest, kNeck * stature_);
+      add("neck", chest, shoulders - p_chest, pose_.at[roles_.head] - p_chest, kNeck * stature_);
     addHead();
   }
 
@@ -133,10 +166,11 @@ class BodyMaker {
   double crown() const {
     const double least = kHead * stature_;
     if (standing_head_) {
-      const double upright = (standing_head_->q_WJ * up_).z();
+      const double upright =
+          (standing_head_->q_WJ * pose_.q[roles_.head].conjugate() * pose_.up).z();
       return std::max(least, least + (stature_ - least - standing_head_->p_WJ.z()) / upright);
     }
-    const double joint_height = sole_.ankle + up_.dot(rest_[roles_.head] - feet_);
+    const double joint_height = sole_.ankle + pose_.up.dot(pose_.at[roles_.head] - pose_.feet);
     return std::clamp(stature_ - joint_height, least, kHeadHeight * stature_);
   }
 
@@ -144,7 +178,7 @@ class BodyMaker {
     const double crown = this->crown();
     const double chin = crown - kHeadHeight * stature_, radius = kHead * stature_;
     body_.head = static_cast<int>(body_.parts.size());
-    add("head", roles_.head, up_ * (chin + radius), up_ * (crown - radius), radius);
+    add("head", roles_.head, pose_.up * (chin + radius), pose_.up * (crown - radius), radius);
   }
 
   void addArm(Side side) {
@@ -152,34 +186,36 @@ class BodyMaker {
     const int chest = roles_.chest >= 0 ? roles_.chest : roles_.hips;
     const int collar = arm.shoulder >= 0 ? arm.shoulder : chest;
     const std::string& name = kSideNames[side];
-    add(name + "shoulder", collar, Eigen::Vector3d::Zero(), rest_[arm.arm] - rest_[collar],
-        kUpperArm * stature_);
-    if (arm.shoulder < 0)  // from the spine, at the shoulders' height
-      body_.parts.back().from = up_ * up_.dot(body_.parts.back().to);
-    addLimb(name + "upper arm", arm.arm, rest_[arm.fore_arm] - rest_[arm.arm], kUpperArm, kForearm);
+    const Eigen::Vector3d to = pose_.at[arm.arm] - pose_.at[collar];
+    // Of a rig without collar bones from the spine, at the shoulders' height.
+    const Eigen::Vector3d from = (arm.shoulder < 0 ? pose_.up.dot(to) : 0.0) * pose_.up;
+    add(name + "shoulder", collar, from, to, kUpperArm * stature_);
+    addLimb(name + "upper arm", arm.arm, pose_.at[arm.fore_arm] - pose_.at[arm.arm], kUpperArm,
+            kForearm);
     const Eigen::Vector3d bone = forearmBone(arm);
     addLimb(name + "forearm", arm.fore_arm, bone, kForearm, kWrist);
     const int hand = arm.hand >= 0 ? arm.hand : arm.fore_arm;
     const Eigen::Vector3d wrist = arm.hand >= 0 ? Eigen::Vector3d(0, 0, 0) : bone;
     const double radius = 0.5 * kHandBreadth * stature_;
-    const Eigen::Vector3d along = bone.norm() > 0.0 ? Eigen::Vector3d(bone.normalized()) : -up_;
+    const Eigen::Vector3d along =
+        bone.norm() > 0.0 ? Eigen::Vector3d(bone.normalized()) : -pose_.up;
     add(name + "hand", hand, wrist, wrist + along * (kHandLength * stature_ - radius), radius);
   }
 
   // Elbow to wrist; a rig without wrists has the mean proportion (Drillis and Contini 1966: 0.146
   // of stature).
   Eigen::Vector3d forearmBone(const ArmJoints& arm) const {
-    if (arm.hand >= 0) return rest_[arm.hand] - rest_[arm.fore_arm];
+    if (arm.hand >= 0) return pose_.at[arm.hand] - pose_.at[arm.fore_arm];
     const auto& ends = skeleton_.joint(arm.fore_arm).end_sites;
-    if (!ends.empty() && ends.front().norm() > 0.0) return ends.front();
-    return 0.146 * stature_ * (rest_[arm.fore_arm] - rest_[arm.arm]).normalized();
+    if (!ends.empty() && ends.front().norm() > 0.0) return pose_.q[arm.fore_arm] * ends.front();
+    return 0.146 * stature_ * (pose_.at[arm.fore_arm] - pose_.at[arm.arm]).normalized();
   }
 
   void addLeg(Side side) {
     const LegJoints& leg = roles_.legs[side];
-    addLimb(kSideNames[side] + "thigh", leg.up_leg, rest_[leg.leg] - rest_[leg.up_leg], kThigh,
-            kKnee);
-    addLimb(kSideNames[side] + "shank", leg.leg, rest_[leg.foot] - rest_[leg.leg], kCalf,
+    addLimb(kSideNames[side] + "thigh", leg.up_leg, pose_.at[leg.leg] - pose_.at[leg.up_leg],
+            kThigh, kKnee);
+    addLimb(kSideNames[side] + "shank", leg.leg, pose_.at[leg.foot] - pose_.at[leg.leg], kCalf,
             std::min(kAnkle, kShankOverSole * sole_.ankle / stature_));
   }
 
@@ -191,11 +227,11 @@ class BodyMaker {
     const double length = kFootLengthOfStature * stature_,
                  half_breadth = 0.5 * kFootBreadth * stature_;
     const double radius = std::clamp(sole_.toe, kThinnestSole * stature_, half_breadth);
-    Eigen::Vector3d ball = forward_ * (0.5 * length) - up_ * (sole_.ankle - sole_.toe);
+    Eigen::Vector3d ball = rest_.forward * (0.5 * length) - rest_.up * (sole_.ankle - sole_.toe);
     double heel = 0.2 * length,
            tip = 0.27 * length - radius;  // centres: behind the ankle, before the ball
     if (leg.toe >= 0) {
-      ball = rest_[leg.toe] - rest_[leg.foot];
+      ball = rest_.at[leg.toe] - rest_.at[leg.foot];
       const FootShape shape = makeFootShape(skeleton_, roles_, side, stature_);
       heel = shape.ankle_x - shape.heel_x;
       tip = shape.tip_x - shape.ball_x;
@@ -206,16 +242,16 @@ class BodyMaker {
     const Eigen::Vector3d out = normal.cross(along) * (side == kLeft ? 1.0 : -1.0);
     const Eigen::Vector3d spread = out * (half_breadth - radius);
     const std::string& name = kSideNames[side];
-    add(name + "sole, outside", leg.foot, p_heel, p_ball + spread, radius, side);
-    add(name + "sole, inside", leg.foot, p_heel, p_ball - spread, radius, side);
+    addLevel(name + "sole, outside", leg.foot, p_heel, p_ball + spread, radius, side);
+    addLevel(name + "sole, inside", leg.foot, p_heel, p_ball - spread, radius, side);
     const Eigen::Vector3d p_toe = leg.toe >= 0 ? Eigen::Vector3d(p_ball - ball) : p_ball;
-    add(name + "toes", leg.toe >= 0 ? leg.toe : leg.foot, p_toe, p_toe + along * std::max(0.0, tip),
-        radius, side);
+    addLevel(name + "toes", leg.toe >= 0 ? leg.toe : leg.foot, p_toe,
+             p_toe + along * std::max(0.0, tip), radius, side);
     // As thick as the ankle, but not below the sole.
     const Eigen::Vector3d middle = 0.5 * ball;
     const double instep =
         std::min({kAnkle * stature_, 0.5 * (sole_.ankle + sole_.toe), sole_.ankle});
-    add(name + "instep", leg.foot, Eigen::Vector3d::Zero(), middle, instep, side);
+    addLevel(name + "instep", leg.foot, Eigen::Vector3d::Zero(), middle, instep, side);
   }
 
   struct SolePlane {
@@ -225,16 +261,16 @@ class BodyMaker {
   // ahead with normal . ball = sole.toe - sole.ankle. It is level in the rest pose where the rig's
   // feet are flat then.
   SolePlane solePlane(const Eigen::Vector3d& ball) const {
-    const double rise = up_.dot(ball);
-    Eigen::Vector3d ahead = ball - up_ * rise;
+    const double rise = rest_.up.dot(ball);
+    Eigen::Vector3d ahead = ball - rest_.up * rise;
     const double run = ahead.norm();
-    ahead = run > 0.0 ? Eigen::Vector3d(ahead / run) : forward_;
+    ahead = run > 0.0 ? Eigen::Vector3d(ahead / run) : rest_.forward;
     const double length = std::hypot(run, rise);
     const double sine =
         length > 0.0 ? std::clamp((sole_.toe - sole_.ankle) / length, -1.0, 1.0) : 0.0;
     const double tilt = std::asin(sine) - std::atan2(rise, run);
-    return {std::cos(tilt) * up_ + std::sin(tilt) * ahead,
-            std::cos(tilt) * ahead - std::sin(tilt) * up_};
+    return {std::cos(tilt) * rest_.up + std::sin(tilt) * ahead,
+            std::cos(tilt) * ahead - std::sin(tilt) * rest_.up};
   }
 
   void fillReach() {
@@ -254,18 +290,17 @@ class BodyMaker {
   const double stature_;
   const SoleHeight sole_;
   const std::optional<JointFrame> standing_head_;
-  std::vector<Eigen::Vector3d> rest_;  // by joint, from the root [m]
-  Eigen::Vector3d feet_;               // between the ankles
-  Eigen::Vector3d up_, left_, forward_;
+  Upright rest_;  // in which feet are flat (FootShape)
+  Upright pose_;  // in which somebody stands
   Body body_;
 };
 
 }  // namespace
 
 Body makeBody(const Skeleton& skeleton, const JointRoles& roles, double stature,
-              const SoleHeight& sole, const std::optional<JointFrame>& standing_head) {
+              const SoleHeight& sole, const BodyStance& stance) {
   assert(stature > 0.0 && sole.ankle > 0.0 && sole.toe >= 0.0);
-  return BodyMaker(skeleton, roles, stature, sole, standing_head).make();
+  return BodyMaker(skeleton, roles, stature, sole, stance).make();
 }
 
 void placeBody(const Body& body, std::span<const JointFrame> joints,

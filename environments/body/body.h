@@ -10,6 +10,7 @@
 
 #include "animation/body/joint_roles.h"
 #include "animation/body/pose.h"
+#include "animation/body/reference_pose.h"
 #include "animation/body/skeleton.h"
 
 namespace amble {
@@ -46,11 +47,19 @@ struct SoleHeight {
   double toe;    ///< height of the toe joint (ball) then [m]
 };
 
-/// @param standing_head  the head's joint, over a floor at z = 0, as the body stands: the head ends
-/// at the stature then. Without it where the rest pose has the head: people who stand in another
-/// pose than that are lower than they say.
+/// How somebody with the skeleton stands.
+struct BodyStance {
+  /// In which parts are shaped: across is to the left there, and up is up. Without it, or where it
+  /// is the rest pose, that is taken: of rigs whose joints all point along their bones it is
+  /// nobody's.
+  ReferencePose upright = {};
+  /// The head's joint, over a floor at z = 0: the head ends at the stature then. Without it where
+  /// the pose has the head: people who stand in another are lower than they say.
+  std::optional<JointFrame> head = {};
+};
+
 Body makeBody(const Skeleton& skeleton, const JointRoles& roles, double stature,
-              const SoleHeight& sole, const std::optional<JointFrame>& standing_head = {});
+              const SoleHeight& sole, const BodyStance& stance = {});
 
 /// Capsule ends of every part in World. @pre from.size() == to.size() == parts.size()
 void placeBody(const Body& body, std::span<const JointFrame> joints,

@@ -4,7 +4,9 @@
 
 #include <random>
 
+#include "animation/body/reference_pose.h"
 #include "animation/captures/bvh.h"
+#include "animation/captures/motion_reader.h"
 #include "test_paths.h"
 #include "tests/environments/test_walker.h"
 
@@ -60,7 +62,7 @@ TEST(Body, IsAsTallAsItSaysAsItStands) {
     std::vector<JointFrame> joints(walker.skeleton.size());
     forwardKinematics(walker.skeleton, pose, joints);
     const Body body = makeBody(walker.skeleton, walker.roles, walker.stature, {0.06, 0.02},
-                               joints[walker.roles.head]);
+                               {.head = joints[walker.roles.head]});
     const Placed placed = place(walker.skeleton, body, pose);
     const auto head = std::find_if(body.parts.begin(), body.parts.end(),
                                    [](const BodyPart& part) { return part.name == "head"; });
@@ -195,6 +197,42 @@ TEST(Body, CanBeMadeOfEveryCommonRig) {
     for (const BodyPart& part : body.parts) {
       EXPECT_TRUE(part.from.allFinite() && part.to.allFinite()) << name << part.name;
       EXPECT_LT((part.to - part.from).norm(), 0.35 * stature) << name << " " << part.name;
+    }
+  }
+}
+
+// Of rigs whose joints point along their bones the rest pose is nobody's: their trunks lie across
+// it.
+TEST(Body, TrunksAreWhereTheirJointsAreInAnyRigThatWalks) {
+  const std::filesystem::path mocap = std::filesystem::path(AMBLE_SHARED) / "mocap";
+  if (!std::filesystem::exists(mocap)) GTEST_SKIP() << mocap << " is not there";
+  for (const char* name : {"accad_female1/Female1_B03_Walk1.bvh", "accad_male1/Male1_B3_Walk.bvh",
+                           "cmu_mb2/07_01.bvh", "cmu_daz/07_01.bvh", "cmu_max/131_01.bvh"}) {
+    const CapturedMotion motion = readMotion(mocap / name);
+    const Clip& clip = motion.clip;
+    const JointRoles& roles = motion.roles;
+    const double stature = statureOf(clip.skeleton, roles);
+    const Body body = makeBody(clip.skeleton, roles, stature, {0.039 * stature, 0.0095 * stature},
+                               {.upright = referenceOf(clip, roles)});
+    const int frame = clip.frames() / 2;
+    std::vector<JointFrame> joints(clip.skeleton.size());
+    forwardKinematics(clip, frame, joints);
+    const auto at = [&](int joint) { return joints[joint].p_WJ; };
+    const Eigen::Vector3d hips =
+        0.5 * (at(roles.legs[kLeft].up_leg) + at(roles.legs[kRight].up_leg));
+    const Eigen::Vector3d neck = 0.5 * (at(roles.arms[kLeft].arm) + at(roles.arms[kRight].arm));
+    const Eigen::Vector3d across =
+        (at(roles.legs[kLeft].up_leg) - at(roles.legs[kRight].up_leg)).normalized();
+    const Placed placed = place(clip.skeleton, body, clip.poses[frame]);
+    for (size_t i = 0; i < body.parts.size(); ++i) {
+      const BodyPart& part = body.parts[i];
+      if (part.name != "pelvis" && part.name != "abdomen" && part.name != "chest") continue;
+      const Eigen::Vector3d middle = 0.5 * (placed.from[i] + placed.to[i]);
+      const Eigen::Vector3d up = (neck - hips).normalized();
+      const Eigen::Vector3d off = middle - hips - up.dot(middle - hips) * up;
+      EXPECT_LT(off.norm(), 0.05 * stature) << name << " " << part.name;
+      EXPECT_GT((placed.from[i] - placed.to[i]).normalized().dot(across), 0.9)
+          << name << " " << part.name;
     }
   }
 }
