@@ -22,6 +22,10 @@
 namespace amble {
 namespace {
 
+// Assimp cuts a face into triangles in time of its corners squared: a tenth of a second for so
+// many.
+constexpr unsigned kMostCorners = 10000;
+
 // A node's name as the file gave it: Assimp's own helper nodes have none.
 std::string fileName(const aiNode& node) {
   const std::string name = node.mName.C_Str();
@@ -141,6 +145,26 @@ bool isYUp(const std::string& ending) {
                    std::string("a mesh as ") + kMeshFormats);
 }
 
+void checkCorners(const aiScene& scene, const std::string& name) {
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene.mMeshes[m];
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f)
+      if (mesh.mFaces[f].mNumIndices > kMostCorners)
+        throw InputError(name, 0,
+                         "a face of '" + oneLine(mesh.mName.C_Str()) + "' has " +
+                             std::to_string(mesh.mFaces[f].mNumIndices) + " corners",
+                         "at most " + std::to_string(kMostCorners) + " in a face");
+  }
+}
+
+// Read, then cut into triangles: null, or an exception of Assimp's, where one of the two fails.
+const aiScene* readTriangles(Assimp::Importer& importer, const std::string& name) {
+  const aiScene* const scene = importer.ReadFile(name, 0);
+  if (!scene) return nullptr;
+  checkCorners(*scene, name);
+  return importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType);
+}
+
 void configure(Assimp::Importer& importer) {
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
@@ -170,8 +194,10 @@ MeshFile importMesh(const std::filesystem::path& file) {
   const aiScene* scene = nullptr;
   std::string problem;
   try {
-    scene = importer.ReadFile(name, aiProcess_Triangulate | aiProcess_SortByPType);
+    scene = readTriangles(importer, name);
     if (!scene) problem = importer.GetErrorString();
+  } catch (const InputError&) {
+    throw;
   } catch (const std::exception& e) {
     problem = e.what();
   }

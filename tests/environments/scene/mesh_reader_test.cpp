@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "test_paths.h"
 #include "tests/environments/test_files.h"
@@ -67,6 +68,49 @@ TEST(ReadMesh, ANumberThatIsNotFiniteIsRefused) {
         folder.write("bad.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 ") + number + " 0\nf 1 2 3\n");
     EXPECT_NE(errorOf([&] { readMesh(file); }), "") << number;
   }
+}
+
+// A disc, whose corners are those of one face.
+std::string discObj(int corners) {
+  std::string vertices, face = "f";
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2.0 * M_PI * k / corners;
+    vertices +=
+        "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+    face += " " + std::to_string(k + 1);
+  }
+  return "o disc\n" + vertices + face + "\n";
+}
+
+// Cutting it up takes time of the square of its corners: 9 s for the largest.
+TEST(ReadMesh, AFaceOfTooManyCornersIsRefusedBeforeItIsCutUp) {
+  const TestFolder folder;
+  for (const int corners : {10001, 200000}) {
+    const auto file = folder.write("disc.obj", discObj(corners));
+    EXPECT_EQ(errorOf([&] { readMesh(file); }), file.string() + ": a face of 'disc' has " +
+                                                    std::to_string(corners) +
+                                                    " corners; expected at most 10000 in a face");
+  }
+  const auto ply = folder.write("fan.ply", [] {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+        "float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n0 0 0\n2 0 "
+        "0\n0 1 0\n10002";
+    for (int k = 0; k < 10002; ++k) text += " " + std::to_string(k % 3);
+    return text + "\n";
+  }());
+  EXPECT_NE(errorOf([&] { readMesh(ply); }).find("has 10002 corners"), std::string::npos);
+}
+
+TEST(ReadMesh, AFaceOfThousandsOfCornersIsCutUpWhole) {
+  const TestFolder folder;
+  const MeshFile file = readMesh(folder.write("disc.obj", discObj(2000)));
+  double area = 0.0;
+  for (const auto& t : file.parts[0].mesh.triangles) {
+    const auto& v = file.parts[0].mesh.vertices;
+    area += 0.5 * (v[t[1]] - v[t[0]]).cross(v[t[2]] - v[t[0]]).z();
+  }
+  EXPECT_NEAR(area, M_PI, 1e-4);
 }
 
 TEST(ReadMesh, AnObjIsLeftAsItIsAndSaysNoAxes) {
