@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "environments/scene/parity_column.h"
+
 namespace amble {
 namespace {
 
@@ -94,8 +96,7 @@ GroundLayer::GroundLayer(std::vector<Obstacle> surfaces, const StopRequest& stop
       normals_.push_back((b - a).cross(c - a).normalized());
       objects_.push_back(surface.object);
     }
-    Parity solid(surface.solid);
-    if (!solid.empty()) solids_.push_back({surface.object, std::move(solid)});
+    solids_.push_back({surface.object, Parity(surface.solid)});
   }
   grid_ = TriangleGrid(std::move(triangles));
   for (const Obstacle& surface : surfaces)
@@ -118,7 +119,7 @@ Eigen::Vector2i GroundLayer::cellOf(const Eigen::Vector2d& p) const {
 }
 
 // The heights that each triangle has over each cell.
-void GroundLayer::collect(const TriangleMesh& mesh, std::vector<Entry>& entries) const {
+void GroundLayer::collect(const TriangleMesh& mesh, int solid, std::vector<Entry>& entries) const {
   constexpr double kRounding = 1e-9;  // [m]
   for (const std::array<int, 3>& t : mesh.triangles) {
     const Triangle3 corners = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
@@ -133,54 +134,67 @@ void GroundLayer::collect(const TriangleMesh& mesh, std::vector<Entry>& entries)
             corners, {corner.array() - kSeam, (corner.array() + (cell_ + kSeam)).matrix()});
         if (heights)
           entries.push_back(
-              {j * count_.x() + i, {heights->low - kRounding, heights->high + kRounding}});
+              {j * count_.x() + i, solid, {heights->low - kRounding, heights->high + kRounding}});
       }
     }
   }
 }
 
-// Spans are the heights of surfaces, what lies between two of them where it is inside a solid, and
-// whatever is below the lowest. Within a cell no surface lies between two spans, so one point tells
-// for all.
-void GroundLayer::fillSpans(const std::vector<Obstacle>& surfaces, const StopRequest& stop) {
+// By cells, and the lowest first.
+std::vector<GroundLayer::Entry> GroundLayer::entriesOf(const std::vector<Obstacle>& surfaces,
+                                                       const StopRequest& stop) const {
   std::vector<Entry> entries;
-  for (const Obstacle& surface : surfaces) {
+  for (size_t k = 0; k < surfaces.size(); ++k) {
     stop.check();
-    collect(meshOf(surface), entries);
-    collect(surface.solid, entries);
+    collect(meshOf(surfaces[k]), static_cast<int>(k), entries);
+    collect(surfaces[k].solid, static_cast<int>(k), entries);
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return std::tie(a.cell, a.span.low, a.span.high) < std::tie(b.cell, b.span.low, b.span.high);
   });
+  return entries;
+}
+
+// Spans are the heights of surfaces, what lies between two of them where it is inside a solid, and
+// whatever is below the lowest. Within a cell no surface lies between two spans, so one point tells
+// for all, and a solid that is met has surfaces over the cell.
+void GroundLayer::fillCell(std::span<const Entry> entries) {
+  const int cell = entries.front().cell;
+  std::vector<int> over;
+  for (const Entry& entry : entries)
+    if (!solids_[entry.solid].test.empty()) over.push_back(entry.solid);
+  std::sort(over.begin(), over.end());
+  over.erase(std::unique(over.begin(), over.end()), over.end());
+  std::vector<const Parity*> solids;
+  for (const int k : over) solids.push_back(&solids_[k].test);
+  ParityColumn column(
+      extent_.min() + cell_ * Eigen::Vector2d(cell % count_.x() + 0.5, cell / count_.x() + 0.5),
+      0.5 * cell_, std::move(solids));
+  spans_.push_back({kNone, entries.front().span.high});
+  for (const Entry& entry : entries.subspan(1)) {
+    const Span& span = entry.span;
+    const double top = spans_.back().high;
+    if (span.low <= top || column.isInside(0.5 * (top + span.low))) {
+      spans_.back().high = std::max(top, span.high);
+    } else {
+      spans_.push_back(span);
+    }
+  }
+}
+
+void GroundLayer::fillSpans(const std::vector<Obstacle>& surfaces, const StopRequest& stop) {
+  const std::vector<Entry> entries = entriesOf(surfaces, stop);
   const int cells = count_.x() * count_.y();
   size_t next = 0;
   for (int cell = 0; cell < cells; ++cell) {
     start_.push_back(static_cast<int>(spans_.size()));
     if (cell % count_.x() == 0) stop.check();
-    const Eigen::Vector2d middle =
-        extent_.min() + cell_ * Eigen::Vector2d(cell % count_.x() + 0.5, cell / count_.x() + 0.5);
-    for (; next < entries.size() && entries[next].cell == cell; ++next) {
-      const Span& span = entries[next].span;
-      const bool first = static_cast<int>(spans_.size()) == start_.back();
-      if (first) {
-        spans_.push_back({kNone, span.high});
-        continue;
-      }
-      const double between = 0.5 * (spans_.back().high + span.low);
-      if (span.low <= spans_.back().high || isInside({middle.x(), middle.y(), between})) {
-        spans_.back().high = std::max(spans_.back().high, span.high);
-      } else {
-        spans_.push_back(span);
-      }
-    }
+    const size_t first = next;
+    while (next < entries.size() && entries[next].cell == cell) ++next;
+    if (next > first) fillCell(std::span(entries).subspan(first, next - first));
   }
   start_.push_back(static_cast<int>(spans_.size()));
   for (const Span& span : spans_) top_ = std::max(top_, span.high);
-}
-
-bool GroundLayer::isInside(const Eigen::Vector3d& p) const {
-  return std::any_of(solids_.begin(), solids_.end(),
-                     [&](const Solid& solid) { return solid.test.inside(p); });
 }
 
 bool GroundLayer::meetsSpan(const Eigen::AlignedBox3d& box) const {

@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "environments/body/capsule.h"
@@ -52,12 +53,15 @@ class GroundLayer {
   };
   struct Entry {
     int cell;
+    int solid;  // in solids_
     Span span;
   };
 
   void fillSpans(const std::vector<Obstacle>& surfaces, const StopRequest& stop);
-  void collect(const TriangleMesh& mesh, std::vector<Entry>& entries) const;
-  bool isInside(const Eigen::Vector3d& p) const;
+  std::vector<Entry> entriesOf(const std::vector<Obstacle>& surfaces,
+                               const StopRequest& stop) const;
+  void collect(const TriangleMesh& mesh, int solid, std::vector<Entry>& entries) const;
+  void fillCell(std::span<const Entry> entries);
   Eigen::Vector2i cellOf(const Eigen::Vector2d& p) const;
   bool meetsSpan(const Eigen::AlignedBox3d& box) const;
   int aboveOf(const Eigen::Vector3d& p) const;
@@ -66,7 +70,7 @@ class GroundLayer {
   TriangleGrid grid_;
   std::vector<Eigen::Vector3d> normals_;  // of the grid's triangles, unit
   std::vector<int> objects_;              // of the grid's triangles
-  std::vector<Solid> solids_;
+  std::vector<Solid> solids_;             // of each surface, empty where nothing of it is closed
   Eigen::AlignedBox2d extent_;
   double cell_ = kCell;
   Eigen::Vector2i count_{0, 0};

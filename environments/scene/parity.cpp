@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace amble {
 namespace {
 
 // The ray is (kShearX, kShearY, 1): far enough from the vertical that walls are wide seen along it,
 // and of no simple ratio.
-constexpr double kShearX = 0.012347, kShearY = 0.007919;
+constexpr double kShearX = Parity::kShear, kShearY = 0.007919;
+static_assert(kShearY < kShearX);
 constexpr int kMostCells = 256;  // along a side
 
 Eigen::Vector3d sheared(const Eigen::Vector3d& p) {
@@ -26,14 +29,15 @@ bool crosses(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
   return x > p.x();
 }
 
-bool isAbove(const std::array<Eigen::Vector3d, 3>& t, const Eigen::Vector3d& p) {
-  if (!(crosses(t[0], t[1], p) ^ crosses(t[1], t[2], p) ^ crosses(t[2], t[0], p))) return false;
+// Where the ray through p crosses a triangle; for one seen by its edge, above all.
+std::optional<double> crossing(const std::array<Eigen::Vector3d, 3>& t, const Eigen::Vector3d& p) {
+  if (!(crosses(t[0], t[1], p) ^ crosses(t[1], t[2], p) ^ crosses(t[2], t[0], p))) return {};
   const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double low = std::min({t[0].z(), t[1].z(), t[2].z()});
   const double high = std::max({t[0].z(), t[1].z(), t[2].z()});
   const double z =
       t[0].z() - (normal.x() * (p.x() - t[0].x()) + normal.y() * (p.y() - t[0].y())) / normal.z();
-  return !(std::clamp(z, low, high) < p.z());
+  return std::isnan(z) ? std::numeric_limits<double>::infinity() : std::clamp(z, low, high);
 }
 
 }  // namespace
@@ -78,14 +82,25 @@ Eigen::Vector2i Parity::cellOf(double u, double v) const {
           std::clamp(static_cast<int>((v - min_.y()) / cell_.y()), 0, count_.y() - 1)};
 }
 
-bool Parity::inside(const Eigen::Vector3d& p) const {
-  if (empty() || !bounds_.contains(p)) return false;
+template <typename Visit>
+void Parity::visitCrossings(const Eigen::Vector3d& p, Visit visit) const {
+  if (empty()) return;
   const Eigen::Vector3d q = sheared(p);
   const Eigen::Vector2i cell = cellOf(q.x(), q.y());
   const int c = cell.y() * count_.x() + cell.x();
+  for (int k = start_[c]; k < start_[c + 1]; ++k)
+    if (const auto height = crossing(corners_[items_[k]], q)) visit(*height);
+}
+
+bool Parity::inside(const Eigen::Vector3d& p) const {
+  if (empty() || !bounds_.contains(p)) return false;
   bool odd = false;
-  for (int k = start_[c]; k < start_[c + 1]; ++k) odd ^= isAbove(corners_[items_[k]], q);
+  visitCrossings(p, [&](double height) { odd ^= height >= p.z(); });
   return odd;
+}
+
+void Parity::addCrossings(const Eigen::Vector3d& p, std::vector<double>& heights) const {
+  visitCrossings(p, [&](double height) { heights.push_back(height); });
 }
 
 }  // namespace amble

@@ -25,8 +25,15 @@ class Parity {
   const Eigen::AlignedBox3d& bounds() const { return bounds_; }
   /// @pre p is not within rounding of the surface: who touches it asks something else.
   bool inside(const Eigen::Vector3d& p) const;
+  /// The ray's way aside for each metre up [m, >= 0].
+  static constexpr double kShear = 0.012347;
+  /// Appends the heights [m], in no order, of all surfaces that the ray through p crosses, above
+  /// and below. A point of the ray is inside where those that are not below it are odd in number.
+  void addCrossings(const Eigen::Vector3d& p, std::vector<double>& heights) const;
 
  private:
+  template <typename Visit>
+  void visitCrossings(const Eigen::Vector3d& p, Visit visit) const;
   Eigen::Vector2i cellOf(double u, double v) const;
 
   // Corners with (x, y) sheared along the ray, so that it is vertical for them; three a triangle.

@@ -148,5 +148,25 @@ TEST(GroundLayer, BelowABridgeIsFreeWhereTheGroundGoesOnBelow) {
   EXPECT_EQ(touched(-0.2), 0);
 }
 
+// Boxes in one another, all of them one object or each its own: solid and free in turn.
+TEST(GroundLayer, ManyShellsInOneAnotherAreSolidAndFreeInTurn) {
+  constexpr int kShells = 20;
+  constexpr double kThick = 0.1;
+  TriangleMesh mesh;
+  for (int k = 0; k < kShells; ++k)
+    mesh = joined(mesh, makeBox(Eigen::Vector3d::Constant(2.0 * kThick * (kShells - k))));
+  const TriangleMesh other = moved(makeBox({1, 1, 1}), {5, 0, 0});
+  const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
+  const GroundLayer layer({{3, other, here, other}, {4, mesh, here, mesh}});
+  const auto scratch = ObstacleSet::makeScratch();
+  for (int k = 0; k < 2 * kShells; ++k) {
+    const double z = kThick * (k - kShells + 0.5);
+    const Capsule capsule{{-0.03, 0.02, z}, {0.04, -0.03, z}, 0.02};
+    const bool solid = (k < kShells ? k : 2 * kShells - 1 - k) % 2 == 0;
+    EXPECT_EQ(layer.touched(capsule, 0.0, *scratch), solid ? 4 : -1) << z;
+    EXPECT_EQ(layer.isClearBetween(capsule, capsule, 0.0, 0.0), true) << z;
+  }
+}
+
 }  // namespace
 }  // namespace amble
