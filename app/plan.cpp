@@ -30,6 +30,9 @@ constexpr std::pair<const char*, const char*> kFormats[] = {{"bvh", "walk.bvh"},
                                                             {"svg", "top.svg"},
                                                             {"png", "walk.png"},
                                                             {"strip", "strip.png"}};
+constexpr const char* kFormatsHelp =
+    "What to write: bvh (the walk), json (its report), svg (seen from above), png (a picture), "
+    "strip (frame by frame from the side)";
 
 std::vector<std::string> formatNames() {
   std::vector<std::string> names;
@@ -209,11 +212,10 @@ void addPlan(CLI::App& app, Command& chosen) {
   command->add_option("--bvh-units", options->bvh_units, "Unit of length in the BVH")
       ->check(CLI::IsMember({"m", "cm"}))
       ->capture_default_str();
-  command
-      ->add_option("--formats", options->formats,
-                   fmt::format("What to write: {}", fmt::join(formatNames(), ",")))
+  command->add_option("--formats", options->formats, kFormatsHelp)
       ->delimiter(',')
-      ->check(CLI::IsMember(formatNames()));
+      ->check(CLI::IsMember(formatNames()))
+      ->default_str(fmt::format("{}", fmt::join(options->formats, ",")));
   command
       ->add_option("--checker", options->checker,
                    "Who is asked about contacts: our own trees, or FCL, with which they agree")
