@@ -15,6 +15,8 @@ namespace {
 constexpr double kSameFloor = 0.3;
 constexpr int kNearSquares = 2;      // and to each side, where its own has no ground
 constexpr double kTwoFeet = 0.2;     // from one foot's line to the other's, and more [m]
+constexpr double kSole = 0.35;       // what tilts a foot is no farther from its middle [m]
+constexpr double kFlat = 1e-3;       // of heights on ground without a slope [m]
 constexpr int kSweepsOfNearest = 4;  // from one side of a gap to the other
 constexpr double kLevel = GroundCells::kLevel;
 
@@ -56,6 +58,7 @@ class Reach {
     }
   }
   bool isInner(const Spot& spot) const;
+  bool isFlat(const Spot& spot) const;
   bool leads(const Spot& a, const Spot& b) const;
   int numberOf(int floor) {
     return numbers_.emplace(floor, static_cast<int>(numbers_.size())).first->second;
@@ -89,12 +92,34 @@ std::optional<Spot> Reach::spotAt(const Eigen::Vector3d& p) const {
   return best;
 }
 
-// A step from a to b, be it as steep between them as ground may be.
+// Whether a foot is level wherever it stands over this square: all ground that it could stand on
+// there has one height.
+bool Reach::isFlat(const Spot& spot) const {
+  const int far = static_cast<int>(std::ceil(kSole / cells_.cell()));
+  for (int j = -far; j <= far; ++j) {
+    for (int i = -far; i <= far; ++i) {
+      bool flat = true;
+      eachOver(spot.square + Eigen::Vector2i(i, j), [&](const Spot& other) {
+        const double off = std::abs(other.height - spot.height);
+        flat = flat && (off <= kFlat || off > limits_.highestStep() + kLevel);
+      });
+      if (!flat) return false;
+    }
+  }
+  return true;
+}
+
+// A step from a to b: its height is what the mean of the slopes under both feet does not explain
+// (stepHeight of steps/foot_state.h), each as steep as ground may be unless it is flat there.
 bool Reach::leads(const Spot& a, const Spot& b) const {
   const double way = cells_.cell() * (b.square - a.square).cast<double>().norm();
   if (way > reach_) return false;
-  const double slope = std::tan(limits_.max_slope) * (way + cells_.cell());
-  return std::abs(b.height - a.height) <= limits_.highestStep() + slope + kLevel;
+  const double rise = std::abs(b.height - a.height) - limits_.highestStep() - kLevel;
+  if (rise <= 0.0) return true;
+  // Each foot may be anywhere over its square.
+  const double steepest = 0.5 * std::tan(limits_.max_slope) * (way + 3.0 * cells_.cell());
+  if (rise > 2.0 * steepest) return false;
+  return rise <= steepest * ((isFlat(a) ? 0 : 1) + (isFlat(b) ? 0 : 1));
 }
 
 // Whether the same floor goes on all around, with nothing over or under it: what is reached from

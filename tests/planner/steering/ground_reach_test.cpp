@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "base/rotation.h"
 #include "tests/environments/test_scenes.h"
 
 namespace amble {
@@ -42,6 +43,28 @@ TEST(GroundReach, ALedgeThatNobodyClimbsIsAGap) {
   ASSERT_TRUE(gap.has_value());
   EXPECT_NEAR(gap->rise(), 1.5, 1e-6);
   EXPECT_LT(gap->width(), kStep);
+}
+
+// Between the middles of two level feet no slope explains a rise.
+TEST(GroundReach, APlatformUnderTheLongestStepIsAGapWhereItIsHigherThanTheHighest) {
+  const auto high = gapIn({platform("west", -4, 0, 0), platform("east", 0, 4, 0.5)}, 0.5);
+  ASSERT_TRUE(high.has_value());
+  EXPECT_NEAR(high->rise(), 0.5, 1e-6);
+  EXPECT_FALSE(gapIn({platform("west", -4, 0, 0), platform("east", 0, 4, 0.24)}, 0.24).has_value());
+}
+
+TEST(GroundReach, ARampLeadsUpToWhatIsTooHighForAStep) {
+  constexpr double kSlope = 15.0 * kDegree, kTop = 0.5;
+  const double length = kTop / std::sin(kSlope), end = kTop / std::tan(kSlope);
+  SceneObject ramp = makeObject("ramp", Box{{length, 4, 0.002}}, {0.5 * end, 0, 0.5 * kTop});
+  ramp.X_WO.linear() = expRotation({0, -kSlope, 0}).toRotationMatrix();
+  const SceneObject upper = platform("upper", end, end + 2.0, kTop);
+  const auto leads = [&](const std::vector<SceneObject>& objects) {
+    const Scene scene = sceneOf(objects);
+    return !findGap(SceneGround(scene), {-2, 0, 0}, {end + 1.0, 0, kTop}, kStep);
+  };
+  EXPECT_TRUE(leads({floorSlab(), ramp, upper}));
+  EXPECT_FALSE(leads({floorSlab(), upper}));
 }
 
 TEST(GroundReach, StairsLeadUp) {
