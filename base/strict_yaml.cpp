@@ -377,6 +377,21 @@ int YamlNode::indexIn(const std::vector<std::string>& names) const {
   return static_cast<int>(found - names.begin());
 }
 
+namespace {
+
+// Of a line that could not be read and the one before it, the first that a tab indents; 0: none.
+int tabBefore(const std::string& text, int line) {
+  std::istringstream in(text);
+  std::string read;
+  for (int at = 1; at <= line && std::getline(in, read); ++at) {
+    const size_t begin = std::min(read.find_first_not_of(" \t"), read.size());
+    if (at + 1 >= line && read.find('\t') < begin) return at;
+  }
+  return 0;
+}
+
+}  // namespace
+
 YamlNode parseYaml(const std::string& text, const std::string& name) {
   YamlNode::Builder builder(name);
   std::istringstream in(text);
@@ -392,7 +407,11 @@ YamlNode parseYaml(const std::string& text, const std::string& name) {
                        "one document a file");
     }
   } catch (const YAML::Exception& error) {
-    throw InputError(name, error.mark.is_null() ? 0 : error.mark.line + 1, error.msg, "YAML");
+    const int line = error.mark.is_null() ? 0 : error.mark.line + 1;
+    if (const int tab = tabBefore(text, line)) {
+      throw InputError(name, tab, "a tab before its text", "spaces: YAML indents by nothing else");
+    }
+    throw InputError(name, line, error.msg, "YAML");
   }
   const YamlNode::Data* root = &builder.document->nodes.front();
   return YamlNode(std::shared_ptr<const YamlNode::Data>(builder.document, root));

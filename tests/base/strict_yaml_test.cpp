@@ -140,6 +140,28 @@ TEST(StrictYaml, NamesTheChoicesOfAnEnumeration) {
   EXPECT_EQ(errorOf("f: nut", read), "a.yaml:1: f is 'nut'; expected apple or pear");
 }
 
+TEST(StrictYaml, ATabThatIndentsIsNamedWithItsLine) {
+  for (const char* text :
+       {"a: 1\nb:\n\tc: 1\n", "a: 1\nb:\n \tc: 1\n\td: 2\n", "a: 1\nb:\n\t- 1\n\t- 2\n"}) {
+    try {
+      parseYaml(text, "tab.yaml");
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.line(), 3) << text << error.what();
+      EXPECT_NE(error.problem().find("a tab"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(StrictYaml, AFaultBesideTabsThatDoNoHarmIsNotBlamedOnThem) {
+  try {
+    parseYaml("a: [1,\n\t2]\nb: 1\nc: [1\n", "tab.yaml");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problem().find("a tab"), std::string::npos) << error.what();
+  }
+}
+
 TEST(StrictYaml, KeepsTheOrderOfTheFile) {
   const YamlNode root = parseYaml("z: 1\na: 2\nm: 3\n", "");
   std::string keys;
