@@ -11,6 +11,8 @@
 #include "app/progress.h"
 #include "app/read_options.h"
 #include "app/stop.h"
+#include "base/error.h"
+#include "base/keep_inputs.h"
 #include "base/output_file.h"
 #include "base/parallel.h"
 #include "viz/gait_plot.h"
@@ -42,6 +44,21 @@ void print(const std::vector<AnalysedClip>& clips, bool json) {
   if (json || !all.empty()) printFindings(all, json);
 }
 
+/// What is missing of a clip is told where it is read.
+void keepClips(const std::vector<std::filesystem::path>& clips, const ReadOptions& read,
+               const std::vector<std::filesystem::path>& outputs) {
+  if (outputs.empty()) return;
+  std::vector<std::filesystem::path> inputs;
+  for (const std::filesystem::path& clip : clips) {
+    try {
+      for (const auto& file : read.filesOf(clip)) inputs.push_back(file);
+    } catch (const InputError&) {
+      inputs.push_back(clip);
+    }
+  }
+  for (const std::filesystem::path& output : outputs) keepInputs(output, inputs);
+}
+
 /// The files that were asked for, of every clip that could be read.
 void writeOutputs(const std::vector<AnalysedClip>& clips, const Options& options,
                   const std::vector<std::filesystem::path>& plants,
@@ -63,6 +80,8 @@ int run(const Options& options) {
   std::vector<std::filesystem::path> plants, plots;
   if (!options.plants.empty()) plants = outputNames("--plants", options.plants, "csv", files);
   if (!options.plot.empty()) plots = outputNames("--plot", options.plot, "svg", files);
+  keepClips(files, options.read, plants);
+  keepClips(files, options.read, plots);
   std::vector<AnalysedClip> clips;
   {
     Progress progress(files.size() > 1);

@@ -10,6 +10,8 @@
 #include "app/command.h"
 #include "app/progress.h"
 #include "app/stop.h"
+#include "base/error.h"
+#include "base/keep_inputs.h"
 #include "base/output_file.h"
 #include "base/parallel.h"
 #include "scenarios/check_junit.h"
@@ -80,9 +82,23 @@ int statusOf(const std::vector<CheckRow>& rows) {
   return allHold(rows) ? kExitDone : kExitNone;
 }
 
+// The scenarios, and their scenes as far as these can be read: what else is wrong is a row's.
+std::vector<std::filesystem::path> inputsOf(const std::vector<ScenarioFile>& files) {
+  std::vector<std::filesystem::path> inputs;
+  for (const ScenarioFile& file : files) {
+    inputs.push_back(file.file);
+    try {
+      inputs.push_back(readScenario(file).scene);
+    } catch (const InputError&) {
+    }
+  }
+  return inputs;
+}
+
 int run(const Options& options) {
   const std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   const std::vector<ScenarioFile> files = findScenarios(paths);
+  if (!options.junit.empty()) keepInputs(options.junit, inputsOf(files));
   size_t width = 8;
   for (const ScenarioFile& file : files) width = std::max(width, file.file.stem().string().size());
   Progress progress;

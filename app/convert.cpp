@@ -15,6 +15,7 @@
 #include "app/command.h"
 #include "app/read_options.h"
 #include "base/error.h"
+#include "base/keep_inputs.h"
 
 namespace amble {
 namespace {
@@ -85,6 +86,7 @@ int run(const Options& options) {
   if (options.out != "-" && out.extension() != ".bvh") {
     throw InputError(options.out, 0, "no format that is written", ".bvh");
   }
+  keepInputs(out, options.read.filesOf(options.in));
   MotionReadOptions how = options.read.forReader();
   how.person = options.mirror;
   CapturedMotion motion = readMotion(options.in, how);

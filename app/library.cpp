@@ -13,6 +13,7 @@
 #include "app/library_check.h"
 #include "app/library_find.h"
 #include "base/error.h"
+#include "base/keep_inputs.h"
 
 namespace amble {
 namespace {
@@ -43,6 +44,7 @@ void addBuild(CLI::App& library, Command& chosen) {
     chosen = [options] {
       const std::filesystem::path out = options->out.empty() ? besideRecipe(options->recipe)
                                                              : std::filesystem::path(options->out);
+      keepInputs(out, {options->recipe});
       const MotionLibrary built = buildMotionLibrary(options->recipe, options->captures);
       writeMotionLibrary(built, out);
       sayWritten(built, out);

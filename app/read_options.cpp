@@ -1,5 +1,7 @@
 #include "app/read_options.h"
 
+#include "animation/captures/capture_file.h"
+#include "animation/captures/find_asf.h"
 #include "app/command.h"
 #include "base/rotation.h"
 
@@ -16,6 +18,14 @@ MotionReadOptions ReadOptions::forReader() const {
   options.roles = roles;
   options.memory = memory;
   return options;
+}
+
+std::vector<std::filesystem::path> ReadOptions::filesOf(const std::filesystem::path& clip) const {
+  std::vector<std::filesystem::path> files = {clip};
+  if (!roles.empty()) files.emplace_back(roles);
+  if (lowerEnding(clip) == ".amc")
+    files.push_back(asf.empty() ? findAsf(clip) : std::filesystem::path(asf));
+  return files;
 }
 
 void addReadOptions(CLI::App& command, ReadOptions& options) {

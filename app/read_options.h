@@ -3,8 +3,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "animation/captures/motion_reader.h"
 #include "app/findings.h"
@@ -26,6 +28,8 @@ struct ReadOptions {
   size_t memory = GuardLimits{}.memory;  // [bytes]
 
   MotionReadOptions forReader() const;
+  /// What is read for a clip: itself, the skeleton of an AMC, the roles.
+  std::vector<std::filesystem::path> filesOf(const std::filesystem::path& clip) const;
 };
 
 /// Adds the options to a command; `options` must outlive it.
