@@ -45,6 +45,7 @@ void reportClearance(const Problem& problem, const AnimationBuffer& walk, const 
   report.clearance.time = near.frame * walk.frame_time;
 }
 
+// Skate is of all prints, those too that stand from the begin on; steps are what feet landed on.
 void reportFeet(const Problem& problem, const AnimationBuffer& walk, const PoseArray& poses,
                 Report& report) {
   const SoleTracks soles(problem.synthesizer.skeleton(), problem.body, poses, problem.ground);
@@ -57,6 +58,7 @@ void reportFeet(const Problem& problem, const AnimationBuffer& walk, const PoseA
   if (!report.steps.empty()) {
     report.foot_skate_mean = sum / static_cast<double>(report.steps.size());
   }
+  std::erase_if(report.steps, [](const StepMeasure& step) { return step.strike <= 0.0; });
   report.ground_penetration = soles.penetration();
 }
 
