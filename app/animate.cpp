@@ -16,7 +16,9 @@
 #include "animation/synthesis/walk_synthesizer.h"
 #include "app/command.h"
 #include "app/demo_walk.h"
+#include "app/unit_text.h"
 #include "base/error.h"
+#include "base/keep_inputs.h"
 #include "base/rotation.h"
 
 namespace amble {
@@ -73,8 +75,8 @@ bool printQuality(const WalkSynthesizer& synthesizer, const Clip& clip, const An
       judgeSteps(measureWalkSteps(clip.skeleton, roles, synthesizer.feet(), walk, ground));
   lines.insert(lines.end(), steps.begin(), steps.end());
   for (const QualityLine& line : lines) {
-    fmt::print(out, "  {:<5} {:<24} {:10.4g} {:10.4g} {}\n", line.holds() ? "ok" : "ABOVE",
-               line.measure, line.value, line.bar, line.unit);
+    fmt::print(out, "  {:<5} {:<24} {:10.4g} {:10.4g}{}\n", line.holds() ? "ok" : "ABOVE",
+               line.measure, line.value, line.bar, unitText(line.unit));
     all = all && line.holds();
   }
   return all;
@@ -82,6 +84,7 @@ bool printQuality(const WalkSynthesizer& synthesizer, const Clip& clip, const An
 
 int run(const Options& options) {
   const MotionLibrary library = openMotionLibrary(options.library);
+  keepInputs(options.out, {library.file, library.file.parent_path() / library.skeleton_file});
   const DemoRequest request = requestOf(options);
   const std::unique_ptr<Ground> ground = demoGround(request, options.speed);
   CharacterSettings settings;

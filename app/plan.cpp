@@ -12,8 +12,10 @@
 #include "app/command.h"
 #include "app/progress.h"
 #include "app/stop.h"
+#include "app/unit_text.h"
 #include "app/view_of.h"
 #include "base/error.h"
+#include "base/keep_inputs.h"
 #include "base/parallel.h"
 #include "environments/ground/ground_warnings.h"
 #include "scenarios/run_scenario.h"
@@ -49,7 +51,7 @@ struct Options {
   size_t memory = GuardLimits{}.memory;  // [bytes]
   std::string bvh_units = "m", checker = "fast";
   std::vector<std::string> formats = {"bvh", "json", "svg", "png"};  // a strip is asked for
-  bool json = false, list_planners = false;
+  bool formats_given = false, json = false, list_planners = false;
 };
 
 bool wants(const Options& options, const std::string& format) {
@@ -89,6 +91,14 @@ std::filesystem::path chooseFolder(const Options& options, const Scenario& scena
   return folder;
 }
 
+std::vector<std::filesystem::path> inputsOf(const Problem& problem) {
+  const MotionLibrary& library = problem.library;
+  std::vector<std::filesystem::path> inputs = problem.scene.inputs;
+  inputs.insert(inputs.end(), {problem.scenario.source.file, library.file,
+                               library.file.parent_path() / library.skeleton_file});
+  return inputs;
+}
+
 void writeAll(const Options& options, RunResult& result, const std::filesystem::path& folder) {
   const WalkView view = viewOf(result);
   WriteOptions write;
@@ -113,6 +123,18 @@ void writeAll(const Options& options, RunResult& result, const std::filesystem::
   writeResults(result, folder, write);
 }
 
+// What was asked for by name and is not there.
+void sayWhatIsMissing(const Options& options, const Report& report) {
+  if (report.status == PlanStatus::kSolved || !options.formats_given) return;
+  std::vector<std::string> missing;
+  for (const auto& [format, file] : kFormats) {
+    const bool of_walk = std::string(format) != "json" && std::string(format) != "svg";
+    if (of_walk && wants(options, format)) missing.emplace_back(file);
+  }
+  if (missing.empty()) return;
+  fmt::print(stderr, "amble plan: without a walk there is no {}\n", fmt::join(missing, ", "));
+}
+
 void printResult(const Report& report, const std::filesystem::path& folder) {
   fmt::print("{}: {}\n", report.scenario, statusName(report.status));
   if (report.status == PlanStatus::kSolved) {
@@ -125,8 +147,8 @@ void printResult(const Report& report, const std::filesystem::path& folder) {
     fmt::print("  foot skate {:.1f} mm at most\n", 1000.0 * report.foot_skate_max);
     for (const QualityLine& line : report.quality) {
       if (line.holds()) continue;
-      fmt::print("  quality    {} is {:.4g} {}, over its bar of {:.4g}\n", line.measure, line.value,
-                 line.unit, line.bar);
+      fmt::print("  quality    {} is {:.4g}{}, over its bar of {:.4g}\n", line.measure, line.value,
+                 unitText(line.unit), line.bar);
     }
   } else {
     fmt::print("  why        {}\n", report.why);
@@ -165,6 +187,7 @@ int run(const Options& options) {
   how.checker = options.checker == "fcl" ? Checker::kFcl : Checker::kFast;
   how.stop = &stopFlag();
   how.loaded = [&](const Problem& problem) {
+    for (const auto& [format, file] : kFormats) keepInputs(folder / file, inputsOf(problem));
     for (const std::string& warning : sceneWarnings(problem.scene, problem.ground))
       fmt::print(stderr, "{}: warning: {}\n", scenario.scene.string(), warning);
   };
@@ -182,6 +205,7 @@ int run(const Options& options) {
     return kExitStopped;
   }
   writeAll(options, result, folder);
+  sayWhatIsMissing(options, result.report);
   if (options.json) {
     writeJson(std::cout, result.report);
   } else {
@@ -214,6 +238,7 @@ void addPlan(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_option("--formats", options->formats, kFormatsHelp)
       ->delimiter(',')
+      ->each([raw = options.get()](const std::string&) { raw->formats_given = true; })
       ->check(CLI::IsMember(formatNames()))
       ->default_str(fmt::format("{}", fmt::join(options->formats, ",")));
   command
