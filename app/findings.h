@@ -26,7 +26,9 @@ struct Findings {
 void printFindings(const std::vector<Findings>& all, bool json);
 
 Findings inspectScene(const std::filesystem::path& file, const LoadLimits& limits);
-Findings inspectMesh(const std::filesystem::path& file, const LoadLimits& limits);
+/// @param axes  its unit and vertical axis, as far as the file leaves them open
+Findings inspectMesh(const std::filesystem::path& file, const MotionReadOptions& axes,
+                     const LoadLimits& limits);
 /// Nothing where a file that may hold meshes or motion holds no motion.
 std::optional<Findings> inspectClip(const std::filesystem::path& file,
                                     const MotionReadOptions& options);

@@ -38,7 +38,7 @@ Findings inspectFile(const std::filesystem::path& file, const MotionReadOptions&
     std::optional<Findings> clip = inspectClip(file, options);
     if (clip || !mesh) return clip.value();
   }
-  if (mesh) return inspectMesh(file, limits);
+  if (mesh) return inspectMesh(file, options, limits);
   throw InputError(file.string(), 0, "no kind of file that Amble knows",
                    ".yaml, .bvh, .amc, .obj, .gltf, .glb, .vrma, .ply, .stl, .dae, .fbx or .ifc");
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/findings.h"
+#include "base/file_axes.h"
 #include "base/rotation.h"
 #include "environments/ground/ground_warnings.h"
 #include "environments/scene/mesh_reader.h"
@@ -102,6 +103,16 @@ std::vector<double> floorHeights(const SceneGround& ground, const Eigen::Aligned
   return distinct;
 }
 
+// As a scene does by its `up` and `scale`.
+void placeMesh(const MotionReadOptions& axes, MeshFile& mesh) {
+  for (MeshPart& part : mesh.parts) {
+    for (Eigen::Vector3d& vertex : part.mesh.vertices) {
+      vertex =
+          axes.metres_per_unit.value_or(1.0) * fileToWorld(vertex, axes.up.value_or(UpAxis::kZ));
+    }
+  }
+}
+
 std::string placeText(const Place& place) {
   std::string text = fmt::format("({:g}, {:g})", place.at.x(), place.at.y());
   if (place.z) text += fmt::format(" on the floor near z = {:g}", *place.z);
@@ -136,11 +147,16 @@ Findings inspectScene(const std::filesystem::path& file, const LoadLimits& limit
   return out;
 }
 
-Findings inspectMesh(const std::filesystem::path& file, const LoadLimits& limits) {
+Findings inspectMesh(const std::filesystem::path& file, const MotionReadOptions& axes,
+                     const LoadLimits& limits) {
   const auto stopped = [&limits] { return limits.stop.asked(); };
-  const MeshFile mesh = readMesh(file, limits.memory, stopped);
+  MeshFile mesh = readMesh(file, limits.memory, stopped);
   Findings out{file.string(), "mesh", {}, {}, {}};
-  const char* unit = mesh.has_axes ? "m" : "of the file's unit";
+  const char* unit = mesh.has_axes || axes.metres_per_unit ? "m" : "of the file's unit";
+  if (mesh.has_axes && (axes.up || axes.metres_per_unit))
+    out.warnings.push_back(
+        "the file says its axes and unit itself: --up and --unit change nothing");
+  if (!mesh.has_axes) placeMesh(axes, mesh);
   Eigen::AlignedBox3d box;
   size_t triangles = 0;
   out.data = {{"has_axes", mesh.has_axes}, {"parts", Json::array()}};
@@ -158,7 +174,7 @@ Findings inspectMesh(const std::filesystem::path& file, const LoadLimits& limits
   out.facts.emplace_back("all", fmt::format("{} {}, {} triangles", sizeText(box), unit, triangles));
   out.data["bounds"] = boxJson(box);
   out.data["triangles"] = triangles;
-  if (!mesh.has_axes) {
+  if (!mesh.has_axes && !axes.up) {
     out.warnings.push_back(
         "the file does not say which axis is up: a scene says `up: y` or `up: z`");
   }

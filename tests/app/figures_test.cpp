@@ -137,6 +137,15 @@ TEST_F(Figures, OfInspectAreThoseOfItsText) {
   EXPECT_EQ(all[3]["triangles"], 1);
 }
 
+TEST_F(Figures, OfAMeshAreInTheAxesAndUnitThatAreAskedFor) {
+  write("in/t.obj", "o thing\nv 0 0 0\nv 100 0 0\nv 0 200 300\nf 1 2 3\n");
+  const auto [asked, text] = both("inspect in/t.obj --up y --unit 0.01");
+  EXPECT_EQ(asked[0]["bounds"]["min"], (std::vector<double>{0, -3, 0}));
+  EXPECT_EQ(asked[0]["bounds"]["max"], (std::vector<double>{1, 0, 2}));
+  EXPECT_NE(text.find("1.00 x 3.00 x 2.00 m"), std::string::npos) << text;
+  EXPECT_EQ(text.find("which axis is up"), std::string::npos) << text;
+}
+
 TEST_F(Figures, OfLibrariesAreThoseOfItsText) {
   const auto [all, text] = both("library show default");
   EXPECT_EQ(after(text, "skeleton                 "), of(all[0]["joints"]));
