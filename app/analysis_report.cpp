@@ -31,6 +31,20 @@ std::string shareText(const std::optional<double>& share) {
 }
 Json orNull(const std::optional<double>& share) { return share ? Json(*share) : Json(nullptr); }
 
+/// What was measured of so many steps: of none nothing was, whatever the number.
+struct OfSteps {
+  size_t count;
+  std::string text(double value, int digits) const {
+    return count == 0 ? "-" : fmt::format("{:.{}f}", value, digits);
+  }
+  Json json(double value) const { return count == 0 ? Json(nullptr) : Json(value); }
+};
+
+OfSteps stepsOf(const GaitMeasures& gait) { return {gait.steps.size()}; }
+/// What a foot does from its last print to its next, of those swings that were seen whole.
+OfSteps swingsOf(const GaitMeasures& gait) { return {gait.stride_length > 0.0 ? 1U : 0U}; }
+OfSteps liftsOf(const GaitMeasures& gait) { return {gait.lift > 0.0 ? 1U : 0U}; }
+
 /// Times and frames of the file from frames of the analysis.
 struct FileTime {
   double frame_time;
@@ -94,18 +108,21 @@ void addKind(const AnalysedClip& clip, Findings& out) {
 void addGait(const AnalysedClip& clip, Findings& out) {
   const GaitMeasures& gait = clip.analysis.gait;
   const FileTime time = timeOf(clip);
+  const OfSteps steps = stepsOf(gait), swings = swingsOf(gait), lifts = liftsOf(gait);
   out.facts.emplace_back(
       "walking",
       fmt::format("{:.2f} s to {:.2f} s: {:.3f} m/s ({:.2f} legs/s), turning {:+.1f} degrees/s (at "
-                  "most {:.1f}), {:.1f} steps a minute",
+                  "most {:.1f}), {} steps a minute",
                   time(gait.begin), time(gait.end), gait.speed, gait.normalised_speed,
-                  gait.turn_rate / kDegree, gait.peak_turn_rate / kDegree, gait.cadence));
+                  gait.turn_rate / kDegree, gait.peak_turn_rate / kDegree,
+                  steps.text(gait.cadence, 1)));
   out.facts.emplace_back(
       "steps",
-      fmt::format("{}: {:.3f} m long, {:.3f} m wide, lifted {:.3f} m, toe {:.3f} m clear, {:.3f} "
-                  "s; stride {:.3f} m; left against right {} in length, {} in time",
-                  gait.steps.size(), gait.step_length, gait.step_width, gait.lift,
-                  gait.toe_clearance, gait.step_time, gait.stride_length,
+      fmt::format("{}: {} m long, {} m wide, lifted {} m, toe {} m clear, {} "
+                  "s; stride {} m; left against right {} in length, {} in time",
+                  steps.count, steps.text(gait.step_length, 3), steps.text(gait.step_width, 3),
+                  lifts.text(gait.lift, 3), swings.text(gait.toe_clearance, 3),
+                  steps.text(gait.step_time, 3), swings.text(gait.stride_length, 3),
                   shareText(gait.length_asymmetry), shareText(gait.time_asymmetry)));
   out.facts.emplace_back("support", fmt::format("double {:.3f}, flight {:.3f} of the time",
                                                 gait.double_support, gait.flight));
@@ -116,15 +133,15 @@ void addGait(const AnalysedClip& clip, Findings& out) {
                       {"normalised_speed", gait.normalised_speed},
                       {"turn_rate", gait.turn_rate / kDegree},
                       {"peak_turn_rate", gait.peak_turn_rate / kDegree},
-                      {"cadence", gait.cadence},
-                      {"cycle_frequency", gait.cycle_frequency},
-                      {"step_length", gait.step_length},
-                      {"step_width", gait.step_width},
-                      {"step_time", gait.step_time},
-                      {"step_time_variation", gait.step_time_variation},
-                      {"stride_length", gait.stride_length},
-                      {"lift", gait.lift},
-                      {"toe_clearance", gait.toe_clearance},
+                      {"cadence", steps.json(gait.cadence)},
+                      {"cycle_frequency", steps.json(gait.cycle_frequency)},
+                      {"step_length", steps.json(gait.step_length)},
+                      {"step_width", steps.json(gait.step_width)},
+                      {"step_time", steps.json(gait.step_time)},
+                      {"step_time_variation", steps.json(gait.step_time_variation)},
+                      {"stride_length", swings.json(gait.stride_length)},
+                      {"lift", lifts.json(gait.lift)},
+                      {"toe_clearance", swings.json(gait.toe_clearance)},
                       {"length_asymmetry", orNull(gait.length_asymmetry)},
                       {"time_asymmetry", orNull(gait.time_asymmetry)},
                       {"double_support", gait.double_support},
@@ -285,15 +302,17 @@ void printAnalysisTable(const std::vector<AnalysedClip>& clips,
   for (const AnalysedClip& clip : clips) {
     if (!clip.good()) continue;
     const GaitMeasures& gait = clip.analysis.gait;
+    const OfSteps steps = stepsOf(gait);
     const ClipClass& kind = clip.analysis.kind;
     std::cout << fmt::format(
-        "{:<{}}  {:<7} {:>3.0f} % {:>7.2f} {:>6.2f} {:>6.2f} {:>+5.0f} {:>6.0f} {:>6.3f} {:>6.3f} "
-        "{:>6.3f} {:>6.3f} {:>6.3f} {:>6}\n",
+        "{:<{}}  {:<7} {:>3.0f} % {:>7.2f} {:>6.2f} {:>6.2f} {:>+5.0f} {:>6} {:>6} {:>6} "
+        "{:>6} {:>6} {:>6.3f} {:>6}\n",
         clip.file.string(), width, motionTypeName(kind.largest()),
         100.0 * kind.shareOf(kind.largest()), clip.analysis.frames() * clip.analysis.frame_time,
-        gait.speed, gait.normalised_speed, gait.turn_rate / kDegree, gait.cadence, gait.step_length,
-        gait.stride_length, gait.lift, gait.toe_clearance, gait.double_support,
-        shareText(gait.time_asymmetry));
+        gait.speed, gait.normalised_speed, gait.turn_rate / kDegree, steps.text(gait.cadence, 0),
+        steps.text(gait.step_length, 3), swingsOf(gait).text(gait.stride_length, 3),
+        liftsOf(gait).text(gait.lift, 3), swingsOf(gait).text(gait.toe_clearance, 3),
+        gait.double_support, shareText(gait.time_asymmetry));
   }
   for (const SubjectLaw& law : laws) {
     if (law.walks.empty()) continue;

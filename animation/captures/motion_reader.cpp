@@ -189,6 +189,8 @@ CapturedMotion readTexts(const std::filesystem::path& file, const MotionReadOpti
   motion.metres_per_unit = settleUnit(motion, seen, rhythm, options.metres_per_unit);
   scaleToMetres(motion.metres_per_unit.value, motion.clip);
   append(written.warnings, motion);
+  if (!options.take.empty())
+    motion.warnings.push_back("'" + options.take + "' is not looked for: its format has no takes");
   return motion;
 }
 

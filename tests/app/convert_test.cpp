@@ -57,6 +57,42 @@ TEST_F(Convert, RefusesWhatCannotBeDone) {
   expectRefused("convert in/walk.amc -o out.bvh", {"walk.amc: no .asf", "--asf"});
 }
 
+TEST_F(Convert, NothingThatIsReadIsWrittenOver) {
+  const std::string before = read("in/walk.bvh");
+  std::filesystem::create_symlink("in/walk.bvh", folder_ / "link.bvh");
+  for (const char* const out : {"in/walk.bvh", "./in/../in/walk.bvh", "link.bvh"}) {
+    expectRefused(std::string("convert in/walk.bvh -o ") + out, {out, "is read too"});
+    expectRefused(std::string("convert - -o ") + out + " < in/walk.bvh", {out, "is read too"});
+    expectRefused(std::string("analyse in/walk.bvh --plants ") + out, {out, "is read too"});
+    expectRefused(std::string("analyse in/walk.bvh --plot ") + out, {out, "is read too"});
+  }
+  EXPECT_EQ(read("in/walk.bvh"), before);
+  EXPECT_EQ(run("convert link.bvh -o other.bvh").status, 0);
+}
+
+TEST_F(Convert, ATakeOfAFormatWithoutTakesIsTold) {
+  const Ran ran = run("convert in/walk.bvh -o out.bvh --take foo");
+  EXPECT_EQ(ran.status, 0);
+  EXPECT_NE(ran.err.find("'foo'"), std::string::npos) << ran.err;
+}
+
+TEST_F(Convert, OfAClipWithoutStepsNothingOfStepsIsMeasured) {
+  Clip still = walk_;
+  for (int i = 1; i < still.frames(); ++i) {
+    still.poses.p_WR(i) = still.poses.p_WR(0);
+    std::ranges::copy(still.poses.rotations(0), still.poses.rotations(i).begin());
+  }
+  writeInAxes(folder_ / "in/still.bvh", still, 0.01, UpAxis::kY);
+  const Ran machine = run("analyse in/still.bvh --json"), people = run("analyse in/still.bvh");
+  ASSERT_EQ(machine.status, 0) << machine.err;
+  const json gait = json::parse(machine.out)[0]["gait"];
+  for (const char* measure : {"cadence", "step_length", "step_time", "lift", "stride_length"}) {
+    EXPECT_TRUE(gait.at(measure).is_null()) << measure;
+  }
+  EXPECT_NE(people.out.find("- steps a minute"), std::string::npos) << people.out;
+  EXPECT_NE(people.out.find("0: - m long"), std::string::npos) << people.out;
+}
+
 TEST_F(Convert, WritesTheMotionInMetresAndSaysWhatItGuessed) {
   const Ran ran = run("convert in/walk.bvh -o out.bvh");
   ASSERT_EQ(ran.status, 0) << ran.err;
