@@ -61,6 +61,32 @@ TEST_F(Commands, PlanGivesTheSameBytesAtAnyNumberOfThreads) {
   EXPECT_EQ(one, two);
 }
 
+TEST_F(Commands, WithoutAWalkTheFilesOfOneThatWereAskedForAreNamedAsMissing) {
+  wallOff();
+  const Ran ran = run("plan in/scenario.yaml -o out --formats png,json");
+  EXPECT_EQ(ran.status, 1);
+  EXPECT_TRUE(ran.err.ends_with("amble plan: without a walk there is no walk.png\n")) << ran.err;
+  const Ran other = run("plan in/scenario.yaml -o out --formats json,svg");
+  EXPECT_EQ(other.err.find("without a walk"), std::string::npos) << other.err;
+}
+
+TEST_F(Commands, AGoalThatIsTheStartTakesNoStep) {
+  write("in/scenario.yaml", "scene: room.yaml\nstart: {at: [1, 1]}\ngoal: {at: [1, 1]}\n");
+  const Ran ran = run("plan in/scenario.yaml -o out --formats json");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.out.find(" 0 steps"), std::string::npos) << ran.out;
+  EXPECT_EQ(json::parse(read("out/report.json"))["steps"].size(), 0u);
+}
+
+TEST_F(Commands, NoPlanOrCheckWritesOverWhatItReads) {
+  std::filesystem::create_symlink("../in/room.yaml", folder_ / "in/link.xml");
+  expectRefused("check in/scenario.yaml --junit in/scenario.yaml", {"is read too"});
+  expectRefused("check in/scenario.yaml --junit in/link.xml", {"in/link.xml", "is read too"});
+  std::filesystem::create_directories(folder_ / "out");
+  std::filesystem::create_symlink("../in/room.yaml", folder_ / "out/walk.bvh");
+  expectRefused("plan in/scenario.yaml -o out", {"out/walk.bvh", "is read too"});
+}
+
 TEST_F(Commands, PlanSaysWhyThereIsNoWalk) {
   wallOff();
   const Ran ran = run("plan in/scenario.yaml -o out --json");
