@@ -202,7 +202,10 @@ TEST_F(Library, IsNotWrittenOverWhatIsNoLibrary) {
             "\nlicence: none\ncredit: none\nmotions:\n"
             "  - {name: walk, kind: walk, clip: accad_male1/Male1_B3_Walk.bvh}\n");
   expectRefused("library build in/it.recipe.yaml -o in/it.recipe.yaml",
-                {"it.recipe.yaml: is no motion library"});
+                {"it.recipe.yaml: is read too, as in/it.recipe.yaml"});
+  fs::copy_file(folder_ / "in/it.recipe.yaml", folder_ / "in/other.yaml");
+  expectRefused("library build in/it.recipe.yaml -o in/other.yaml",
+                {"other.yaml: is no motion library"});
   EXPECT_EQ(run("library build in/it.recipe.yaml").status, 0);
   EXPECT_EQ(run("library build in/it.recipe.yaml").status, 0);  // over itself
 }
