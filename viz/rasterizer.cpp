@@ -139,7 +139,7 @@ class Projected {
   void addToBands(int i) {
     const auto& [a, b, c] = items_[i].screen.at;
     const auto [low, high] = std::minmax({a.y(), b.y(), c.y()});
-    const auto& last = static_cast<float>(rows_);
+    const float last = static_cast<float>(rows_);
     if (!(high >= 0.0f && low <= last)) return;
     for (int band = 0; band < static_cast<int>(bands_.size()); ++band)
       if (static_cast<float>(begin(band)) <= high && low <= static_cast<float>(begin(band + 1)))

@@ -37,17 +37,25 @@ void PoseArray::append(const PoseArray& other, int first, int count) {
   std::copy(source, source + joints * count, q_.data() + begin);
 }
 
+namespace {
+
+// X_WJ of a joint, given that of its parent.
+void placeJoint(const std::vector<Joint>& joints, PoseView pose, size_t j,
+                std::span<JointFrame> frames) {
+  const JointFrame& parent = frames[joints[j].parent];
+  frames[j].p_WJ = parent * joints[j].offset;
+  frames[j].q_WJ = parent.q_WJ * pose.rotations[j];
+}
+
+}  // namespace
+
 void forwardKinematics(const Skeleton& skeleton, PoseView pose, std::span<JointFrame> frames) {
   assert(static_cast<int>(frames.size()) == skeleton.size() &&
          frames.size() == pose.rotations.size());
   const std::vector<Joint>& joints = skeleton.joints();
   if (joints.empty()) return;
   frames[0] = {pose.rotations[0], pose.p_WR};
-  for (size_t j = 1; j < joints.size(); ++j) {
-    const JointFrame& parent = frames[joints[j].parent];
-    frames[j].p_WJ = parent * joints[j].offset;
-    frames[j].q_WJ = parent.q_WJ * pose.rotations[j];
-  }
+  for (size_t j = 1; j < joints.size(); ++j) placeJoint(joints, pose, j, frames);
 }
 
 void forwardKinematics(const Skeleton& skeleton, PoseView pose, std::span<const int> chain,
@@ -55,11 +63,7 @@ void forwardKinematics(const Skeleton& skeleton, PoseView pose, std::span<const 
   assert(static_cast<int>(frames.size()) == skeleton.size() && !chain.empty() && chain[0] == 0);
   const std::vector<Joint>& joints = skeleton.joints();
   frames[0] = {pose.rotations[0], pose.p_WR};
-  for (const int j : chain.subspan(1)) {
-    const JointFrame& parent = frames[joints[j].parent];
-    frames[j].p_WJ = parent * joints[j].offset;
-    frames[j].q_WJ = parent.q_WJ * pose.rotations[j];
-  }
+  for (const int j : chain.subspan(1)) placeJoint(joints, pose, static_cast<size_t>(j), frames);
 }
 
 std::vector<int> chainOf(const Skeleton& skeleton, std::span<const int> joints) {
