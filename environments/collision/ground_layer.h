@@ -5,7 +5,8 @@
 /// is allowed to sink in is lifted by that depth first. Most questions are answered by heights: in
 /// each square of a grid the layer fills a few spans of height, and a box outside them is free.
 /// Near the ground planes are looked for that part a capsule, or all that it sweeps between two
-/// places, from each triangle near it; where none is found for one, FCL answers.
+/// places, from each triangle near it; where none is found for one, the exact
+/// check answers (ObstacleSet).
 #pragma once
 
 #include <Eigen/Geometry>

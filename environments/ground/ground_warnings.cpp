@@ -102,7 +102,7 @@ std::optional<std::string> flightWarning(const SceneGround& ground) {
   char text[200];
   std::snprintf(text, sizeof text,
                 "steps near (%.1f, %.1f, %.1f) rise by %.2f m one after another: flights of more "
-                "than %.2f m a step are not climbed, whatever max_climb is",
+                "than %.2f m a step are rarely climbed, whatever max_climb is",
                 at.x(), at.y(), step->height, rise, kFlightRise);
   return text;
 }
