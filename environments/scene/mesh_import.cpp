@@ -96,11 +96,11 @@ class PartCollector {
 };
 
 // The files that Assimp opens: the one that is read, and of those that it names the regular ones
-// in its folder.
+// in its folder, links followed.
 class FolderFiles : public Assimp::DefaultIOSystem {
  public:
   explicit FolderFiles(const std::filesystem::path& file)
-      : file_(placeOf(file)), folder_(file_.parent_path()) {}
+      : file_(placeOf(file)), folder_(placeOf(std::filesystem::absolute(file).parent_path())) {}
 
   bool Exists(const char* path) const override { return isAllowed(path); }
   Assimp::IOStream* Open(const char* path, const char* mode) override {
@@ -113,7 +113,8 @@ class FolderFiles : public Assimp::DefaultIOSystem {
 
  private:
   static std::filesystem::path placeOf(const std::filesystem::path& file) {
-    return std::filesystem::absolute(file).lexically_normal();
+    std::error_code error;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
   }
   bool isAllowed(const std::filesystem::path& path) const {
     std::error_code error;

@@ -283,6 +283,13 @@ TEST(ReadMesh, ReferencesOutOfTheFolderAreNotFollowed) {
   EXPECT_EQ(errorOf([&] { readMesh(inside); }), "");
   EXPECT_NE(errorOf([&] { readMesh(outside); }).find("it refers to '"), std::string::npos);
   EXPECT_NE(errorOf([&] { readMesh(far); }), "");
+  // Nor by a link; while a mesh may itself be named by one.
+  std::filesystem::create_symlink("../outside.bin", inner / "link.bin");
+  const auto linked = folder.write("inner/linked.gltf", gltfOf("link.bin"));
+  EXPECT_NE(errorOf([&] { readMesh(linked); }).find("it refers to '"), std::string::npos);
+  std::filesystem::create_symlink("inner/inside.gltf", folder.path() / "named.gltf");
+  std::filesystem::create_symlink("inner/inside.bin", folder.path() / "inside.bin");
+  EXPECT_EQ(errorOf([&] { readMesh(folder.path() / "named.gltf"); }), "");
 }
 
 TEST(ReadMesh, AMeshOfPointsSaysSo) {
