@@ -52,30 +52,6 @@ std::string measureText(const Obstruction& why) {
 
 Eigen::Vector3d unit(double heading) { return {std::cos(heading), std::sin(heading), 0.0}; }
 
-// From the root path, to both sides together, of a body that walks straight on [m].
-double walkingBreadth(const PlanRequest& request) {
-  constexpr double kMeasuredWalk = 3.0;  // [m]
-  const WalkSynthesizer& synthesizer = *request.synthesizer;
-  const Body& body = request.world->body();
-  const StraightWalk walk = straightWalk(synthesizer, *request.ground, kMeasuredWalk);
-  std::vector<JointFrame> joints(synthesizer.skeleton().size());
-  std::vector<Eigen::Vector3d> from(body.parts.size()), to(body.parts.size());
-  Eigen::AlignedBox1d breadth;
-  for (int frame = 0; frame < walk.buffer.size(); ++frame) {
-    forwardKinematics(synthesizer.skeleton(), walk.buffer.poses[frame], joints);
-    placeBody(body, joints, from, to);
-    const FrameState& state = walk.buffer.states[frame];
-    const Eigen::Vector3d left = unit(state.heading + 0.5 * kPi);
-    for (size_t i = 0; i < body.parts.size(); ++i) {
-      for (const Eigen::Vector3d& end : {from[i], to[i]}) {
-        const double offset = left.dot(end - state.position), r = body.parts[i].radius;
-        breadth.extend(Eigen::AlignedBox1d(offset - r, offset + r));
-      }
-    }
-  }
-  return breadth.isEmpty() ? 0.0 : breadth.sizes()[0];
-}
-
 // Feels with an upright post for what is around a place.
 class PlaceProbe {
  public:
@@ -112,7 +88,11 @@ class PlaceProbe {
 
   // Of the places of refusals the widest passage that is too narrow, or what is too low there.
   void measurePassage(const std::vector<SteeringFailure>& refusals, Obstruction& why) const {
-    const double needed = walkingBreadth(request_);
+    const WalkSynthesizer& synthesizer = *request_.synthesizer;
+    const Eigen::AlignedBox1d breadth =
+        walkingBreadth(straightWalk(synthesizer, *request_.ground), synthesizer.skeleton(),
+                       request_.world->body());
+    const double needed = breadth.isEmpty() ? 0.0 : breadth.sizes()[0];
     const size_t stride = 1 + refusals.size() / kMostMeasured;
     for (size_t i = 0; i < refusals.size(); i += stride) {
       const SteeringFailure& refusal = refusals[i];

@@ -15,13 +15,12 @@ namespace {
 // How often a path is planned anew, with another seed, when the animated body touches something on
 // it.
 constexpr int kAttempts = 10;
-constexpr double kMeasuredWalk = 3.0;  // long enough for strides at full speed [m]
 // Where there is no ground for that walk: half of two elbows' breadth [m]
 constexpr double kThinnestCylinder = 0.3;
 
 CylinderSteering::Settings cylinderOf(const PlanRequest& request) {
   const WalkSynthesizer& synthesizer = *request.synthesizer;
-  const StraightWalk walk = straightWalk(synthesizer, *request.ground, kMeasuredWalk);
+  const StraightWalk walk = straightWalk(synthesizer, *request.ground);
   const double radius = boundingRadius(walk, synthesizer.skeleton(), request.world->body());
   return {std::max(radius, kThinnestCylinder), synthesizer.stature(), synthesizer.settings().speed};
 }

@@ -83,13 +83,6 @@ struct BodyCore::Measure {
     return std::clamp(wish.value_or(0.5 * (low + high)), low, high);
   }
 
-  double farthestAside() const {
-    double aside = 0.0;
-    for (const std::vector<Eigen::Vector3d>* ends : {&from, &to})
-      for (const Eigen::Vector3d& end : *ends) aside = std::max(aside, std::abs(end.y()));
-    return aside;
-  }
-
   // The line that is covered at a height, or by the middle of the part.
   Line line(std::optional<double> height, double radius, int part) const {
     Eigen::AlignedBox2d box;
@@ -125,8 +118,6 @@ BodyCore::BodyCore(const StraightWalk& walk, const Skeleton& skeleton, const Joi
     }
   }
   for (size_t part = 0; part < parts; ++part) {
-    half_breadth_ =
-        std::max(half_breadth_, measures[part].farthestAside() + body.parts[part].radius);
     const int joint = body.parts[part].joint;
     const bool trunk = joint == roles.hips || joint == roles.head;
     if (!trunk && !isLimb(joint, roles)) continue;

@@ -25,9 +25,6 @@ class BodyCore {
   BodyCore(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
            const Body& body, double stature);
 
-  /// From the path to the body's farther side, largest over the walk; 0 without one [m].
-  double halfBreadth() const { return half_breadth_; }
-
   struct Touch {
     int part = -1;
     int object = -1;
@@ -57,7 +54,6 @@ class BodyCore {
     int part = -1;  // of the body
   };
   std::vector<Line> lines_;
-  double half_breadth_ = 0.0;
 };
 
 }  // namespace amble

@@ -56,4 +56,24 @@ StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround&
   return {};
 }
 
+Eigen::AlignedBox1d walkingBreadth(const StraightWalk& walk, const Skeleton& skeleton,
+                                   const Body& body) {
+  std::vector<JointFrame> joints(skeleton.size());
+  std::vector<Eigen::Vector3d> from(body.parts.size()), to(body.parts.size());
+  Eigen::AlignedBox1d breadth;
+  for (int frame = 0; frame < walk.buffer.size(); ++frame) {
+    forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
+    placeBody(body, joints, from, to);
+    const FrameState& state = walk.buffer.states[frame];
+    const Eigen::Vector3d left(-std::sin(state.heading), std::cos(state.heading), 0.0);
+    for (size_t i = 0; i < body.parts.size(); ++i) {
+      for (const Eigen::Vector3d& end : {from[i], to[i]}) {
+        const double offset = left.dot(end - state.position), r = body.parts[i].radius;
+        breadth.extend(Eigen::AlignedBox1d(offset - r, offset + r));
+      }
+    }
+  }
+  return breadth;
+}
+
 }  // namespace amble

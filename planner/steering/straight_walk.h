@@ -1,7 +1,10 @@
 /// A straight walk of the body, to measure it by.
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "animation/synthesis/walk_synthesizer.h"
+#include "environments/body/body.h"
 #include "environments/ground/scene_ground.h"
 
 namespace amble {
@@ -11,9 +14,17 @@ struct StraightWalk {
   AnimationBuffer buffer;
 };
 
+/// Long enough for strides at full speed [m].
+inline constexpr double kMeasuredWalk = 3.0;
+
 /// From standing to standing over `length` [m], somewhere on level ground with nothing to step over
 /// (contacts are not asked about); without frames where there is no ground for one.
 StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround& ground,
-                          double length);
+                          double length = kMeasuredWalk);
+
+/// How far the body reaches to the left of the path, right negative, over the walk [m]; empty
+/// without frames.
+Eigen::AlignedBox1d walkingBreadth(const StraightWalk& walk, const Skeleton& skeleton,
+                                   const Body& body);
 
 }  // namespace amble

@@ -23,8 +23,6 @@ constexpr double kSameHeading = 1e-9;  // a smaller turn is none [rad]
 constexpr double kWidestCurve = 100 * kDegree;
 // Stride and cadence give way a little so that steps and frames are whole.
 constexpr double kSpeedMargin = 1.15;
-// That the core is measured on: long enough for full strides [m]
-constexpr double kMeasuredWalk = 3.0;
 
 // How far a stance that is put on the ground may be from it: a flight of stairs is higher, what the
 // ground rises by between the places of a proposal is not [m].
@@ -177,11 +175,18 @@ WalkEdge makeTurn(const Waypoint& from, const Waypoint& to) {
 
 WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
                            const SceneGround& ground)
+    : WalkSteering(synthesizer, world, ground, straightWalk(synthesizer, ground)) {}
+
+WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
+                           const SceneGround& ground, const StraightWalk& walk)
     : synthesizer_(synthesizer),
       world_(world),
       ground_(ground),
-      core_(straightWalk(synthesizer, ground, kMeasuredWalk), synthesizer.skeleton(),
-            synthesizer.roles(), world.body(), synthesizer.stature()) {}
+      core_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(),
+            synthesizer.stature()) {
+  const Eigen::AlignedBox1d breadth = walkingBreadth(walk, synthesizer.skeleton(), world.body());
+  if (!breadth.isEmpty()) half_breadth_ = std::max(-breadth.min()[0], breadth.max()[0]);
+}
 
 SteeringScratchPtr WalkSteering::makeScratch() const {
   auto scratch = std::make_unique<WalkScratch>();
@@ -352,7 +357,7 @@ bool WalkSteering::looksFree(const Waypoint& from, const Waypoint& to,
   constexpr double kSpacing = 0.1;  // of posts [m]
   constexpr double kSpare = 1.15;   // of their radius
   const bool plain = from.stance.standing && to.stance.standing && ground_.isLevel();
-  if (!plain || core_.halfBreadth() <= 0.0) return false;
+  if (!plain || half_breadth_ <= 0.0) return false;
   const Eigen::Vector2d line = (to.stance.position - from.stance.position).head<2>();
   if (line.norm() < synthesizer_.shortestWalk()) return false;
   const WalkEdge edge = makeEdge(from, to, waysBetween(from, to).front());
@@ -365,7 +370,7 @@ bool WalkSteering::looksFree(const Waypoint& from, const Waypoint& to,
     const Eigen::Vector3d foot(at.position.x(), at.position.y(),
                                from.stance.position.z() + kSpacing);
     const Eigen::Vector3d head = foot + Eigen::Vector3d(0.0, 0.0, synthesizer_.stature());
-    if (world_.touched(foot, head, kSpare * core_.halfBreadth(), own) >= 0) return false;
+    if (world_.touched(foot, head, kSpare * half_breadth_, own) >= 0) return false;
   }
   return true;
 }

@@ -56,6 +56,8 @@ class WalkSteering : public Steering {
                                          SteeringScratch& scratch) const;
 
  private:
+  WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
+               const SceneGround& ground, const StraightWalk& walk);
   SteerResult judge(WalkEdge edge, SteeringScratch& scratch) const;
   SteeringFailure touched(const Contact& contact, const AnimationBuffer& buffer,
                           SteeringScratch& scratch) const;
@@ -69,6 +71,7 @@ class WalkSteering : public Steering {
   const CollisionWorld& world_;
   const SceneGround& ground_;
   BodyCore core_;
+  double half_breadth_ = 0.0;  // of the body that walks, from the path; 0: not known [m]
 };
 
 }  // namespace amble
