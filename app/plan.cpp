@@ -26,20 +26,28 @@
 namespace amble {
 namespace {
 
-// What can be written, and under which name.
-constexpr std::pair<const char*, const char*> kFormats[] = {{"bvh", "walk.bvh"},
-                                                            {"json", "report.json"},
-                                                            {"svg", "top.svg"},
-                                                            {"png", "walk.png"},
-                                                            {"strip", "strip.png"}};
-constexpr const char* kFormatsHelp =
-    "What to write: bvh (the walk), json (its report), svg (seen from above), png (a picture), "
-    "strip (frame by frame from the side)";
+// What can be written.
+struct Format {
+  const char *name, *file, *what;
+  bool of_walk = true;  // there is none without a walk
+};
+constexpr Format kFormats[] = {{"bvh", "walk.bvh", "the walk"},
+                               {"json", "report.json", "its report", false},
+                               {"svg", "top.svg", "seen from above", false},
+                               {"png", "walk.png", "a picture"},
+                               {"strip", "strip.png", "frame by frame from the side"}};
 
 std::vector<std::string> formatNames() {
   std::vector<std::string> names;
-  for (const auto& [name, file] : kFormats) names.emplace_back(name);
+  for (const Format& format : kFormats) names.emplace_back(format.name);
   return names;
+}
+
+std::string formatsHelp() {
+  std::vector<std::string> all;
+  for (const Format& format : kFormats)
+    all.push_back(fmt::format("{} ({})", format.name, format.what));
+  return fmt::format("What to write: {}", fmt::join(all, ", "));
 }
 
 struct Options {
@@ -105,7 +113,7 @@ void writeAll(const Options& options, RunResult& result, const std::filesystem::
   write.bvh = wants(options, "bvh");
   write.json = wants(options, "json");
   write.names.clear();
-  for (const auto& [format, file] : kFormats) write.names.emplace_back(file);
+  for (const Format& format : kFormats) write.names.emplace_back(format.file);
   if (wants(options, "svg")) {
     write.more.push_back({"top.svg", [&](std::ostream& out) { writePlanView(out, view); }});
   }
@@ -127,10 +135,8 @@ void writeAll(const Options& options, RunResult& result, const std::filesystem::
 void sayWhatIsMissing(const Options& options, const Report& report) {
   if (report.status == PlanStatus::kSolved || !options.formats_given) return;
   std::vector<std::string> missing;
-  for (const auto& [format, file] : kFormats) {
-    const bool of_walk = std::string(format) != "json" && std::string(format) != "svg";
-    if (of_walk && wants(options, format)) missing.emplace_back(file);
-  }
+  for (const Format& format : kFormats)
+    if (format.of_walk && wants(options, format.name)) missing.emplace_back(format.file);
   if (missing.empty()) return;
   fmt::print(stderr, "amble plan: without a walk there is no {}\n", fmt::join(missing, ", "));
 }
@@ -187,7 +193,8 @@ int run(const Options& options) {
   how.checker = options.checker == "fcl" ? Checker::kFcl : Checker::kFast;
   how.stop = &stopFlag();
   how.loaded = [&](const Problem& problem) {
-    for (const auto& [format, file] : kFormats) keepInputs(folder / file, inputsOf(problem));
+    const std::vector<std::filesystem::path> inputs = inputsOf(problem);
+    for (const Format& format : kFormats) keepInputs(folder / format.file, inputs);
     for (const std::string& warning : sceneWarnings(problem.scene, problem.ground))
       fmt::print(stderr, "{}: warning: {}\n", scenario.scene.string(), warning);
   };
@@ -236,7 +243,7 @@ void addPlan(CLI::App& app, Command& chosen) {
   command->add_option("--bvh-units", options->bvh_units, "Unit of length in the BVH")
       ->check(CLI::IsMember({"m", "cm"}))
       ->capture_default_str();
-  command->add_option("--formats", options->formats, kFormatsHelp)
+  command->add_option("--formats", options->formats, formatsHelp())
       ->delimiter(',')
       ->each([raw = options.get()](const std::string&) { raw->formats_given = true; })
       ->check(CLI::IsMember(formatNames()))
