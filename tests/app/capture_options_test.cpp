@@ -1,0 +1,307 @@
+// The same of the commands that take captures: what their files leave open, and what is theirs.
+
+#include <cmath>
+
+#include "animation/captures/bvh.h"
+#include "base/rotation.h"
+#include "test_paths.h"
+#include "tests/app/options.h"
+
+namespace amble {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const std::string kWalk = captureFolder() + "accad_female1/Female1_B03_Walk1.bvh";
+const std::string kTwoTakes = std::string(AMBLE_SHARED) + "/cases/captures/g4_idle_and_walk.gltf";
+
+class CaptureOptions : public Options {
+ protected:
+  void SetUp() override {
+    Options::SetUp();
+    if (!fs::exists(kWalk) || !fs::exists(kTwoTakes)) GTEST_SKIP() << "no " << AMBLE_SHARED;
+    fs::copy_file(kWalk, folder_ / "in/walk.bvh");
+    fs::copy_file(captureFolder() + "cmu_asfamc/07_05-walk.amc", folder_ / "in/trial.amc");
+    write("in/roles.yaml", "hips: Hips\n");
+    write("in/wrong.yaml", "left_foot: LeftFoof\n");
+  }
+
+  /// The options that say what a capture leaves open. What they change is asked of the command.
+  /// @param call  the command on a capture, with what else it needs
+  Uses reading(const std::function<std::string(const std::string& clip)>& call) const {
+    const std::string walk = call("in/walk.bvh");
+    return {
+        {"--unit",
+         [=, this] {
+           expectRefused(walk + " --unit 0", {"--unit", "1e-06 to 1000 m"});
+         }},
+        {"--up",
+         [=, this] {
+           expectRefused(walk + " --up x", {"--up", "x"});
+         }},
+        {"--facing",
+         [=, this] {
+           expectRefused(walk + " --facing 361", {"--facing", "-360 to"});
+         }},
+        {"--asf",
+         [=, this] {
+           expectRefused(call("in/trial.amc"), {"trial.amc: no .asf", "--asf"});
+           good(call("in/trial.amc") + " --asf " + captureFolder() + "cmu_asfamc/07-walk.asf");
+         }},
+        {"--roles",
+         [=, this] {
+           expectRefused(walk + " --roles in/wrong.yaml", {"wrong.yaml:1: ", "'LeftFoof'"});
+           good(walk + " --roles in/roles.yaml");
+         }},
+        {"--file-fps", [=, this] { expectRefused(walk + " --file-fps 0", {"--file-fps"}); }},
+        {"--take",
+         [=, this] {
+           expectRefused(call(kTwoTakes) + " --take Run", {"no animation 'Run'", "'Idle', 'Walk'"});
+         }},
+        {"--memory",
+         [=, this] {
+           expectRefused(call(kTwoTakes) + " --memory 1", {"more than 1 MB", "--memory MB"});
+         }},
+    };
+  }
+  /// The same for a command that prints what it read.
+  Uses readingPrinted(const std::string& command) const {
+    Uses uses = reading([=](const std::string& clip) { return command + " " + clip; });
+    const auto said = [=, this](const std::string& option) {
+      return printed(command + " --json in/walk.bvh " + option)[0];
+    };
+    const auto also = [&uses](const std::string& option, const std::function<void()>& use) {
+      uses[option] = [first = uses.at(option), use] {
+        first();
+        use();
+      };
+    };
+    also("--unit", [=] {
+      EXPECT_EQ(said("--unit 0.02")["unit"],
+                json({{"metres", 0.02}, {"guessed", false}, {"sure", true}}));
+    });
+    also("--up", [=] { EXPECT_EQ(said("--up z")["up"]["axis"], "z"); });
+    also("--facing",
+         [=] { EXPECT_NEAR(said("--facing 90")["facing"]["degrees"].get<double>(), 90.0, 1e-9); });
+    also("--roles", [=, this] {
+      write("in/toeless.yaml", "left_toe: none\n");
+      EXPECT_FALSE(said("--roles in/toeless.yaml")["roles"].contains("left_toe"));
+    });
+    also("--file-fps", [=] { EXPECT_EQ(said("--file-fps 50")["frame_time"], 0.02); });
+    also("--take", [=, this] {
+      const auto frames = [&](const std::string& take) {
+        return printed(command + " --json " + kTwoTakes + " --take " + take)[0]["frames"];
+      };
+      EXPECT_EQ(frames("Idle"), 400);
+      EXPECT_EQ(frames("Walk"), 121);
+    });
+    return uses;
+  }
+};
+
+TEST_F(CaptureOptions, OfAnalyse) {
+  Uses uses = readingPrinted("analyse");
+  const std::string start = captureFolder() + "cmu_mb2/07_01.bvh";  // a T-pose first
+  uses["--as-is"] = [&] {
+    EXPECT_EQ(printed("analyse --json " + start)[0]["first_frame"], 1);
+    EXPECT_EQ(printed("analyse --json --as-is " + start)[0]["first_frame"], 0);
+  };
+  uses["--plants"] = [&] {
+    good("analyse in/walk.bvh --plants out/{stem}.csv");
+    EXPECT_TRUE(read("out/walk.csv").starts_with("frame,left,right\n0,"));
+  };
+  uses["--plot"] = [&] {
+    good("analyse in/walk.bvh --plot out/");
+    EXPECT_NE(read("out/walk.svg").find("<svg "), std::string::npos);
+  };
+  uses["--threads"] = [&] {
+    const std::string two = "analyse --json in/walk.bvh " + start;
+    EXPECT_EQ(good(two + " --threads 1").out, good(two + " --threads 2").out);
+  };
+  uses["--json"] = [&] { EXPECT_EQ(printed("analyse --json in/walk.bvh")[0]["kind"], "clip"); };
+  expectEach("analyse", uses);
+}
+
+TEST_F(CaptureOptions, OfInspect) {
+  Uses uses = readingPrinted("inspect");
+  uses["--memory"] = [&] { expectMemoryBounds("inspect in/grid.obj"); };
+  uses["--json"] = [&] { EXPECT_EQ(printed("inspect --json in/walk.bvh")[0]["frames"], 230); };
+  expectEach("inspect", uses);
+}
+
+TEST_F(CaptureOptions, OfConvert) {
+  const auto call = [](const std::string& clip) { return "convert -o out.bvh '" + clip + "'"; };
+  const auto said = [&](const std::string& option, const std::string& fact) {
+    EXPECT_NE(good(call("in/walk.bvh") + " " + option).out.find(fact), std::string::npos) << fact;
+    return readBvh(folder_ / "out.bvh");
+  };
+  const Clip plain = said("", "0.01 m, guessed");
+  Uses uses = reading(call);
+  uses["--unit"] = [&] {
+    EXPECT_NEAR(said("--unit 0.02", "0.02 m, as asked").poses.p_WR(9).norm(),
+                2.0 * plain.poses.p_WR(9).norm(), 1e-4);
+  };
+  uses["--up"] = [&] {
+    const Eigen::Vector3d p = said("--up z", "z, as asked").poses.p_WR(9);
+    EXPECT_LT((p - Eigen::Vector3d(plain.poses.p_WR(9).x(), plain.poses.p_WR(9).z(),
+                                   -plain.poses.p_WR(9).y()))
+                  .norm(),
+              1e-4);
+  };
+  uses["--facing"] = [&] { said("--facing 90", "90.0 degrees, as asked"); };
+  uses["--file-fps"] = [&] { EXPECT_EQ(said("--file-fps 50", "230 frames").frame_time, 0.02); };
+  uses["--take"] = [&] {
+    good(call(kTwoTakes) + " --take Idle");
+    EXPECT_EQ(readBvh(folder_ / "out.bvh").frames(), 400);
+  };
+  uses["--output"] = [&] { expectRefused("convert in/walk.bvh", {"--output"}); };
+  uses["--fps"] = [&] {
+    const Clip twice = said("--fps 60", "459 frames");
+    EXPECT_LT((twice.poses.p_WR(100) - plain.poses.p_WR(50)).norm(), 1e-4);
+  };
+  uses["--trim"] = [&] { EXPECT_EQ(said("--trim 10:39", "30 frames").frames(), 30); };
+  uses["--mirror"] = [&] {
+    const Clip mirrored = said("--mirror", "230 frames");
+    good("convert out.bvh -o back.bvh --mirror");
+    const Clip back = readBvh(folder_ / "back.bvh");
+    EXPECT_GT((mirrored.poses.p_WR(100) - plain.poses.p_WR(100)).norm(), 0.1);
+    EXPECT_LT((back.poses.p_WR(100) - plain.poses.p_WR(100)).norm(), 1e-4);
+  };
+  uses["--bvh-units"] = [&] {
+    EXPECT_NEAR(said("--bvh-units cm", "230 frames").poses.p_WR(9).norm(),
+                100.0 * plain.poses.p_WR(9).norm(), 1e-3);
+  };
+  expectEach("convert", uses);
+}
+
+TEST_F(CaptureOptions, OfLibrary) {
+  const std::string mocap = captureFolder();
+  write("in/it.recipe.yaml",
+        "skeleton: it.bvh\ncaptures: none\nlicence: none\ncredit: none\nmotions:\n"
+        "  - {name: walk, kind: walk, clip: accad_male1/Male1_B3_Walk.bvh}\n");
+  expectEach("library build",
+             {{"--captures",
+               [&] {
+                 expectRefused("library build in/it.recipe.yaml", {"Male1_B3_Walk.bvh"});
+                 good("library build in/it.recipe.yaml --captures " + mocap);
+                 EXPECT_TRUE(fs::exists(folder_ / "in/it.yaml"));
+               }},
+              {"--output", [&] {
+                 good("library build in/it.recipe.yaml --captures " + mocap + " -o far/other.yaml");
+                 EXPECT_TRUE(fs::exists(folder_ / "far/other.yaml"));
+               }}});
+  expectEach("library show",
+             {{"--json", [&] { EXPECT_EQ(printed("library show --json")[0]["joints"], 22); }}});
+  expectEach("library check",
+             {{"--captures", [&] {
+                 EXPECT_NE(good("library check in/it.yaml").out.find("were not read"),
+                           std::string::npos);
+                 good("library check in/it.yaml --captures " + mocap);
+                 std::string text = read("in/it.yaml");
+                 const size_t speed = text.find("speed: 1");
+                 ASSERT_NE(speed, text.npos);
+                 text[text.find('.', speed) + 1] ^= 1;  // a tenth of a metre a second off
+                 write("in/it.yaml", text);
+                 const Ran checked = good("library check in/it.yaml --captures " + mocap, 1);
+                 EXPECT_NE(checked.out.find("measured 1"), std::string::npos) << checked.out;
+               }}});
+}
+
+TEST_F(CaptureOptions, OfLibraryAdd) {
+  const auto call = [this](const std::string& clip) {
+    fs::remove(folder_ / "l.yaml");
+    fs::remove(folder_ / "l.bvh");
+    return "library add l.yaml '" + clip + "'";
+  };
+  // What the library made with the option has behind the stance of all.
+  const auto made = [&](const std::string& option) {
+    good(call("in/walk.bvh") + " " + option);
+    json motions = printed("library show --json l.yaml")[0]["motions"];
+    motions.erase(0);
+    return motions;
+  };
+  const json plain = made("");
+  Uses uses =
+      reading([](const std::string& clip) { return "library add new.yaml '" + clip + "'"; });
+  uses["--unit"] = [&] {
+    EXPECT_EQ(made("--unit 0.01"), plain);
+    const double speed = plain[0]["speed"];
+    EXPECT_NEAR(made("--unit 0.012")[0]["speed"].get<double>(), 1.2 * speed, 1e-3);
+    expectRefused(call("in/walk.bvh") + " --unit 0.02", {"walk.bvh: ", "3.27 m", "--unit"});
+  };
+  uses["--up"] = [&] {
+    EXPECT_EQ(made("--up y"), plain);
+    expectRefused(call("in/walk.bvh") + " --up z", {"backwards or sideways"});
+  };
+  uses["--facing"] = [&] {
+    EXPECT_NEAR(made("--facing 90")[0]["speed"].get<double>(), plain[0]["speed"], 1e-6);
+  };
+  uses["--asf"] = [&] {
+    expectRefused(call("in/trial.amc"), {"trial.amc: no .asf", "--asf"});
+    good(call("in/trial.amc") + " --asf " + captureFolder() + "cmu_asfamc/07-walk.asf");
+  };
+  uses["--roles"] = [&] { EXPECT_EQ(made("--roles in/roles.yaml"), plain); };
+  uses["--file-fps"] = [&] {
+    EXPECT_NEAR(made("--file-fps 33")[0]["speed"].get<double>(),
+                1.1 * plain[0]["speed"].get<double>(), 0.05);
+  };
+  uses["--name"] = [&] {
+    const json named = made("--name 'a stroll'");
+    EXPECT_EQ(named[0]["name"], "a stroll");
+    EXPECT_EQ(named[1]["name"], "a stroll-mirrored");
+  };
+  uses["--kind"] = [&] { EXPECT_EQ(made("--kind movement")[0]["kind"], "movement"); };
+  uses["--turning"] = [&] {
+    EXPECT_EQ(made("--turning straight"), plain);
+    expectRefused(call("in/walk.bvh") + " --turning turn", {"walks straight; expected"});
+  };
+  uses["--joints"] = [&] {
+    made("--kind movement --joints left_arm,trunk");
+    EXPECT_NE(read("l.yaml").find("joints: [left_arm, trunk]"), std::string::npos);
+  };
+  uses["--frames"] = [&] {
+    const json source = made("--frames 10 120")[0]["source"];
+    EXPECT_GE(source["frames"][0], 10);
+    EXPECT_LE(source["frames"][1], 120);
+    EXPECT_GT(plain[0]["source"]["frames"][1], 120);
+  };
+  uses["--no-mirror"] = [&] {
+    EXPECT_EQ(made("--no-mirror").size(), 1u);
+    EXPECT_EQ(plain.size(), 2u);
+  };
+  uses["--licence"] = [&] { EXPECT_EQ(made("--licence 'A B'")[0]["source"]["licence"], "A B"); };
+  uses["--credit"] = [&] { EXPECT_EQ(made("--credit 'C D'")[0]["source"]["credit"], "C D"); };
+  expectEach("library add", uses);
+}
+
+TEST_F(CaptureOptions, OfLibraryFind) {
+  const std::string find = "library find in/walk.bvh --type walk ";
+  Uses uses = reading([](const std::string& clip) {
+    return "library find --type walk --at-least 0 '" + clip + "'";
+  });
+  const auto found = [&](const std::string& option, int status) {
+    return printed(find + option + " --json", status);
+  };
+  uses["--unit"] = [&] { EXPECT_EQ(found("--unit 0.01", 0), found("", 0)); };
+  uses["--up"] = [&] {
+    EXPECT_EQ(found("--up y", 0), found("", 0));
+    good("library find --type walk --up z " + captureFolder() + "cmu_mb2/07_01.bvh", 1);
+  };
+  uses["--facing"] = [&] { EXPECT_EQ(found("--facing 90", 0)[0]["share"], 1.0); };
+  uses["--file-fps"] = [&] { found("--file-fps 1000", 1); };
+  uses["--type"] = [&] {
+    expectRefused("library find in/walk.bvh", {"--type"});
+    good("library find in/walk.bvh --type jump", 1);
+  };
+  uses["--at-least"] = [&] {
+    EXPECT_EQ(printed("library find in/walk.bvh --type jump --at-least 0 --json")[0]["share"], 0.0);
+    found("--at-least 100%", 0);
+  };
+  uses["--threads"] = [&] { EXPECT_EQ(found("--threads 1", 0), found("--threads 2", 0)); };
+  uses["--json"] = [&] { EXPECT_EQ(found("", 0)[0]["largest"], "walk"); };
+  expectEach("library find", uses);
+}
+
+}  // namespace
+}  // namespace amble
