@@ -3,21 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "base/rotation.h"
+#include "tests/animation/moved_clip.h"
 #include "tests/animation/random_clip.h"
 #include "tests/animation/rig.h"
 
 namespace amble {
 namespace {
-
-/// The clip turned and moved as a whole.
-Clip moved(const Clip& clip, const Eigen::Quaterniond& q, const Eigen::Vector3d& by) {
-  Clip out = clip;
-  for (int i = 0; i < clip.frames(); ++i) {
-    out.poses.p_WR(i) = q * clip.poses.p_WR(i) + by;
-    out.poses.rotations(i)[0] = q * clip.poses.rotations(i)[0];
-  }
-  return out;
-}
 
 Puppet onACircle() {
   Puppet puppet;

@@ -5,6 +5,7 @@
 #include "animation/clips/foot_paths.h"
 #include "base/rotation.h"
 #include "tests/animation/captures.h"
+#include "tests/animation/moved_clip.h"
 
 namespace amble {
 namespace {
@@ -23,15 +24,6 @@ std::array<double, 4> lowest(const Clip& clip, const JointRoles& roles) {
     low[2 * side] = path.col(2).minCoeff(), low[2 * side + 1] = path.col(5).minCoeff();
   }
   return low;
-}
-
-Clip moved(const Clip& clip, const Eigen::Quaterniond& turn, const Eigen::Vector3d& by) {
-  Clip out = clip;
-  for (int i = 0; i < out.frames(); ++i) {
-    out.poses.p_WR(i) = turn * out.poses.p_WR(i) + by;
-    out.poses.rotations(i)[0] = turn * out.poses.rotations(i)[0];
-  }
-  return out;
 }
 
 TEST(LevelCapture, AClipIsLevelledTheSameFromWhateverHeight) {

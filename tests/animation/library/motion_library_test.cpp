@@ -4,15 +4,10 @@
 
 #include <set>
 
-#include "animation/library/motion_library_reader.h"
+#include "tests/animation/default_library.h"
 
 namespace amble {
 namespace {
-
-const MotionLibrary& library() {
-  static const MotionLibrary kLibrary = openMotionLibrary("default");
-  return kLibrary;
-}
 
 TEST(MotionLibrary, LacksAStandThenAStraightWalkThenNothing) {
   MotionLibrary made;
@@ -31,46 +26,48 @@ TEST(MotionLibrary, LacksAStandThenAStraightWalkThenNothing) {
 }
 
 TEST(MotionLibrary, FindsEveryMotionByItsNameAndNoOther) {
-  for (const Motion& motion : library().motions) {
-    ASSERT_NE(library().find(motion.name), nullptr);
-    EXPECT_EQ(library().find(motion.name)->name, motion.name);
+  for (const Motion& motion : defaultLibrary().motions) {
+    ASSERT_NE(defaultLibrary().find(motion.name), nullptr);
+    EXPECT_EQ(defaultLibrary().find(motion.name)->name, motion.name);
   }
-  EXPECT_EQ(library().find(""), nullptr);
-  EXPECT_EQ(library().find("Stand"), nullptr);
+  EXPECT_EQ(defaultLibrary().find(""), nullptr);
+  EXPECT_EQ(defaultLibrary().find("Stand"), nullptr);
 }
 
 // Actions are laid over each other by chain, and feet are the steps'.
 TEST(MotionLibrary, ChainsShareNoJointAndHaveNoneOfTheLegs) {
   std::set<int> legs;
-  for (const LegJoints& leg : library().roles.legs) {
-    for (int j = 0; j < library().skeleton.size(); ++j) {
-      if (library().skeleton.isAncestor(leg.up_leg, j)) legs.insert(j);
+  for (const LegJoints& leg : defaultLibrary().roles.legs) {
+    for (int j = 0; j < defaultLibrary().skeleton.size(); ++j) {
+      if (defaultLibrary().skeleton.isAncestor(leg.up_leg, j)) legs.insert(j);
     }
   }
   std::set<int> seen;
   for (const std::string& chain : chainNames()) {
-    const std::vector<int> joints = chainJoints(library().skeleton, library().roles, chain);
+    const std::vector<int> joints =
+        chainJoints(defaultLibrary().skeleton, defaultLibrary().roles, chain);
     EXPECT_FALSE(joints.empty()) << chain;
     for (const int j : joints) {
       EXPECT_TRUE(seen.insert(j).second) << chain << " and " << j;
       EXPECT_FALSE(legs.contains(j)) << chain;
-      EXPECT_NE(j, library().roles.hips) << chain;
+      EXPECT_NE(j, defaultLibrary().roles.hips) << chain;
     }
   }
 }
 
 TEST(MotionLibrary, AChainThatTheRigHasNotIsEmpty) {
-  EXPECT_TRUE(chainJoints(library().skeleton, library().roles, "tail").empty());
-  JointRoles roles = library().roles;
+  EXPECT_TRUE(chainJoints(defaultLibrary().skeleton, defaultLibrary().roles, "tail").empty());
+  JointRoles roles = defaultLibrary().roles;
   roles.neck = roles.head = roles.spine = -1;
-  EXPECT_TRUE(chainJoints(library().skeleton, roles, "head").empty());
-  EXPECT_TRUE(chainJoints(library().skeleton, roles, "trunk").empty());
+  EXPECT_TRUE(chainJoints(defaultLibrary().skeleton, roles, "head").empty());
+  EXPECT_TRUE(chainJoints(defaultLibrary().skeleton, roles, "trunk").empty());
 }
 
 TEST(MotionLibrary, ItsFeetAreAPersonsFeet) {
-  for (const FootShape& foot : library().feet()) {
+  for (const FootShape& foot : defaultLibrary().feet()) {
     const double length = foot.tip_x + foot.radius - (foot.heel_x - foot.radius);
-    EXPECT_NEAR(length, kFootLengthOfStature * library().stature, 0.02 * library().stature);
+    EXPECT_NEAR(length, kFootLengthOfStature * defaultLibrary().stature,
+                0.02 * defaultLibrary().stature);
     EXPECT_GT(foot.ankle_height, foot.radius);
   }
 }

@@ -4,24 +4,20 @@
 
 #include <cmath>
 
-#include "animation/library/motion_library_reader.h"
 #include "base/rotation.h"
+#include "tests/animation/default_library.h"
 
 namespace amble {
 namespace {
 
-const MotionLibrary& library() {
-  static const MotionLibrary kLibrary = openMotionLibrary("default");
-  return kLibrary;
-}
-
 WalkCycle mirrored(const WalkCycle& cycle) {
-  return mirrorCycle(cycle, library().skeleton, library().roles, library().stand().rotations);
+  return mirrorCycle(cycle, defaultLibrary().skeleton, defaultLibrary().roles,
+                     defaultLibrary().stand().rotations);
 }
 
 /// Places of the joints at a phase, from the path's point and heading.
 std::vector<JointFrame> jointsAt(const WalkCycle& cycle, double phase) {
-  const std::vector<Eigen::Quaterniond>& reference = library().stand().rotations;
+  const std::vector<Eigen::Quaterniond>& reference = defaultLibrary().stand().rotations;
   const Eigen::VectorXd c = fourierAt(cycle.series, phase);
   Pose pose;
   pose.p_WR = c.head<3>();
@@ -29,8 +25,8 @@ std::vector<JointFrame> jointsAt(const WalkCycle& cycle, double phase) {
     pose.rotations.push_back(reference[j] *
                              expRotation(c.segment<3>(3 + 3 * static_cast<Eigen::Index>(j))));
   }
-  std::vector<JointFrame> joints(library().skeleton.size());
-  forwardKinematics(library().skeleton, pose, joints);
+  std::vector<JointFrame> joints(defaultLibrary().skeleton.size());
+  forwardKinematics(defaultLibrary().skeleton, pose, joints);
   return joints;
 }
 
@@ -38,14 +34,14 @@ std::vector<JointFrame> jointsAt(const WalkCycle& cycle, double phase) {
 constexpr double kOfTheRig = 0.015;
 
 TEST(MirrorCycle, IsTheCycleInAMirrorHalfAPeriodOn) {
-  for (const Motion& motion : library().motions) {
+  for (const Motion& motion : defaultLibrary().motions) {
     if (motion.kind != MotionKind::kWalk || motion.source.mirrored) continue;
     const WalkCycle other = mirrored(motion.cycle);
     for (double phase = 0.0; phase < 1.0; phase += 0.125) {
       const auto here = jointsAt(motion.cycle, phase), there = jointsAt(other, phase + 0.5);
       for (const auto& [side, far] : {std::pair(kLeft, kRight), std::pair(kRight, kLeft)}) {
-        const Eigen::Vector3d& p = here[library().roles.legs[side].foot].p_WJ;
-        const Eigen::Vector3d& q = there[library().roles.legs[far].foot].p_WJ;
+        const Eigen::Vector3d& p = here[defaultLibrary().roles.legs[side].foot].p_WJ;
+        const Eigen::Vector3d& q = there[defaultLibrary().roles.legs[far].foot].p_WJ;
         EXPECT_LT((Eigen::Vector3d(p.x(), -p.y(), p.z()) - q).norm(), kOfTheRig)
             << motion.name << " at " << phase;
       }
@@ -54,7 +50,7 @@ TEST(MirrorCycle, IsTheCycleInAMirrorHalfAPeriodOn) {
 }
 
 TEST(MirrorCycle, KeepsSpeedAndPeriodAndTurnsTheOtherWay) {
-  const WalkCycle& cycle = library().find("turn-left")->cycle;
+  const WalkCycle& cycle = defaultLibrary().find("turn-left")->cycle;
   const WalkCycle other = mirrored(cycle);
   EXPECT_EQ(other.speed, cycle.speed);
   EXPECT_EQ(other.period, cycle.period);
@@ -71,7 +67,7 @@ TEST(MirrorCycle, KeepsSpeedAndPeriodAndTurnsTheOtherWay) {
 }
 
 TEST(MirrorCycle, OfItsMirrorImageIsTheCycle) {
-  const WalkCycle& cycle = library().find("walk-free")->cycle;
+  const WalkCycle& cycle = defaultLibrary().find("walk-free")->cycle;
   const WalkCycle twice = mirrored(mirrored(cycle));
   EXPECT_LT((twice.series.alpha - cycle.series.alpha).cwiseAbs().maxCoeff(), 0.01);
   EXPECT_LT((twice.series.beta - cycle.series.beta).cwiseAbs().maxCoeff(), 0.01);

@@ -4,23 +4,18 @@
 
 #include <stdexcept>
 
-#include "animation/library/motion_library_reader.h"
 #include "base/rotation.h"
+#include "tests/animation/default_library.h"
 
 namespace amble {
 namespace {
 
-const MotionLibrary& library() {
-  static const MotionLibrary kLibrary = openMotionLibrary("default");
-  return kLibrary;
-}
-
 /// Mean of the values of those cycles of the library that `which` chooses, at a phase.
 template <typename Which>
 Eigen::VectorXd meanOf(double phase, Which which) {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(3 + 3 * library().skeleton.size());
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(3 + 3 * defaultLibrary().skeleton.size());
   int count = 0;
-  for (const Motion& motion : library().motions) {
+  for (const Motion& motion : defaultLibrary().motions) {
     if (motion.kind != MotionKind::kWalk || !which(motion)) continue;
     const FourierSeries& s = motion.cycle.series;
     for (int k = 0; k <= s.harmonics(); ++k) {
@@ -39,7 +34,7 @@ Eigen::VectorXd valueOf(const GaitBlend& blend, double phase, double turn_rate, 
 }
 
 TEST(GaitBlend, ALibraryWithoutAStraightWalkIsRefused) {
-  MotionLibrary turns = library();
+  MotionLibrary turns = defaultLibrary();
   std::erase_if(turns.motions,
                 [](const Motion& m) { return m.kind == MotionKind::kWalk && !m.turning; });
   EXPECT_THROW(GaitBlend(turns, 1.0), std::invalid_argument);
@@ -50,7 +45,7 @@ template <typename Which>
 double stepOf(Which which) {
   double sum = 0.0;
   int count = 0;
-  for (const Motion& motion : library().motions) {
+  for (const Motion& motion : defaultLibrary().motions) {
     if (motion.kind != MotionKind::kWalk || !which(motion)) continue;
     sum += motion.cycle.plantedStepLength();
     ++count;
@@ -62,7 +57,7 @@ double stepOf(Which which) {
 template <typename Which, typename Number>
 double largestOf(Which which, Number number) {
   double largest = -1e9;
-  for (const Motion& motion : library().motions) {
+  for (const Motion& motion : defaultLibrary().motions) {
     if (motion.kind == MotionKind::kWalk && which(motion)) {
       largest = std::max(largest, number(motion.cycle));
     }
@@ -78,7 +73,7 @@ TEST(GaitBlend, AtACapturedPaceAndBeyondItIsTheMeanOfItsWalks) {
     const auto ofPace = [&](const Motion& m) {
       return !m.turning && std::abs(m.cycle.speed / pace - 1.0) < 0.5 * GaitBlend::kSamePace;
     };
-    const GaitBlend blend(library(), 1.0, speed);
+    const GaitBlend blend(defaultLibrary(), 1.0, speed);
     for (double phase = 0.0; phase < 1.0; phase += 0.07) {
       const auto value = valueOf(blend, phase, 0.0, stepOf(ofPace));
       EXPECT_LT((value - meanOf(phase, ofPace)).norm(), 1e-12) << speed;
@@ -87,7 +82,7 @@ TEST(GaitBlend, AtACapturedPaceAndBeyondItIsTheMeanOfItsWalks) {
 }
 
 TEST(GaitBlend, AtACapturedTurnRateAndBeyondItsLowHarmonicsAreThoseOfThatTurn) {
-  const GaitBlend blend(library(), 1.0);
+  const GaitBlend blend(defaultLibrary(), 1.0);
   for (const double sign : {1.0, -1.0}) {
     const double fastest = largestOf([](const Motion& m) { return m.turning; },
                                      [&](const WalkCycle& c) { return sign * c.turn_rate; });
@@ -96,7 +91,7 @@ TEST(GaitBlend, AtACapturedTurnRateAndBeyondItsLowHarmonicsAreThoseOfThatTurn) {
     };
     for (const double rate : {1.01, 2.0}) {  // left and right differ by 1e-4: nothing extrapolates
       for (int k = 0; k <= GaitBlend::kTurnHarmonics; ++k) {
-        Eigen::VectorXd cosine = Eigen::VectorXd::Zero(3 + 3 * library().skeleton.size());
+        Eigen::VectorXd cosine = Eigen::VectorXd::Zero(3 + 3 * defaultLibrary().skeleton.size());
         Eigen::VectorXd sine = cosine;
         for (double phase = 0.0; phase < 1.0; phase += 1.0 / 32) {
           const Eigen::VectorXd off =
@@ -113,14 +108,14 @@ TEST(GaitBlend, AtACapturedTurnRateAndBeyondItsLowHarmonicsAreThoseOfThatTurn) {
 
 TEST(GaitBlend, BetweenTwoPacesItIsContinuousInSpeed) {
   for (double speed = 0.9; speed < 2.1; speed += 0.01) {
-    const GaitBlend a(library(), 1.0, speed), b(library(), 1.0, speed + 1e-6);
+    const GaitBlend a(defaultLibrary(), 1.0, speed), b(defaultLibrary(), 1.0, speed + 1e-6);
     EXPECT_LT((valueOf(a, 0.3, 0.2, 0.6) - valueOf(b, 0.3, 0.2, 0.6)).norm(), 1e-4) << speed;
     EXPECT_NEAR(a.stepWidth(), b.stepWidth(), 1e-5);
   }
 }
 
 TEST(GaitBlend, HalfWayToTheSlowestTurnHalfOfItIsAdded) {
-  const GaitBlend blend(library(), 1.0);
+  const GaitBlend blend(defaultLibrary(), 1.0);
   const double step = blend.law().capturedStep();
   const Eigen::VectorXd straight = valueOf(blend, 0.6, 0.0, step);
   const double slowest =
@@ -133,11 +128,11 @@ TEST(GaitBlend, HalfWayToTheSlowestTurnHalfOfItIsAdded) {
 }
 
 TEST(GaitBlend, AmplitudesGrowWithTheStepHeightsWithItsSquareAndMeansStay) {
-  const GaitBlend blend(library(), 1.0);
+  const GaitBlend blend(defaultLibrary(), 1.0);
   const double step = blend.law().capturedStep();
   constexpr int kPhases = 32;
   const auto meanAt = [&](double length) {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(3 + 3 * library().skeleton.size());
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(3 + 3 * defaultLibrary().skeleton.size());
     for (int i = 0; i < kPhases; ++i) {
       sum += valueOf(blend, static_cast<double>(i) / kPhases, 0.2, length) / kPhases;
     }
@@ -155,7 +150,7 @@ TEST(GaitBlend, AmplitudesGrowWithTheStepHeightsWithItsSquareAndMeansStay) {
 }
 
 TEST(GaitBlend, ScaleEnlargesLengthsAndSlowsByFroudesLaw) {
-  const GaitBlend one(library(), 1.0, 1.2), tall(library(), 1.21, 1.1 * 1.2);
+  const GaitBlend one(defaultLibrary(), 1.0, 1.2), tall(defaultLibrary(), 1.21, 1.1 * 1.2);
   EXPECT_NEAR(tall.stepWidth(), 1.21 * one.stepWidth(), 1e-12);
   EXPECT_NEAR(tall.footForward(), 1.21 * one.footForward(), 1e-12);
   EXPECT_NEAR(tall.toeOut(), one.toeOut(), 1e-15);
@@ -170,16 +165,16 @@ TEST(GaitBlend, ScaleEnlargesLengthsAndSlowsByFroudesLaw) {
 }
 
 TEST(GaitBlend, TurnsAreToldByTheirTurnRateNotByTheirName) {
-  MotionLibrary renamed = library();
+  MotionLibrary renamed = defaultLibrary();
   for (Motion& motion : renamed.motions) {
     if (motion.kind == MotionKind::kWalk) motion.name = "m" + motion.name;
   }
-  const GaitBlend a(library(), 1.0), b(renamed, 1.0);
+  const GaitBlend a(defaultLibrary(), 1.0), b(renamed, 1.0);
   EXPECT_EQ(valueOf(a, 0.3, 0.5, 0.6), valueOf(b, 0.3, 0.5, 0.6));
 }
 
 TEST(GaitBlend, WithoutTurnsAWalkIsTheStraightOneAndTurnsSlowly) {
-  MotionLibrary straight = library();
+  MotionLibrary straight = defaultLibrary();
   std::erase_if(straight.motions, [](const Motion& m) { return m.turning; });
   const GaitBlend blend(straight, 1.0);
   EXPECT_EQ(blend.maxTurnRate(), GaitBlend::kNoTurns);

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "animation/body/foot_shape.h"
-#include "animation/library/motion_library_reader.h"
 #include "base/rotation.h"
+#include "tests/animation/default_library.h"
 #include "tests/animation/random_clip.h"
 #include "tests/animation/walk_paths.h"
 
@@ -27,15 +27,10 @@ class HoledGround : public Ground {
   Eigen::AlignedBox2d hole_;
 };
 
-const MotionLibrary& library() {
-  static const MotionLibrary kLibrary = openMotionLibrary("default");
-  return kLibrary;
-}
-
 const FlatGround kFloor;
 
 WalkSynthesizer walker(double speed = 1.2, double height = 0.0, double frame_time = 1.0 / 60.0) {
-  return WalkSynthesizer(library(), kFloor, {height, speed, frame_time});
+  return WalkSynthesizer(defaultLibrary(), kFloor, {height, speed, frame_time});
 }
 
 testing::AssertionResult samePose(PoseView a, PoseView b) {
@@ -162,7 +157,7 @@ TEST(WalkSynthesizer, RefusesSettingsOutOfRange) {
 
 TEST(WalkSynthesizer, APathWithAGapInTheGroundIsRefused) {
   const HoledGround ground({Eigen::Vector2d(1.5, -1.0), Eigen::Vector2d(2.5, 1.0)});
-  const WalkSynthesizer character(library(), ground, {0.0, 1.2, 1.0 / 60.0});
+  const WalkSynthesizer character(defaultLibrary(), ground, {0.0, 1.2, 1.0 / 60.0});
   AnimationBuffer out;
   EXPECT_EQ(walkAlong(character, straightPath(4.0), out).refused, WalkRule::kNoGround);
   EXPECT_EQ(walkAlong(character, straightPath(1.2), out).refused, WalkRule::kNone);
@@ -365,7 +360,7 @@ TEST(WalkSynthesizer, AWalkIsTheSameAtAnyHeadingAndPlace) {
 
 TEST(WalkSynthesizer, FootprintsAreOnTheGroundThatIsThere) {
   const FlatGround upstairs(2.7);
-  const WalkSynthesizer character(library(), upstairs, {0.0, 1.2, 1.0 / 60.0});
+  const WalkSynthesizer character(defaultLibrary(), upstairs, {0.0, 1.2, 1.0 / 60.0});
   const RootPath path = straightPath(3.0);
   Stance from = stanceAt(path, false, true), to = stanceAt(path, true, true);
   from.position.z() = to.position.z() = 2.7;

@@ -5,18 +5,12 @@
 #include "planner/roadmap/nearest_roadmap.h"
 #include "planner/roadmap/visibility_roadmap.h"
 #include "tests/planner/disc_steering.h"
+#include "tests/planner/search_limits_of.h"
 
 namespace amble {
 namespace {
 
 constexpr int kDivider = 4, kOtherDivider = 5;  // boxes of twoRooms that part them
-
-SearchLimits limitsOf(std::uint64_t seed, int max_failures) {
-  SearchLimits limits;
-  limits.seed = seed;
-  limits.max_failures = max_failures;
-  return limits;
-}
 
 class LegPlannerTest : public testing::Test {
  protected:

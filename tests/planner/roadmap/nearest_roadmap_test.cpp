@@ -6,16 +6,10 @@
 #include <set>
 
 #include "tests/planner/disc_steering.h"
+#include "tests/planner/search_limits_of.h"
 
 namespace amble {
 namespace {
-
-SearchLimits limitsOf(std::uint64_t seed, int samples) {
-  SearchLimits limits;
-  limits.seed = seed;
-  limits.max_failures = samples;
-  return limits;
-}
 
 class NearestRoadmapTest : public testing::Test {
  protected:

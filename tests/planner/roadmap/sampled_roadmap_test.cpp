@@ -5,17 +5,10 @@
 #include "planner/roadmap/nearest_roadmap.h"
 #include "planner/roadmap/visibility_roadmap.h"
 #include "tests/planner/disc_steering.h"
+#include "tests/planner/search_limits_of.h"
 
 namespace amble {
 namespace {
-
-SearchLimits limitsOf(std::uint64_t seed, int max_failures = 200, int threads = 1) {
-  SearchLimits limits;
-  limits.seed = seed;
-  limits.max_failures = max_failures;
-  limits.threads = threads;
-  return limits;
-}
 
 /// An open map of 200 x 200 m with passages all over it, each between two places a metre apart.
 class OpenMap : public DiscSteering {

@@ -3,17 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "tests/planner/disc_steering.h"
+#include "tests/planner/search_limits_of.h"
 
 namespace amble {
 namespace {
-
-SearchLimits limitsOf(std::uint64_t seed, int max_failures = 200, int threads = 1) {
-  SearchLimits limits;
-  limits.seed = seed;
-  limits.max_failures = max_failures;
-  limits.threads = threads;
-  return limits;
-}
 
 std::vector<bool> kindIs(const Roadmap& roadmap, NodeKind kind) {
   std::vector<bool> is;
