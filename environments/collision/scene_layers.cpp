@@ -8,7 +8,8 @@
 namespace amble {
 namespace {
 
-// Obstacles higher than this over the highest ground are left to the exact check: nobody is so tall [m].
+// Obstacles higher than this over the highest ground are left to the exact check: nobody is so tall
+// [m].
 constexpr double kFieldTop = 2.2;
 constexpr double kFieldBottom = -0.3;  // soles and their depth need little [m]
 constexpr double kFieldMargin = 0.7;   // beyond what can be walked on: an arm's reach [m]

@@ -96,7 +96,7 @@ class PartCollector {
 };
 
 // The files that Assimp opens: the one that is read, and of those that it names the regular ones
-// in its folder, links followed.
+// in its folder, wherever links lead.
 class FolderFiles : public Assimp::DefaultIOSystem {
  public:
   explicit FolderFiles(const std::filesystem::path& file)
