@@ -40,11 +40,9 @@ void PoseArray::append(const PoseArray& other, int first, int count) {
 namespace {
 
 // X_WJ of a joint, given that of its parent.
-void placeJoint(const std::vector<Joint>& joints, PoseView pose, size_t j,
-                std::span<JointFrame> frames) {
-  const JointFrame& parent = frames[joints[j].parent];
-  frames[j].p_WJ = parent * joints[j].offset;
-  frames[j].q_WJ = parent.q_WJ * pose.rotations[j];
+inline JointFrame placed(const Joint& joint, const Eigen::Quaterniond& turn,
+                         const JointFrame& parent) {
+  return {parent.q_WJ * turn, parent * joint.offset};
 }
 
 }  // namespace
@@ -55,7 +53,8 @@ void forwardKinematics(const Skeleton& skeleton, PoseView pose, std::span<JointF
   const std::vector<Joint>& joints = skeleton.joints();
   if (joints.empty()) return;
   frames[0] = {pose.rotations[0], pose.p_WR};
-  for (size_t j = 1; j < joints.size(); ++j) placeJoint(joints, pose, j, frames);
+  for (size_t j = 1; j < joints.size(); ++j)
+    frames[j] = placed(joints[j], pose.rotations[j], frames[joints[j].parent]);
 }
 
 void forwardKinematics(const Skeleton& skeleton, PoseView pose, std::span<const int> chain,
@@ -63,7 +62,8 @@ void forwardKinematics(const Skeleton& skeleton, PoseView pose, std::span<const 
   assert(static_cast<int>(frames.size()) == skeleton.size() && !chain.empty() && chain[0] == 0);
   const std::vector<Joint>& joints = skeleton.joints();
   frames[0] = {pose.rotations[0], pose.p_WR};
-  for (const int j : chain.subspan(1)) placeJoint(joints, pose, static_cast<size_t>(j), frames);
+  for (const int j : chain.subspan(1))
+    frames[j] = placed(joints[j], pose.rotations[j], frames[joints[j].parent]);
 }
 
 std::vector<int> chainOf(const Skeleton& skeleton, std::span<const int> joints) {
