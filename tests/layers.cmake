@@ -14,7 +14,7 @@ set(rooms
   animation/preparation animation/synthesis
   animation/quality
   environments/furniture
-  environments/scene environments/ground environments/body environments/collision
+  environments/scene environments/ground environments/body environments/collision environments/map
   planner/search_limits planner/plan_request
   planner/steering planner/obstruction planner/refine_walk
   planner/roadmap planner/ompl planner/legs planner/plan_walk

@@ -87,15 +87,19 @@ std::optional<double> heightOver(const Triangle3& t, double x, double y) {
                     std::max({t[0].z(), t[1].z(), t[2].z()}));
 }
 
-std::optional<HeightRange> heightsWithin(const Triangle3& t, const Eigen::AlignedBox2d& box) {
+std::optional<Eigen::AlignedBox3d> boundsWithin(const Triangle3& t,
+                                                const Eigen::AlignedBox2d& box) {
   const Polygon part = clip(t, box);
   if (part.count == 0) return std::nullopt;
-  HeightRange range{part.corners[0].z(), part.corners[0].z()};
-  for (int k = 1; k < part.count; ++k) {
-    range.low = std::min(range.low, part.corners[k].z());
-    range.high = std::max(range.high, part.corners[k].z());
-  }
-  return range;
+  Eigen::AlignedBox3d bounds;
+  for (int k = 0; k < part.count; ++k) bounds.extend(part.corners[k]);
+  return bounds;
+}
+
+std::optional<HeightRange> heightsWithin(const Triangle3& t, const Eigen::AlignedBox2d& box) {
+  const auto bounds = boundsWithin(t, box);
+  if (!bounds) return std::nullopt;
+  return HeightRange{bounds->min().z(), bounds->max().z()};
 }
 
 double areaWithin(const Triangle3& t, const Eigen::AlignedBox2d& box) {

@@ -25,8 +25,9 @@ inline constexpr double kSeam = 1e-4;
 /// Height of the triangle over (x, y), or none beside it. One that stands upright has none [m].
 std::optional<double> heightOver(const Triangle3& t, double x, double y);
 
-/// Highest and lowest point of the triangle within a box of the plane; none where they are apart
-/// [m].
+/// Extent of what of the triangle is within a box of the plane; none where they are apart [m].
+std::optional<Eigen::AlignedBox3d> boundsWithin(const Triangle3& t, const Eigen::AlignedBox2d& box);
+/// Highest and lowest point of that [m].
 struct HeightRange {
   double low, high;
 };

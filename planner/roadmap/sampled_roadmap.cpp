@@ -18,6 +18,8 @@ constexpr int kAheadPerThread = 4;
 constexpr double kFirstMargin = 12.0;
 // Of the effort that ends a search, 1 over this widens the region.
 constexpr int kShareOfRegion = 4;
+// Ways over the map that are tried at most.
+constexpr int kMostWays = 16;
 // How much farther from a passage its ends are tried [m]: shares of a step.
 constexpr std::array<double, 5> kPassageShifts = {0.0, 0.1, -0.1, 0.2, -0.2};
 
@@ -220,6 +222,47 @@ bool SampledRoadmap::grow(int from, int to, const StanceSampler& sampler, int mo
   return true;
 }
 
+// Where the edge from one of the nodes to the next was refused, of the first that is not walked.
+std::optional<Eigen::Vector3d> SampledRoadmap::firstRefused(const std::vector<int>& nodes) const {
+  for (size_t i = 0; i + 1 < nodes.size(); ++i) {
+    if (roadmap_.reachableFrom(nodes[i])[nodes[i + 1]]) continue;
+    for (size_t k = refused_.size(); k-- > 0;) {
+      if (refused_[k].from == nodes[i] && refused_[k].to == nodes[i + 1])
+        return refused_[k].failure.body;
+    }
+    const auto at = [&](int node) { return roadmap_.nodes()[node].at.stance.position; };
+    return 0.5 * (at(nodes[i]) + at(nodes[i + 1]));
+  }
+  return std::nullopt;
+}
+
+// The stances of ways over the map become nodes, way after way, until walks lead from end to end.
+bool SampledRoadmap::followWays(int from, int to, const SearchLimits& limits) {
+  const auto place = [&](int node) { return roadmap_.nodes()[node].at.stance.position; };
+  const auto guide = steering_.guide(place(from), place(to), sampler_.bounds());
+  if (!guide) return false;
+  const SteeringScratchPtr scratch = steering_.makeScratch();
+  for (int i = 0; i < kMostWays && !limits.stopped(); ++i) {
+    const auto way = guide->next();
+    if (!way) return false;
+    std::vector<int> nodes = {from};
+    for (Stance stance : *way) {
+      if (limits.stopped()) return false;
+      if (steering_.stand(stance, *scratch)) {
+        guide->avoid(stance.position);
+        continue;
+      }
+      nodes.push_back(insert({.at = {stance}, .end = true}, *scratch));
+      if (roadmap_.reachableFrom(from)[to]) return true;
+    }
+    nodes.push_back(to);
+    const auto refused = firstRefused(nodes);
+    if (!refused) return true;
+    guide->avoid(*refused);
+  }
+  return false;
+}
+
 bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
   if (roadmap_.reachableFrom(from)[to]) return true;
   std::vector<SteeringScratchPtr> scratches(limits.threads);
@@ -233,6 +276,7 @@ bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
     const Eigen::AlignedBox2d region(ends.min() - by, ends.max() + by);
     const bool is_all = region.contains(bounds);
     insertPassages(is_all ? Eigen::AlignedBox2d(bounds).extend(region) : region, limits);
+    if (margin == kFirstMargin && followWays(from, to, limits)) return true;
     const int most = is_all ? limits.max_failures : (limits.max_failures + 3) / kShareOfRegion;
     const StanceSampler sampler = is_all ? sampler_ : sampler_.within(region);
     if (grow(from, to, sampler, most, limits, scratches)) return true;

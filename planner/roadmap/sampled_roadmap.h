@@ -110,6 +110,8 @@ class SampledRoadmap {
   bool grow(int from, int to, const StanceSampler& sampler, int most, const SearchLimits& limits,
             std::vector<SteeringScratchPtr>& scratches);
   int insert(Candidate candidate, SteeringScratch& scratch);
+  bool followWays(int from, int to, const SearchLimits& limits);
+  std::optional<Eigen::Vector3d> firstRefused(const std::vector<int>& nodes) const;
   int commit(Candidate& candidate, SteeringScratch& scratch);
   Verdict judgeExactly(Candidate& candidate, SteeringScratch& scratch) const;
   SteerResult steer(const Candidate& candidate, Question question, SteeringScratch& scratch) const;

@@ -65,6 +65,16 @@ struct StancePair {
   Stance first, second;
 };
 
+/// Ways that a search may try before it samples.
+class WayGuide {
+ public:
+  virtual ~WayGuide() = default;
+  /// Standing stances to pass one after another, ends left out; none where there is no other way.
+  virtual std::optional<std::vector<Stance>> next() = 0;
+  /// The next way is to lead elsewhere than here, where steering refused [m, World].
+  virtual void avoid(const Eigen::Vector3d& at) = 0;
+};
+
 struct SteerResult {
   std::optional<WalkEdge> edge;
   SteeringFailure failure;  ///< meaningful where there is no edge
@@ -107,6 +117,12 @@ class Steering {
   virtual int layers() const { return 0; }
   /// Ends of narrow passages, standing: a roadmap takes them before any sample.
   virtual std::vector<StancePair> passages() const { return {}; }
+
+  /// Ways within bounds that may lead from one place to another; null where it knows of none.
+  virtual std::unique_ptr<WayGuide> guide(const Eigen::Vector3d&, const Eigen::Vector3d&,
+                                          const Eigen::AlignedBox2d&) const {
+    return nullptr;
+  }
 
   /// No edge between two places is faster than their distance over this [m/s, > 0].
   virtual double topSpeed() const = 0;

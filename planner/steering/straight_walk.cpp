@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kPlaces = 7;      // a side of the ground's extent
 constexpr int kDirections = 8;  // from each
+constexpr int kOnAxis = 4;      // parts of a capsule's axis, at whose ends it is looked at
 
 // Lifts differ by so much from step to step without anything to step over [m].
 constexpr double kUsualLift = 0.01;
@@ -57,7 +58,7 @@ StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround&
 }
 
 Eigen::AlignedBox1d walkingBreadth(const StraightWalk& walk, const Skeleton& skeleton,
-                                   const Body& body) {
+                                   const Body& body, const Eigen::AlignedBox1d& heights) {
   std::vector<JointFrame> joints(skeleton.size());
   std::vector<Eigen::Vector3d> from(body.parts.size()), to(body.parts.size());
   Eigen::AlignedBox1d breadth;
@@ -67,13 +68,20 @@ Eigen::AlignedBox1d walkingBreadth(const StraightWalk& walk, const Skeleton& ske
     const FrameState& state = walk.buffer.states[frame];
     const Eigen::Vector3d left(-std::sin(state.heading), std::cos(state.heading), 0.0);
     for (size_t i = 0; i < body.parts.size(); ++i) {
-      for (const Eigen::Vector3d& end : {from[i], to[i]}) {
-        const double offset = left.dot(end - state.position), r = body.parts[i].radius;
-        breadth.extend(Eigen::AlignedBox1d(offset - r, offset + r));
+      for (int k = 0; k <= kOnAxis; ++k) {
+        const Eigen::Vector3d p = from[i] + (to[i] - from[i]) * k / kOnAxis - state.position;
+        const double offset = left.dot(p), r = body.parts[i].radius;
+        if (heights.intersects(Eigen::AlignedBox1d(p.z() - r, p.z() + r)))
+          breadth.extend(Eigen::AlignedBox1d(offset - r, offset + r));
       }
     }
   }
   return breadth;
+}
+
+Eigen::AlignedBox1d walkingBreadth(const StraightWalk& walk, const Skeleton& skeleton,
+                                   const Body& body) {
+  return walkingBreadth(walk, skeleton, body, Eigen::AlignedBox1d(-HUGE_VAL, HUGE_VAL));
 }
 
 }  // namespace amble

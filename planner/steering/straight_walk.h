@@ -22,8 +22,11 @@ inline constexpr double kMeasuredWalk = 3.0;
 StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround& ground,
                           double length = kMeasuredWalk);
 
-/// How far the body reaches to the left of the path, right negative, over the walk [m]; empty
-/// without frames.
+/// How far the body reaches to the left of the path, right negative, over the walk, of what of it
+/// is at some heights over the ground; empty without frames, or where nothing of it is [m].
+Eigen::AlignedBox1d walkingBreadth(const StraightWalk& walk, const Skeleton& skeleton,
+                                   const Body& body, const Eigen::AlignedBox1d& heights);
+/// The same of all of it.
 Eigen::AlignedBox1d walkingBreadth(const StraightWalk& walk, const Skeleton& skeleton,
                                    const Body& body);
 

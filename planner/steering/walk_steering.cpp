@@ -10,6 +10,7 @@
 #include "environments/ground/ground_cells.h"
 #include "planner/steering/passages.h"
 #include "planner/steering/walk_effort.h"
+#include "planner/steering/way_finder.h"
 
 namespace amble {
 namespace {
@@ -171,6 +172,29 @@ WalkEdge makeTurn(const Waypoint& from, const Waypoint& to) {
   return edge;
 }
 
+// How far the walking body reaches to its sides, feet, legs, arms and head.
+ClearanceMap::Breadth breadthByHeight(const StraightWalk& walk, const WalkSynthesizer& synthesizer,
+                                      const Body& body, const SceneGround& ground) {
+  // Of stature: hands hang to the one, and shoulders end at the other.
+  constexpr double kHands = 0.4, kShoulders = 0.85;
+  const double step = ground.settings().limits.highestStep();
+  const double stature = synthesizer.stature();
+  const auto reach = [&](double low, double high) {
+    const Eigen::AlignedBox1d breadth =
+        walkingBreadth(walk, synthesizer.skeleton(), body, Eigen::AlignedBox1d(low, high));
+    return breadth.isEmpty() ? 0.0 : std::max(-breadth.min()[0], breadth.max()[0]);
+  };
+  const std::array<double, 4> heights = {step, std::max(step, kHands * stature),
+                                         std::max(step, kShoulders * stature),
+                                         std::max(body.upright, stature)};
+  ClearanceMap::Breadth all{{}, reach(-step, step)};
+  for (size_t i = 0; i + 1 < heights.size(); ++i) {
+    if (heights[i] < heights[i + 1])
+      all.bands.push_back({heights[i], heights[i + 1], reach(heights[i], heights[i + 1])});
+  }
+  return all;
+}
+
 }  // namespace
 
 WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
@@ -185,7 +209,9 @@ WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWo
       core_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(),
             synthesizer.stature()) {
   const Eigen::AlignedBox1d breadth = walkingBreadth(walk, synthesizer.skeleton(), world.body());
-  if (!breadth.isEmpty()) half_breadth_ = std::max(-breadth.min()[0], breadth.max()[0]);
+  if (breadth.isEmpty()) return;
+  half_breadth_ = std::max(-breadth.min()[0], breadth.max()[0]);
+  breadth_ = breadthByHeight(walk, synthesizer, world.body(), ground);
 }
 
 SteeringScratchPtr WalkSteering::makeScratch() const {
@@ -210,6 +236,15 @@ std::vector<StancePair> WalkSteering::passages() const {
     pairs.push_back(pair);
   }
   return pairs;
+}
+
+std::unique_ptr<WayGuide> WalkSteering::guide(const Eigen::Vector3d& from,
+                                              const Eigen::Vector3d& to,
+                                              const Eigen::AlignedBox2d& bounds) const {
+  if (breadth_.bands.empty()) return nullptr;
+  return std::make_unique<WayFinder>(
+      std::make_shared<const ClearanceMap>(ground_, bounds, breadth_), from, to,
+      synthesizer_.shortestWalk());
 }
 
 bool WalkSteering::place(Stance& stance) const {

@@ -17,6 +17,7 @@
 
 #include "animation/synthesis/walk_synthesizer.h"
 #include "environments/collision/collision_world.h"
+#include "environments/map/clearance_map.h"
 #include "planner/steering/body_core.h"
 #include "planner/steering/steering.h"
 
@@ -42,6 +43,8 @@ class WalkSteering : public Steering {
   std::vector<double> floors(double x, double y) const override { return ground_.floors(x, y); }
   int layers() const override;
   std::vector<StancePair> passages() const override;
+  std::unique_ptr<WayGuide> guide(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                  const Eigen::AlignedBox2d& bounds) const override;
 
   /// By a few small steps to a standing stance beside the first, in any direction, turning on the
   /// way; refused where it is farther than kSmallSteps. For start and goal: between samples of a
@@ -71,7 +74,8 @@ class WalkSteering : public Steering {
   const CollisionWorld& world_;
   const SceneGround& ground_;
   BodyCore core_;
-  double half_breadth_ = 0.0;  // of the body that walks, from the path; 0: not known [m]
+  double half_breadth_ = 0.0;      // of the body that walks, from the path; 0: not known [m]
+  ClearanceMap::Breadth breadth_;  // the same by height; without bands where it is not known
 };
 
 }  // namespace amble

@@ -1,0 +1,194 @@
+#include "environments/map/clearance_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "environments/ground/ground_cells.h"
+#include "environments/scene/scene_pieces.h"
+#include "environments/scene/triangle_grid.h"
+
+namespace amble {
+namespace {
+
+constexpr int kNearCells = 6;        // to each side, where a place is looked for
+constexpr double kSameFloor = 0.5;   // what is said and what is there differ by less [m]
+constexpr double kLeastGain = 1e-4;  // smaller improvements of a distance are not passed on [m]
+constexpr int kStopEvery = 1 << 12;  // triangles, rows or places between looks at the clock
+// Cells around one without ground whose places see what is over it.
+constexpr int kBesideGround = 3;
+
+}  // namespace
+
+ClearanceMap::ClearanceMap(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
+                           const Breadth& body, const StopRequest& stop)
+    : body_(body), step_(ground.settings().limits.highestStep()) {
+  layPlaces(ground, bounds, stop);
+  source_.resize(size());
+  spare_.assign(size(), static_cast<float>(kFarthest));
+  markEdges();
+  markObstacles(ground, stop);
+  spread(stop);
+  source_ = {};
+  queue_ = {};
+}
+
+void ClearanceMap::layPlaces(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
+                             const StopRequest& stop) {
+  const GroundCells& squares = ground.cells();
+  if (squares.columns() == 0 || bounds.isEmpty()) return;
+  const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.5 * squares.cell());
+  const Eigen::AlignedBox2d all(squares.middle(0, 0) - half,
+                                squares.middle(squares.columns() - 1, squares.rows() - 1) + half);
+  const Eigen::AlignedBox2d region = all.intersection(bounds);
+  if (region.isEmpty()) return;
+  while (region.volume() / (cell_ * cell_) > kMostCells) cell_ *= 2.0;
+  min_ = region.min();
+  count_ = (region.sizes() / cell_).array().ceil().cast<int>().max(1);
+  start_ = {0};
+  for (int row = 0; row < count_.y(); ++row) {
+    stop.check();
+    for (int column = 0; column < count_.x(); ++column) {
+      const Eigen::Vector2i square =
+          squares.squareAt(min_ + cell_ * Eigen::Vector2d(column + 0.5, row + 0.5));
+      for (const GroundCells::Span& span : squares.spans(square.x(), square.y())) {
+        if (!span.ground) continue;
+        cell_of_.push_back(row * count_.x() + column);
+        height_.push_back(static_cast<float>(span.height));
+      }
+      start_.push_back(size());
+    }
+  }
+}
+
+int ClearanceMap::beside(int place, int dx, int dy) const {
+  const int x = cell_of_[place] % count_.x() + dx, y = cell_of_[place] / count_.x() + dy;
+  if (x < 0 || y < 0 || x >= count_.x() || y >= count_.y()) return -1;
+  const int cell = y * count_.x() + x;
+  int best = -1;
+  float least = static_cast<float>(step_);
+  for (int i = start_[cell]; i < start_[cell + 1]; ++i) {
+    const float rise = std::abs(height_[i] - height_[place]);
+    if (rise > least) continue;
+    least = rise;
+    best = i;
+  }
+  return best;
+}
+
+int ClearanceMap::placeAt(const Eigen::Vector3d& p) const {
+  if (size() == 0) return -1;
+  const Eigen::Vector2d middle = (p.head<2>() - min_) / cell_;
+  int best = -1;
+  double least = HUGE_VAL;
+  for (int j = -kNearCells; j <= kNearCells; ++j) {
+    for (int i = -kNearCells; i <= kNearCells; ++i) {
+      const double x = std::floor(middle.x()) + i, y = std::floor(middle.y()) + j;
+      if (!(x >= 0 && y >= 0 && x < count_.x() && y < count_.y())) continue;
+      const int cell = static_cast<int>(y) * count_.x() + static_cast<int>(x);
+      for (int place = start_[cell]; place < start_[cell + 1]; ++place) {
+        const double off = std::abs(height_[place] - p.z());
+        const double distance = off + cell_ * std::hypot(i, j);
+        if (off > kSameFloor || distance >= least) continue;
+        least = distance;
+        best = place;
+      }
+    }
+  }
+  return best;
+}
+
+double ClearanceMap::spareFrom(int place, const Source& source) const {
+  const int dx = cell_of_[place] % count_.x() - source.cell % count_.x();
+  const int dy = cell_of_[place] / count_.x() - source.cell / count_.x();
+  const double distance = std::max(0.0, cell_ * (std::hypot(dx, dy) - 0.5));
+  if (distance > kFarthest) return kFarthest;
+  return distance - (source.band < 0 ? body_.feet : body_.bands[source.band].half_breadth);
+}
+
+void ClearanceMap::see(int place, const Source& source) {
+  const double spare = spareFrom(place, source);
+  if (spare > spare_[place] - kLeastGain) return;
+  spare_[place] = static_cast<float>(spare);
+  source_[place] = source;
+  queue_.push_back(place);
+}
+
+// Places beside which no step leads on: feet must stay off.
+void ClearanceMap::markEdges() {
+  for (int place = 0; place < size(); ++place) {
+    if (beside(place, 1, 0) < 0 || beside(place, -1, 0) < 0 || beside(place, 0, 1) < 0 ||
+        beside(place, 0, -1) < 0)
+      see(place, {cell_of_[place], kFeet});
+  }
+}
+
+void ClearanceMap::markObstacles(const SceneGround& ground, const StopRequest& stop) {
+  if (size() == 0 || body_.bands.empty()) return;
+  const double low = ground.heights().min()[0] + body_.bands.front().low;
+  const double high = ground.heights().max()[0] + body_.bands.back().high;
+  const auto& triangles = ground.all().triangles();
+  for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
+    if (i % kStopEvery == 0) stop.check();
+    const Triangle3& t = triangles[i];
+    const auto [lowest, highest] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
+    if (!ground.isGroundTriangle(i) && lowest <= high && highest >= low) markTriangle(t);
+  }
+}
+
+// Row after row of cells, and in each only the columns that the triangle lies over.
+void ClearanceMap::markTriangle(const Triangle3& t) {
+  const Eigen::Vector2d max = min_ + cell_ * count_.cast<double>();
+  const auto inside = boundsWithin(t, {min_, max});
+  if (!inside) return;
+  const auto index = [&](double value, int axis) {
+    return std::clamp(static_cast<int>((value - min_[axis]) / cell_), 0, count_[axis] - 1);
+  };
+  for (int row = index(inside->min().y(), 1); row <= index(inside->max().y(), 1); ++row) {
+    const double y = min_.y() + cell_ * row;
+    const auto strip =
+        boundsWithin(t, {Eigen::Vector2d(min_.x(), y), Eigen::Vector2d(max.x(), y + cell_)});
+    if (!strip) continue;
+    const int last = index(strip->max().x(), 0);
+    for (int column = index(strip->min().x(), 0); column <= last; ++column) {
+      const Eigen::Vector2d corner(min_.x() + cell_ * column, y);
+      const auto heights = heightsWithin(t, {corner, corner + Eigen::Vector2d::Constant(cell_)});
+      if (heights) markColumn({column, row}, heights->low, heights->high);
+    }
+  }
+}
+
+// What is over a cell, for its places; where it has none, as under a wall that its floor ends at,
+// for those around it.
+void ClearanceMap::markColumn(const Eigen::Vector2i& at, double low, double high) {
+  const int own = at.y() * count_.x() + at.x();
+  const int far = start_[own] < start_[own + 1] ? 0 : kBesideGround;
+  for (int y = std::max(0, at.y() - far); y <= std::min(count_.y() - 1, at.y() + far); ++y) {
+    for (int x = std::max(0, at.x() - far); x <= std::min(count_.x() - 1, at.x() + far); ++x) {
+      const int cell = y * count_.x() + x;
+      for (int place = start_[cell]; place < start_[cell + 1]; ++place) {
+        for (int band = 0; band < static_cast<int>(body_.bands.size()); ++band) {
+          if (low < height_[place] + body_.bands[band].high &&
+              high > height_[place] + body_.bands[band].low)
+            see(place, {own, band});
+        }
+      }
+    }
+  }
+}
+
+void ClearanceMap::spread(const StopRequest& stop) {
+  for (size_t next = 0; next < queue_.size(); ++next) {
+    if (next % kStopEvery == 0) stop.check();
+    const int place = queue_[next];
+    const Source source = source_[place];
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        if (dx == 0 && dy == 0) continue;
+        const int other = beside(place, dx, dy);
+        if (other >= 0) see(other, source);
+      }
+    }
+  }
+}
+
+}  // namespace amble

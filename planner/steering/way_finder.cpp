@@ -1,0 +1,170 @@
+#include "planner/steering/way_finder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+namespace amble {
+namespace {
+
+// Bodies sway, turn their shoulders, and walk narrower when they are slow: where the map says that
+// so much is missing they may still pass [m].
+constexpr double kTightest = -0.1;
+// Room beside the body that a way is the longer for the less it has of it [m], and how much longer
+// at most; and where there is none at all.
+constexpr double kComfort = 0.25;
+constexpr double kUnease = 1.0;
+constexpr double kSqueeze = 4.0;
+constexpr double kRefused = 3.0;       // the same near a place where steering refused...
+constexpr double kRefusedNear = 0.4;   // ...within so much [m]
+constexpr double kClimb = 2.0;         // metres of way that a metre up or down is worth
+constexpr double kFarthest = 10.0;     // from one corner to the next [m]
+constexpr double kRoomSought = 0.8;    // how far back from the farthest place seen [m]
+constexpr double kLevelNear = 0.3;     // somebody stands where it is level so far around [m]
+constexpr double kLevel = 0.02;        // [m]
+constexpr double kRoomInSight = 0.04;  // beside a straight line, where there is as much [m]
+
+constexpr std::array<std::array<int, 2>, 8> kAround = {
+    {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+
+}  // namespace
+
+WayFinder::WayFinder(std::shared_ptr<const ClearanceMap> map, const Eigen::Vector3d& from,
+                     const Eigen::Vector3d& to, double shortest)
+    : map_(std::move(map)),
+      from_(map_->placeAt(from)),
+      to_(map_->placeAt(to)),
+      shortest_(shortest),
+      penalty_(map_->size(), 0.0f) {}
+
+// How many times its length a way by this place counts.
+double WayFinder::factor(int place) const {
+  const double spare = map_->spare(place);
+  const double unease = kUnease * std::max(0.0, (kComfort - spare) / kComfort);
+  const double squeeze = kSqueeze * std::max(0.0, spare / kTightest);
+  return 1.0 + unease + squeeze + penalty_[place];
+}
+
+// Places from end to end; none where the map knows no way.
+std::vector<int> WayFinder::cheapest() const {
+  if (from_ < 0 || to_ < 0) return {};
+  const Eigen::Vector3d goal = map_->at(to_);
+  std::vector<float> cost(map_->size(), HUGE_VALF);
+  std::vector<int> before(map_->size(), -1);
+  using Entry = std::pair<float, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
+  const auto least = [&](int place) {
+    return static_cast<float>((map_->at(place) - goal).head<2>().norm());
+  };
+  cost[from_] = 0.0f;
+  open.emplace(least(from_), from_);
+  while (!open.empty()) {
+    const auto [estimate, place] = open.top();
+    open.pop();
+    if (place == to_) break;
+    if (estimate > cost[place] + least(place) + 1e-4f) continue;
+    for (const auto& [dx, dy] : kAround) {
+      const int other = map_->beside(place, dx, dy);
+      if (other < 0 || (map_->spare(other) < kTightest && other != to_)) continue;
+      const double rise = std::abs(map_->at(other).z() - map_->at(place).z());
+      const double length = map_->cell() * std::hypot(dx, dy) + kClimb * rise;
+      const float total = cost[place] + static_cast<float>(length * factor(other));
+      if (total >= cost[other]) continue;
+      cost[other] = total;
+      before[other] = place;
+      open.emplace(total + least(other), other);
+    }
+  }
+  std::vector<int> way;
+  if (before[to_] < 0 && to_ != from_) return way;
+  for (int place = to_; place >= 0; place = before[place]) way.push_back(place);
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+// Whether a straight line from place to place has so much room beside it everywhere.
+bool WayFinder::isClear(int from, int to, double least) const {
+  const Eigen::Vector2d a = map_->at(from).head<2>(), b = map_->at(to).head<2>();
+  const double cell = map_->cell();
+  const int count = static_cast<int>(std::ceil((b - a).norm() / cell));
+  int place = from;
+  for (int i = 1; i <= count; ++i) {
+    const Eigen::Vector2d p = a + (b - a) * i / count, off = (p - map_->at(place).head<2>()) / cell;
+    const int dx = static_cast<int>(std::lround(off.x())),
+              dy = static_cast<int>(std::lround(off.y()));
+    if (dx != 0 || dy != 0) place = map_->beside(place, dx, dy);
+    if (place < 0 || map_->spare(place) < least) return false;
+  }
+  return place == to;
+}
+
+bool WayFinder::isLevel(int place) const {
+  const double height = map_->at(place).z();
+  const int far = static_cast<int>(kLevelNear / map_->cell());
+  for (const auto& [dx, dy] : kAround) {
+    int other = place;
+    for (int i = 0; i < far && other >= 0; ++i) other = map_->beside(other, dx, dy);
+    if (other >= 0 && std::abs(map_->at(other).z() - height) > kLevel) return false;
+  }
+  return true;
+}
+
+// Of a way the places where one turns, its ends left out: from each the farthest that it sees, or,
+// a little before that, where there is more room.
+std::vector<int> WayFinder::corners(const std::vector<int>& way) const {
+  std::vector<int> corners;
+  const int last = static_cast<int>(way.size()) - 1;
+  const int farthest = static_cast<int>(kFarthest / map_->cell());
+  const int back = static_cast<int>(kRoomSought / map_->cell());
+  const int shortest = static_cast<int>(std::ceil(shortest_ / map_->cell()));
+  for (int here = 0; here < last;) {
+    double narrowest = kRoomInSight;
+    int seen = here;
+    for (int next = here + 1; next <= std::min(last, here + farthest); ++next) {
+      narrowest = std::min(narrowest, map_->spare(way[next]));
+      if (isClear(way[here], way[next], narrowest - 0.5 * map_->cell())) seen = next;
+    }
+    if (seen == last) break;
+    int best = -1;
+    for (int next = std::max(here + shortest, seen - back);
+         next <= std::max(seen, here + shortest) && next < last; ++next) {
+      if (!isLevel(way[next])) continue;
+      if (best < 0 || map_->spare(way[next]) > map_->spare(way[best])) best = next;
+    }
+    // Over stairs: on to where it is level again.
+    for (int next = seen + 1; best < 0 && next < last; ++next)
+      if (isLevel(way[next])) best = next;
+    if (best < 0) break;
+    corners.push_back(way[best]);
+    here = best;
+  }
+  return corners;
+}
+
+std::optional<std::vector<Stance>> WayFinder::next() {
+  const std::vector<int> way = cheapest();
+  if (way.size() < 2) return std::nullopt;
+  std::vector<Stance> stances;
+  Eigen::Vector3d before = map_->at(from_);
+  for (const int place : corners(way)) {
+    Stance stance;
+    stance.position = map_->at(place);
+    const Eigen::Vector3d along = stance.position - before;
+    stance.heading = std::atan2(along.y(), along.x());
+    before = stance.position;
+    stances.push_back(stance);
+  }
+  return stances;
+}
+
+void WayFinder::avoid(const Eigen::Vector3d& at) {
+  for (int place = 0; place < map_->size(); ++place) {
+    const double distance = (map_->at(place) - at).head<2>().norm();
+    if (distance < kRefusedNear)
+      penalty_[place] += static_cast<float>(kRefused * (1.0 - distance / kRefusedNear));
+  }
+}
+
+}  // namespace amble
