@@ -36,6 +36,9 @@ struct PlanRequest {
   std::string planner = "visibility";  ///< of planners()
   SearchLimits limits;                 ///< seed, max_failures, threads, deadline, stop, progress
   RefineSettings refine;
+  /// Distance to things within which walks cost more: they keep away where that costs little [m,
+  /// >= 0].
+  double comfort = 0.05;
 };
 
 enum class PlanStatus { kSolved, kNoWalk, kStartBlocked, kGoalBlocked };

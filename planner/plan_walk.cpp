@@ -28,6 +28,7 @@ void checkRequest(const PlanRequest& request) {
           "bounds must hold something");
   require(request.limits.max_failures >= 1, "max_failures must be 1 or more");
   require(request.limits.threads >= 1 && request.limits.threads <= 64, "threads must be 1 to 64");
+  require(request.comfort >= 0.0, "comfort must be 0 or more");
   require(request.refine.tries >= 0, "tries must be 0 or more");
 }
 
@@ -47,7 +48,7 @@ class Plan {
  public:
   explicit Plan(const PlanRequest& request)
       : request_(widened(request)),
-        steering_(*request_.synthesizer, *request_.world, *request_.ground),
+        steering_(*request_.synthesizer, *request_.world, *request_.ground, request_.comfort),
         scratch_(steering_.makeScratch()) {}
 
   PlanOutcome run();

@@ -48,6 +48,7 @@ PlanRequest requestOf(const Problem& problem, const RunOptions& options) {
   for (size_t i = 0; i < scenario.via.size(); ++i) {
     request.via.push_back(problem.stand(scenario.via[i], "via[" + std::to_string(i) + "]"));
   }
+  request.comfort = scenario.walk.comfort;
   request.planner = scenario.planner.name;
   request.limits.seed = scenario.planner.seed;
   request.limits.max_failures = scenario.planner.max_failures;

@@ -80,7 +80,7 @@ Bounds readBounds(const YamlNode& node) {
 }
 
 WalkSpec readWalk(const YamlNode& node) {
-  node.requireKeys({"speed", "from", "to", "actions"});
+  node.requireKeys({"speed", "from", "to", "comfort", "actions"});
   WalkSpec walk;
   if (const YamlNode n = node["speed"]) walk.speed = n.asDouble(0.3, 2.0, "speed [m/s]");
   if (const YamlNode n = node["from"]) {
@@ -89,6 +89,7 @@ WalkSpec readWalk(const YamlNode& node) {
   if (const YamlNode n = node["to"]) {
     walk.to_standing = n.asEnum<bool>({{"stand", true}, {"walking", false}});
   }
+  if (const YamlNode n = node["comfort"]) walk.comfort = n.asDouble(0.0, 0.5, "distance [m]");
   if (const YamlNode n = node["actions"]) {
     for (const YamlNode& action : n.items()) walk.actions.push_back(action.asString());
   }

@@ -76,4 +76,23 @@ Clearance CollisionWorld::clearance(const PoseArray& poses, double limit,
   return best;
 }
 
+double CollisionWorld::nearness(const PoseArray& poses, double limit,
+                                CollisionScratch& scratch) const {
+  constexpr int kEvery = 4;
+  const size_t parts = static_cast<size_t>(model_->parts());
+  scratch.prepare(poses.size());
+  double sum = 0.0;
+  for (int frame = 0; frame < poses.size(); frame += kEvery) {
+    model_->place(poses[frame], scratch, {&scratch.capsule(frame, 0), parts});
+    double least = limit;
+    for (size_t part = 0; part < parts; ++part) {
+      if (model_->body.parts[part].sole >= 0) continue;
+      const Capsule& capsule = scratch.capsule(frame, static_cast<int>(part));
+      least = model_->layers.nearestObstacle(capsule, least, false, *scratch.exact).distance;
+    }
+    sum += kEvery * (1.0 - least / limit);
+  }
+  return sum;
+}
+
 }  // namespace amble

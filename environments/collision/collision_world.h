@@ -73,6 +73,11 @@ class CollisionWorld {
   /// bounds the search [m].
   Clearance clearance(const PoseArray& poses, double limit, CollisionScratch& scratch) const;
 
+  /// How long and how much the body is nearer than `limit` to anything but the ground: the sum
+  /// over frames of what is missing of it, as its share [frames, >= 0]. Soles apart, and of every
+  /// fourth frame for all four. @param limit  [m, > 0]
+  double nearness(const PoseArray& poses, double limit, CollisionScratch& scratch) const;
+
   const Scene& scene() const;
   const Body& body() const;
 

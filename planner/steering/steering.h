@@ -56,8 +56,9 @@ struct WalkEdge {
   double duration = 0.0;    ///< [s, >= 0], a whole number of frames
   double length = 0.0;      ///< of the root path [m, >= 0]
   double effort = 0.0;      ///< what climbing and lifting cost beside time, in time [s, >= 0]
+  double unease = 0.0;      ///< what nearness to things costs beside time, in time [s, >= 0]
 
-  double cost() const { return duration + effort; }  ///< [s]
+  double cost() const { return duration + effort + unease; }  ///< [s]
 };
 
 /// Two stances between which a walk is likely that samples would hardly find.

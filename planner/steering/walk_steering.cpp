@@ -198,14 +198,15 @@ ClearanceMap::Breadth breadthByHeight(const StraightWalk& walk, const WalkSynthe
 }  // namespace
 
 WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
-                           const SceneGround& ground)
-    : WalkSteering(synthesizer, world, ground, straightWalk(synthesizer, ground)) {}
+                           const SceneGround& ground, double comfort)
+    : WalkSteering(synthesizer, world, ground, comfort, straightWalk(synthesizer, ground)) {}
 
 WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
-                           const SceneGround& ground, const StraightWalk& walk)
+                           const SceneGround& ground, double comfort, const StraightWalk& walk)
     : synthesizer_(synthesizer),
       world_(world),
       ground_(ground),
+      comfort_(comfort),
       core_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(),
             synthesizer.stature()) {
   const Eigen::AlignedBox1d breadth = walkingBreadth(walk, synthesizer.skeleton(), world.body());
@@ -338,6 +339,7 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
   SteerResult result;
   if (coreTouches(edge, scratch, result.failure)) return result;
   int frames = 0;
+  double near = 0.0;
   const auto passes = [&](EdgePart part, const WalkResult& made) {
     if (made.refused != WalkRule::kNone) {
       result.failure = failure(made.refused, edge.from, edge.to);
@@ -350,6 +352,7 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
       result.failure = touched(*contact, own.buffer, scratch);
       return false;
     }
+    if (comfort_ > 0.0) near += world_.nearness(own.buffer.poses, comfort_, *own.collision);
     if (part != EdgePart::kWalk) return true;
     edge.steps = made.steps;
     edge.effort = effortOf(own.buffer, synthesizer_.capturedLift(), synthesizer_.settings().speed);
@@ -358,6 +361,7 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
   };
   if (!visitParts(edge, kLikeliestRefused, own.buffer, passes)) return result;
   edge.duration = frames * synthesizer_.settings().frame_time;
+  edge.unease = kNearnessCost * near * synthesizer_.settings().frame_time;
   result.edge = std::move(edge);
   return result;
 }

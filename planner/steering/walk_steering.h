@@ -29,9 +29,12 @@ using PartOrder = std::array<EdgePart, 3>;
 
 class WalkSteering : public Steering {
  public:
+  /// @param comfort  distance to things within which edges cost more, up to kNearnessCost times
+  /// their time [m, >= 0]
   /// @pre all outlive the steering; the world's body is the synthesizer's.
   WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
-               const SceneGround& ground);
+               const SceneGround& ground, double comfort = 0.0);
+  static constexpr double kNearnessCost = 2.0;
 
   SteeringScratchPtr makeScratch() const override;
   std::optional<SteeringFailure> stand(Stance& stance, SteeringScratch& scratch) const override;
@@ -60,7 +63,7 @@ class WalkSteering : public Steering {
 
  private:
   WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
-               const SceneGround& ground, const StraightWalk& walk);
+               const SceneGround& ground, double comfort, const StraightWalk& walk);
   SteerResult judge(WalkEdge edge, SteeringScratch& scratch) const;
   SteeringFailure touched(const Contact& contact, const AnimationBuffer& buffer,
                           SteeringScratch& scratch) const;
@@ -73,6 +76,7 @@ class WalkSteering : public Steering {
   const WalkSynthesizer& synthesizer_;
   const CollisionWorld& world_;
   const SceneGround& ground_;
+  double comfort_;
   BodyCore core_;
   double half_breadth_ = 0.0;      // of the body that walks, from the path; 0: not known [m]
   ClearanceMap::Breadth breadth_;  // the same by height; without bands where it is not known
