@@ -40,12 +40,12 @@ std::string placeText(const Eigen::Vector3d& p) {
 
 // How much there is, and what would do.
 std::string measureText(const Obstruction& why) {
-  const bool most = why.rule == WalkRule::kNoGround || why.rule == WalkRule::kStepHeight;
   const char* what = why.free                                 ? " away"
                      : why.rule == WalkRule::kStepHeight      ? " high"
                      : why.other.empty() && !why.part.empty() ? " high"
                                                               : " wide";
   std::string text = ", " + metres(*why.width) + what;
+  const bool most = why.needed && *why.needed < *why.width;
   if (why.needed) text += (most && !why.free ? ", at most " : ", needed ") + metres(*why.needed);
   return text;
 }
@@ -111,6 +111,18 @@ class PlaceProbe {
       why.needed = needed;
     }
     if (!why.width) measureHeadroom(refusals, why);
+  }
+
+  // Of what is in the way of a leg how high it is, where that ends below the hips.
+  void measureStep(Obstruction& why) const {
+    const double highest = request_.ground->settings().limits.highestStep();
+    const Eigen::Vector2d at = why.body.head<2>(), way = kSeenAhead * unit(why.heading).head<2>();
+    const double top =
+        request_.ground->crest(at - way, at + way, kProbeRadius, why.body.z() + highest,
+                               why.body.z() + kOverhead * stature_);
+    if (!std::isfinite(top)) return;
+    why.width = top - why.body.z();
+    why.needed = highest;
   }
 
   // Where the ground between two stances does not let a walk through.
@@ -323,6 +335,15 @@ Obstruction whatBlocks(const SteeringFailure& failure, const Waypoint& end,
   if (!why.free || !why.width) return why;
   const auto there = probe.nearest(*why.free);
   why.needed = std::max(*why.width, there ? there->distance : kFarthestProbe);
+  return why;
+}
+
+Obstruction whatShutsOff(const SteeringFailure& barrier, const PlanRequest& request) {
+  SteeringFailure touched = barrier;
+  touched.rule = WalkRule::kContact;  // measured as those are
+  Obstruction why = *whatStoodInTheWay({touched}, request);
+  why.rule = barrier.rule;
+  if (!why.width) PlaceProbe(request).measureStep(why);
   return why;
 }
 

@@ -26,6 +26,9 @@ std::optional<Obstruction> whatStoodInTheWay(const std::vector<SteeringFailure>&
 Obstruction whatBlocks(const SteeringFailure& failure, const Waypoint& end,
                        const PlanRequest& request, const Steering& steering);
 
+/// Of things that shut the body off.
+Obstruction whatShutsOff(const SteeringFailure& barrier, const PlanRequest& request);
+
 /// Of ground that does not lead there.
 Obstruction whatTheGroundLacks(const GroundGap& gap, const PlanRequest& request);
 

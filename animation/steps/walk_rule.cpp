@@ -8,6 +8,8 @@ std::string_view walkRuleName(WalkRule rule) {
       return "none";
     case WalkRule::kNoCurve:
       return "no_curve";
+    case WalkRule::kDisconnected:
+      return "disconnected";
     case WalkRule::kContact:
       return "contact";
     case WalkRule::kStepLength:

@@ -11,6 +11,8 @@ enum class WalkRule {
   kNone,
   /// Stage 1, root path: none leads from the one stance to the other.
   kNoCurve,
+  /// No root path at all: things shut the body off.
+  kDisconnected,
   /// Stage 2, limits: no whole number of steps within the library's stride range fits the length of
   /// the path.
   kStepLength,

@@ -51,6 +51,7 @@ void describeRoadmap(const SampledRoadmap& roadmap, PlanOutcome& outcome) {
   outcome.edges = static_cast<int>(roadmap.roadmap().edges().size());
   outcome.samples += roadmap.samples();
   outcome.coverage = roadmap.coverage();
+  outcome.proved = roadmap.shutOff().has_value();
 }
 
 void describeCount(const SteeringCount& count, PlanOutcome& outcome) {

@@ -36,6 +36,7 @@ class OmplLegs : public LegPlanner {
     return edges;
   }
   std::optional<Obstruction> why() const override {
+    if (roadmap_ && roadmap_->shutOff()) return whatShutsOff(*roadmap_->shutOff(), request_);
     return whatStoodInTheWay(roadmap_ ? inTheWay(*roadmap_, from_, to_) : effortOf(*space_).refused,
                              request_);
   }

@@ -20,6 +20,9 @@ constexpr double kFirstMargin = 12.0;
 constexpr int kShareOfRegion = 4;
 // Ways over the map that are tried at most.
 constexpr int kMostWays = 16;
+// From the narrowest place of the widest way samples are drawn so far to each side [m]: where a
+// walk through it begins and ends.
+constexpr double kAroundNarrow = 2.5;
 // How much farther from a passage its ends are tried [m]: shares of a step.
 constexpr std::array<double, 5> kPassageShifts = {0.0, 0.1, -0.1, 0.2, -0.2};
 
@@ -27,6 +30,10 @@ constexpr std::array<double, 5> kPassageShifts = {0.0, 0.1, -0.1, 0.2, -0.2};
 Stance ahead(Stance stance, double by) {
   stance.position += by * Eigen::Vector3d(std::cos(stance.heading), std::sin(stance.heading), 0.0);
   return stance;
+}
+
+Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box, double by) {
+  return {box.min().array() - by, box.max().array() + by};
 }
 
 bool samePlace(const Waypoint& a, const Waypoint& b) {
@@ -133,6 +140,7 @@ void SampledRoadmap::clear() {
   roadmap_ = {};
   count_ = {};
   refused_.clear();
+  shut_off_.reset();
   samples_ = 0;
   failures_ = 0;
   passages_.reset();
@@ -237,19 +245,16 @@ std::optional<Eigen::Vector3d> SampledRoadmap::firstRefused(const std::vector<in
 }
 
 // The stances of ways over the map become nodes, way after way, until walks lead from end to end.
-bool SampledRoadmap::followWays(int from, int to, const SearchLimits& limits) {
-  const auto place = [&](int node) { return roadmap_.nodes()[node].at.stance.position; };
-  const auto guide = steering_.guide(place(from), place(to), sampler_.bounds());
-  if (!guide) return false;
+bool SampledRoadmap::followWays(WayGuide& guide, int from, int to, const SearchLimits& limits) {
   const SteeringScratchPtr scratch = steering_.makeScratch();
   for (int i = 0; i < kMostWays && !limits.stopped(); ++i) {
-    const auto way = guide->next();
+    const auto way = guide.next();
     if (!way) return false;
     std::vector<int> nodes = {from};
     for (Stance stance : *way) {
       if (limits.stopped()) return false;
       if (steering_.stand(stance, *scratch)) {
-        guide->avoid(stance.position);
+        guide.avoid(stance.position);
         continue;
       }
       nodes.push_back(insert({.at = {stance}, .end = true}, *scratch));
@@ -258,9 +263,27 @@ bool SampledRoadmap::followWays(int from, int to, const SearchLimits& limits) {
     nodes.push_back(to);
     const auto refused = firstRefused(nodes);
     if (!refused) return true;
-    guide->avoid(*refused);
+    guide.avoid(*refused);
   }
   return false;
+}
+
+bool SampledRoadmap::isShutOff(int from, int to, const SearchLimits& limits,
+                               SteeringScratch& scratch) {
+  const auto place = [&](int node) { return roadmap_.nodes()[node].at.stance.position; };
+  shut_off_ = steering_.shutOff(
+      place(from), place(to), [&] { return limits.stopped(); }, scratch);
+  if (shut_off_) count_.add(*shut_off_);
+  return shut_off_.has_value();
+}
+
+// Ways over the map first, where there is one, and whether things shut the places off.
+// @return whether walks lead there; none where samples are to say
+std::optional<bool> SampledRoadmap::askMap(WayGuide* guide, int from, int to,
+                                           const SearchLimits& limits, SteeringScratch& scratch) {
+  if (guide && followWays(*guide, from, to, limits)) return true;
+  if (limits.stopped() || isShutOff(from, to, limits, scratch)) return false;
+  return std::nullopt;
 }
 
 bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
@@ -268,15 +291,21 @@ bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
   std::vector<SteeringScratchPtr> scratches(limits.threads);
   for (SteeringScratchPtr& scratch : scratches) scratch = steering_.makeScratch();
   const Eigen::AlignedBox2d& bounds = sampler_.bounds();
+  const auto place = [&](int node) { return roadmap_.nodes()[node].at.stance.position; };
   Eigen::AlignedBox2d ends;
-  for (const int node : {from, to})
-    ends.extend(roadmap_.nodes()[node].at.stance.position.head<2>().eval());
+  for (const int node : {from, to}) ends.extend(place(node).head<2>().eval());
+  insertPassages(grown(ends, kFirstMargin), limits);
+  const auto guide = steering_.guide(place(from), place(to), bounds);
+  if (const auto known = askMap(guide.get(), from, to, limits, *scratches[0])) return *known;
+  if (const auto narrow = guide ? guide->narrowest() : std::nullopt) {
+    const Eigen::Vector2d at = narrow->head<2>();
+    const Eigen::AlignedBox2d region = grown({at, at}, kAroundNarrow);
+    return grow(from, to, sampler_.within(region), limits.max_failures, limits, scratches);
+  }
   for (double margin = kFirstMargin;; margin *= 2.0) {
-    const Eigen::Vector2d by = Eigen::Vector2d::Constant(margin);
-    const Eigen::AlignedBox2d region(ends.min() - by, ends.max() + by);
+    const Eigen::AlignedBox2d region = grown(ends, margin);
     const bool is_all = region.contains(bounds);
     insertPassages(is_all ? Eigen::AlignedBox2d(bounds).extend(region) : region, limits);
-    if (margin == kFirstMargin && followWays(from, to, limits)) return true;
     const int most = is_all ? limits.max_failures : (limits.max_failures + 3) / kShareOfRegion;
     const StanceSampler sampler = is_all ? sampler_ : sampler_.within(region);
     if (grow(from, to, sampler, most, limits, scratches)) return true;

@@ -71,7 +71,7 @@ class SampledRoadmap {
 
   /// Adds the ends of passages, each once, and samples until walks lead from one node to the other,
   /// the counted limit is reached for all of the bounds, or limits.stopped().
-  /// @return whether walks lead there
+  /// A proof that none leads there ends it before any sample. @return whether walks lead there
   bool connect(int from, int to, const SearchLimits& limits);
 
   void clear();  ///< as if made anew
@@ -81,6 +81,9 @@ class SampledRoadmap {
   const std::vector<RefusedEdge>& refused() const { return refused_; }
   long long samples() const { return samples_; }
   int failures() const { return failures_; }  ///< in a row, now
+
+  /// Of the last connect() that failed: the proof that no walk leads there, where there is one.
+  const std::optional<SteeringFailure>& shutOff() const { return shut_off_; }
 
   /// Estimated share of the free space that is covered [0 to 1]; 0 where the method knows none.
   virtual double coverage() const { return 0.0; }
@@ -110,7 +113,10 @@ class SampledRoadmap {
   bool grow(int from, int to, const StanceSampler& sampler, int most, const SearchLimits& limits,
             std::vector<SteeringScratchPtr>& scratches);
   int insert(Candidate candidate, SteeringScratch& scratch);
-  bool followWays(int from, int to, const SearchLimits& limits);
+  std::optional<bool> askMap(WayGuide* guide, int from, int to, const SearchLimits& limits,
+                             SteeringScratch& scratch);
+  bool isShutOff(int from, int to, const SearchLimits& limits, SteeringScratch& scratch);
+  bool followWays(WayGuide& guide, int from, int to, const SearchLimits& limits);
   std::optional<Eigen::Vector3d> firstRefused(const std::vector<int>& nodes) const;
   int commit(Candidate& candidate, SteeringScratch& scratch);
   Verdict judgeExactly(Candidate& candidate, SteeringScratch& scratch) const;
@@ -124,6 +130,7 @@ class SampledRoadmap {
   Roadmap roadmap_;
   SteeringCount count_;
   std::vector<RefusedEdge> refused_;
+  std::optional<SteeringFailure> shut_off_;
   long long samples_ = 0;
   int failures_ = 0;
   std::optional<std::vector<StancePair>> passages_;  // those that are not inserted yet

@@ -6,6 +6,7 @@ SteeringStage stageOf(WalkRule rule) {
   switch (rule) {
     case WalkRule::kNone:
     case WalkRule::kNoCurve:
+    case WalkRule::kDisconnected:
       return SteeringStage::kRootPath;
     case WalkRule::kStepLength:
     case WalkRule::kTurnRate:

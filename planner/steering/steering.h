@@ -6,6 +6,7 @@
 /// about steer(b, a).
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -74,6 +75,9 @@ class WayGuide {
   virtual std::optional<std::vector<Stance>> next() = 0;
   /// The next way is to lead elsewhere than here, where steering refused [m, World].
   virtual void avoid(const Eigen::Vector3d& at) = 0;
+  /// The narrowest place of the widest way, where there is hardly room for the body, or none; none,
+  /// too, where there is no way or room everywhere [m, World].
+  virtual std::optional<Eigen::Vector3d> narrowest() const = 0;
 };
 
 struct SteerResult {
@@ -123,6 +127,14 @@ class Steering {
   virtual std::unique_ptr<WayGuide> guide(const Eigen::Vector3d&, const Eigen::Vector3d&,
                                           const Eigen::AlignedBox2d&) const {
     return nullptr;
+  }
+
+  /// Proof that no walk leads from one place to another, whatever edges are tried: what shuts the
+  /// body off. None says nothing. @param stopped  asked now and then
+  virtual std::optional<SteeringFailure> shutOff(const Eigen::Vector3d&, const Eigen::Vector3d&,
+                                                 const std::function<bool()>&,
+                                                 SteeringScratch&) const {
+    return std::nullopt;
   }
 
   /// No edge between two places is faster than their distance over this [m/s, > 0].

@@ -207,8 +207,9 @@ WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWo
       world_(world),
       ground_(ground),
       comfort_(comfort),
-      core_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(),
-            synthesizer.stature()) {
+      core_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature()),
+      reach_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(),
+             ground.settings().limits.highestStep()) {
   const Eigen::AlignedBox1d breadth = walkingBreadth(walk, synthesizer.skeleton(), world.body());
   if (breadth.isEmpty()) return;
   half_breadth_ = std::max(-breadth.min()[0], breadth.max()[0]);
@@ -246,6 +247,23 @@ std::unique_ptr<WayGuide> WalkSteering::guide(const Eigen::Vector3d& from,
   return std::make_unique<WayFinder>(
       std::make_shared<const ClearanceMap>(ground_, bounds, breadth_), from, to,
       synthesizer_.shortestWalk());
+}
+
+std::optional<SteeringFailure> WalkSteering::shutOff(const Eigen::Vector3d& from,
+                                                     const Eigen::Vector3d& to,
+                                                     const std::function<bool()>& stopped,
+                                                     SteeringScratch& scratch) const {
+  const auto barrier =
+      reach_.barrier(from, to, world_, ground_, *walkScratch(scratch).collision, stopped);
+  if (!barrier) return std::nullopt;
+  const Eigen::Vector3d way = barrier->far - barrier->near;
+  return SteeringFailure{WalkRule::kDisconnected,
+                         barrier->part,
+                         barrier->object,
+                         0.0,
+                         barrier->at,
+                         0.5 * (barrier->near + barrier->far),
+                         std::atan2(way.y(), way.x())};
 }
 
 bool WalkSteering::place(Stance& stance) const {

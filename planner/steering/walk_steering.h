@@ -19,6 +19,7 @@
 #include "environments/collision/collision_world.h"
 #include "environments/map/clearance_map.h"
 #include "planner/steering/body_core.h"
+#include "planner/steering/body_reach.h"
 #include "planner/steering/steering.h"
 
 namespace amble {
@@ -48,6 +49,9 @@ class WalkSteering : public Steering {
   std::vector<StancePair> passages() const override;
   std::unique_ptr<WayGuide> guide(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                   const Eigen::AlignedBox2d& bounds) const override;
+  std::optional<SteeringFailure> shutOff(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                         const std::function<bool()>& stopped,
+                                         SteeringScratch& scratch) const override;
 
   /// By a few small steps to a standing stance beside the first, in any direction, turning on the
   /// way; refused where it is farther than kSmallSteps. For start and goal: between samples of a
@@ -78,6 +82,7 @@ class WalkSteering : public Steering {
   const SceneGround& ground_;
   double comfort_;
   BodyCore core_;
+  BodyReach reach_;
   double half_breadth_ = 0.0;      // of the body that walks, from the path; 0: not known [m]
   ClearanceMap::Breadth breadth_;  // the same by height; without bands where it is not known
 };

@@ -159,6 +159,31 @@ std::optional<std::vector<Stance>> WayFinder::next() {
   return stances;
 }
 
+// The widest way is a tree's: of all places that are reached the roomiest goes on first, and the
+// least room until the goal is reached is that of the way to it.
+std::optional<Eigen::Vector3d> WayFinder::narrowest() const {
+  if (from_ < 0 || to_ < 0) return std::nullopt;
+  std::vector<bool> seen(map_->size(), false);
+  std::priority_queue<std::pair<float, int>> open;
+  open.emplace(map_->spare(from_), from_);
+  seen[from_] = true;
+  int narrowest = from_;
+  while (!open.empty()) {
+    const int place = open.top().second;
+    open.pop();
+    if (map_->spare(place) < map_->spare(narrowest) || narrowest == from_) narrowest = place;
+    if (place == to_) break;
+    for (const auto& [dx, dy] : kAround) {
+      const int other = map_->beside(place, dx, dy);
+      if (other < 0 || seen[other]) continue;
+      seen[other] = true;
+      open.emplace(map_->spare(other), other);
+    }
+  }
+  if (!seen[to_] || map_->spare(narrowest) > kRoomInSight) return std::nullopt;
+  return map_->at(narrowest);
+}
+
 void WayFinder::avoid(const Eigen::Vector3d& at) {
   for (int place = 0; place < map_->size(); ++place) {
     const double distance = (map_->at(place) - at).head<2>().norm();

@@ -24,6 +24,7 @@ class WayFinder : public WayGuide {
 
   std::optional<std::vector<Stance>> next() override;
   void avoid(const Eigen::Vector3d& at) override;
+  std::optional<Eigen::Vector3d> narrowest() const override;
 
  private:
   std::vector<int> cheapest() const;

@@ -1,0 +1,227 @@
+#include "planner/steering/body_reach.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace amble {
+namespace {
+
+// Of ankles over the height that feet are lifted over, at most [m].
+constexpr double kAnkle = 0.2;
+constexpr double kMostSquares = 16e6;  // of a flood; larger ones are not begun
+// Of a ball's radius, half a square's diagonal.
+constexpr double kOfRadius = 0.4;
+// Of a leg from the path, at any height [m].
+constexpr double kStride = 0.5;
+constexpr double kThinnest = 0.02;   // a smaller ball is none [m]
+constexpr int kStopEvery = 1 << 10;  // squares between looks at the clock
+
+// The axis of a part over a walk: heights over the ground, and how far it is from the path.
+struct PartWay {
+  Eigen::AlignedBox1d middle;  // of its middle [m]
+  double aside = 0.0;          // of any of its points, in plan [m]
+};
+
+std::vector<PartWay> waysOfParts(const StraightWalk& walk, const Skeleton& skeleton,
+                                 const Body& body) {
+  std::vector<PartWay> ways(body.parts.size());
+  std::vector<JointFrame> joints(skeleton.size());
+  std::vector<Eigen::Vector3d> from(body.parts.size()), to(body.parts.size());
+  for (int frame = 0; frame < walk.buffer.size(); ++frame) {
+    forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
+    placeBody(body, joints, from, to);
+    const Eigen::Vector3d& path = walk.buffer.states[frame].position;
+    for (size_t part = 0; part < ways.size(); ++part) {
+      PartWay& way = ways[part];
+      const Eigen::Vector3d a = from[part] - path, b = to[part] - path;
+      way.middle.extend(Eigen::Matrix<double, 1, 1>(0.5 * (a.z() + b.z())));
+      way.aside = std::max({way.aside, a.head<2>().norm(), b.head<2>().norm()});
+    }
+  }
+  return ways;
+}
+
+}  // namespace
+
+BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
+                     const Body& body, double highest_step) {
+  if (walk.buffer.size() == 0) return;
+  const std::vector<PartWay> ways = waysOfParts(walk, skeleton, body);
+  double hips = 0.0;  // lowest
+  for (size_t part = 0; part < ways.size(); ++part)
+    if (body.parts[part].joint == roles.hips) hips = ways[part].middle.min()[0] - kSway;
+  for (int part = 0; part < static_cast<int>(body.parts.size()); ++part) {
+    const BodyPart& own = body.parts[part];
+    const PartWay& way = ways[part];
+    const double low = way.middle.min()[0] - kSway, high = way.middle.max()[0] + kSway;
+    const double aside = way.aside + kSway;
+    // The leg, from the hip to the ankle, crosses this height once, with the thigh or the shank.
+    const double shank = highest_step + kAnkle;
+    if (part == body.head) {
+      balls_.push_back({high, std::max(high, body.upright - own.radius), own.radius, aside, part});
+    } else if (own.joint == roles.hips || own.name == "chest") {
+      const double middle = 0.5 * (low + high), radius = own.radius - 0.5 * (high - low);
+      if (radius > kThinnest) balls_.push_back({middle, middle, radius, aside, part});
+    } else if ((own.joint == roles.legs[kLeft].leg || own.joint == roles.legs[kRight].leg) &&
+               shank < hips) {
+      balls_.push_back({shank, shank, own.radius, kStride, part});
+    }
+  }
+}
+
+// Of one ball, from both ends in turn.
+class BodyReach::Flood {
+ public:
+  Flood(const Ball& ball, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+        const CollisionWorld& world, const SceneGround& ground, CollisionScratch& scratch)
+      : ball_(ball),
+        square_(std::min(kLargest, kOfRadius * std::sqrt(2.0) * ball.radius)),
+        from_(from),
+        to_(to),
+        world_(world),
+        scratch_(scratch) {
+    Eigen::AlignedBox2d region = ground.extent();
+    region.extend(from.head<2>().eval()).extend(to.head<2>().eval());
+    min_ = region.min().array() - kBeyond;
+    const Eigen::Array2d squares = (region.sizes().array() + 2.0 * kBeyond) / square_ + 1.0;
+    if (squares.prod() > kMostSquares) return;
+    count_ = squares.cast<int>();
+    reached_.assign(static_cast<size_t>(count_.x()) * count_.y(), kUnknown);
+  }
+
+  // Whether start and goal are in different parts; no where it is stopped.
+  bool isShut(const std::function<bool()>& stopped);
+  Barrier barrier();  // @pre isShut
+
+ private:
+  static constexpr std::uint8_t kUnknown = 0, kShut = 3;  // reached from: 1, 2
+
+  Eigen::Vector2d middle(int square) const {
+    return min_ + square_ * Eigen::Vector2d(square % count_.x() + 0.5, square / count_.x() + 0.5);
+  }
+  double detour(int square) const {
+    const Eigen::Vector2d p = middle(square);
+    return (p - from_.head<2>()).norm() + (p - to_.head<2>()).norm();
+  }
+  int object(const Eigen::Vector2d& p) const {
+    const Eigen::Vector3d low(p.x(), p.y(), from_.z() + ball_.height);
+    const Eigen::Vector3d high(p.x(), p.y(), from_.z() + ball_.top);
+    return world_.touched(low, high, ball_.radius - std::sqrt(0.5) * square_, scratch_);
+  }
+  Barrier between(const std::vector<int>& before, int last) const;
+  bool begin(const Eigen::Vector3d& end, int side);
+  bool reach(int square, int side);
+  bool spread(int square, int side);
+
+  const Ball& ball_;
+  const double square_;  // side [m]
+  const Eigen::Vector3d from_, to_;
+  const CollisionWorld& world_;
+  CollisionScratch& scratch_;
+  Eigen::Vector2d min_{0, 0};
+  Eigen::Vector2i count_{0, 0};
+  std::vector<std::uint8_t> reached_;        // by square
+  std::array<std::vector<int>, 2> squares_;  // reached from each end, in order
+};
+
+// @return whether the other side has been there
+bool BodyReach::Flood::reach(int square, int side) {
+  std::uint8_t& known = reached_[square];
+  if (known == kUnknown) {
+    known = object(middle(square)) >= 0 ? kShut : static_cast<std::uint8_t>(1 + side);
+    if (known != kShut) squares_[side].push_back(square);
+    return false;
+  }
+  return known == 2 - side;
+}
+
+bool BodyReach::Flood::begin(const Eigen::Vector3d& end, int side) {
+  const int far = static_cast<int>(std::ceil(ball_.aside / square_));
+  const Eigen::Vector2i at = ((end.head<2>() - min_) / square_).cast<int>();
+  bool met = false;
+  for (int y = std::max(0, at.y() - far); y <= std::min(count_.y() - 1, at.y() + far); ++y) {
+    for (int x = std::max(0, at.x() - far); x <= std::min(count_.x() - 1, at.x() + far); ++x)
+      met = reach(y * count_.x() + x, side) || met;
+  }
+  return met;
+}
+
+bool BodyReach::Flood::spread(int square, int side) {
+  const int x = square % count_.x(), y = square / count_.x();
+  bool met = false;
+  for (int j = std::max(0, y - 1); j <= std::min(count_.y() - 1, y + 1); ++j) {
+    for (int i = std::max(0, x - 1); i <= std::min(count_.x() - 1, x + 1); ++i)
+      met = reach(j * count_.x() + i, side) || met;
+  }
+  return met;
+}
+
+bool BodyReach::Flood::isShut(const std::function<bool()>& stopped) {
+  if (reached_.empty() || begin(from_, 0) || begin(to_, 1)) return false;
+  for (size_t next = 0;; ++next) {
+    if (next % kStopEvery == 0 && stopped()) return false;
+    for (const int side : {0, 1}) {
+      if (next >= squares_[side].size()) return true;
+      if (spread(squares_[side][next], side)) return false;
+    }
+  }
+}
+
+// From the part that is flooded through shut squares, ring by ring, to the other; of squares that
+// are reached in the same ring the one that is least out of the way.
+BodyReach::Barrier BodyReach::Flood::barrier() {
+  for (const int side : {0, 1})
+    for (size_t i = 0; i < squares_[side].size(); ++i) spread(squares_[side][i], side);
+  std::vector<int> before(reached_.size(), -1), ring = squares_[0];
+  for (const int square : ring) before[square] = square;
+  int best = -1;
+  while (best < 0 && !ring.empty()) {
+    std::vector<int> next;
+    for (const int square : ring) {
+      const int x = square % count_.x(), y = square / count_.x();
+      for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+        if (x + dx < 0 || y + dy < 0 || x + dx >= count_.x() || y + dy >= count_.y()) continue;
+        const int other = square + dy * count_.x() + dx;
+        if (before[other] >= 0) continue;
+        before[other] = square;
+        next.push_back(other);
+        if (reached_[other] == 2 && (best < 0 || detour(other) < detour(best))) best = other;
+      }
+    }
+    ring = std::move(next);
+  }
+  return best >= 0 ? between(before, best) : Barrier{ball_.part, -1, to_, from_, to_};
+}
+
+// Of the way back from a square of the other part the middle, where something is in the way.
+BodyReach::Barrier BodyReach::Flood::between(const std::vector<int>& before, int last) const {
+  std::vector<int> way = {last};
+  while (before[way.back()] != way.back()) way.push_back(before[way.back()]);
+  const Eigen::Vector2d far = middle(way.front()), near = middle(way.back());
+  Barrier barrier{ball_.part, -1, from_, from_, from_};
+  barrier.far.head<2>() = far;
+  barrier.near.head<2>() = near;
+  const Eigen::Vector2d at = middle(way[way.size() / 2]);
+  barrier.object = object(at);
+  barrier.at << at, from_.z() + ball_.height;
+  return barrier;
+}
+
+std::optional<BodyReach::Barrier> BodyReach::barrier(const Eigen::Vector3d& from,
+                                                     const Eigen::Vector3d& to,
+                                                     const CollisionWorld& world,
+                                                     const SceneGround& ground,
+                                                     CollisionScratch& scratch,
+                                                     const std::function<bool()>& stopped) const {
+  if (!ground.isLevel()) return std::nullopt;
+  for (const Ball& ball : balls_) {
+    Flood flood(ball, from, to, world, ground, scratch);
+    if (flood.isShut(stopped)) return flood.barrier();
+  }
+  return std::nullopt;
+}
+
+}  // namespace amble

@@ -1,0 +1,70 @@
+/// Whether things shut the body off from a place: a proof of "no" that needs no search.
+///
+/// Wherever the body walks, whatever its heading, it holds some balls at heights of their own: in
+/// its pelvis, its chest and its head, with what of an upright body is over it, and in each leg
+/// where it crosses a height that no ankle is lifted to. Each moves along a curve without a jump,
+/// from near the start to near the goal. Where a ball cannot be, because something is nearer to its
+/// middle than its radius, none of its curves leads. So if the plane without those places falls
+/// apart, with start and goal in different parts, for any one of the balls, there is no walk.
+///
+/// A flood over squares decides it. A square is shut where a ball at its middle touches something
+/// with its radius less half the square's diagonal: then it does wherever in the square it is. All
+/// doubts are decided for the walker: the balls are those that a straight walk from standing to
+/// standing holds at every frame, less kSway of height; squares are left across their corners too;
+/// ends count as all squares as far from them as a ball is from the path at most, and kSway more;
+/// and the flood may leave the ground by kBeyond. Asked where the ground is level: elsewhere the
+/// body is carried otherwise.
+///
+/// So "shut" is certain, up to walks that carry pelvis or head otherwise than the straight one by
+/// more than kSway, of which the library has none; "not shut" says little.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "environments/collision/collision_world.h"
+#include "planner/steering/straight_walk.h"
+
+namespace amble {
+
+class BodyReach {
+ public:
+  static constexpr double kSway = 0.02;     ///< [m]
+  static constexpr double kBeyond = 0.12;   ///< [m]
+  static constexpr double kLargest = 0.05;  ///< square [m]
+
+  /// Of a body on a walk; knows nothing where the walk has no frames. @pre body outlives it
+  /// @param highest_step  that feet are lifted over [m]
+  BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
+            const Body& body, double highest_step);
+
+  /// What shuts the body off, where least is missing.
+  struct Barrier {
+    int part = -1;                                 ///< of the body, that does not pass
+    int object = -1;                               ///< of the scene, that it would touch
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< where it would [m, World]
+    /// The ground where what is reached from the start ends, and where the rest begins [m, World].
+    Eigen::Vector3d near = Eigen::Vector3d::Zero(), far = Eigen::Vector3d::Zero();
+  };
+  /// None says nothing. Cost: a few hundred nanoseconds a square, of the smaller part at most
+  /// twice.
+  /// @param from, to  on level ground [m, World]
+  /// @param stopped  asked now and then; where it says so nothing is known
+  std::optional<Barrier> barrier(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                 const CollisionWorld& world, const SceneGround& ground,
+                                 CollisionScratch& scratch,
+                                 const std::function<bool()>& stopped) const;
+
+ private:
+  struct Ball {
+    double height = 0.0, top = 0.0;  // of its middle over the ground, and up to there [m]
+    double radius = 0.0;             // [m, > 0]
+    double aside = 0.0;              // from the path, at most [m]
+    int part = -1;                   // of the body
+  };
+  class Flood;
+  std::vector<Ball> balls_;
+};
+
+}  // namespace amble
