@@ -75,7 +75,6 @@ class BodyMaker {
       addLeg(side);
       addFoot(side);
     }
-    fillReach();
     return std::move(body_);
   }
 
@@ -271,18 +270,6 @@ class BodyMaker {
     const double tilt = std::asin(sine) - std::atan2(rise, run);
     return {std::cos(tilt) * rest_.up + std::sin(tilt) * ahead,
             std::cos(tilt) * ahead - std::sin(tilt) * rest_.up};
-  }
-
-  void fillReach() {
-    for (const BodyPart& part : body_.parts) {
-      std::vector<double> reach(skeleton_.size(), 0.0);
-      double length = std::max(part.from.norm(), part.to.norm()) + part.radius;
-      for (int j = part.joint; j >= 0; j = skeleton_.joint(j).parent) {
-        reach[j] = length;
-        length += skeleton_.joint(j).offset.norm();
-      }
-      body_.reach.push_back(std::move(reach));
-    }
   }
 
   const Skeleton& skeleton_;

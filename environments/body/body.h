@@ -28,10 +28,6 @@ struct BodyPart {
 struct Body {
   std::vector<BodyPart> parts;
 
-  /// How far any point of part i may be from joint j's origin, for joints j that it hangs on; 0 for
-  /// others: reach(i, j) is an upper bound over all poses, since bones are rigid [m].
-  std::vector<std::vector<double>> reach;  ///< [part][joint]
-
   int head = -1;  ///< the part
   /// How tall the body counts as at every frame, over its lowest sole: a walking head dips by some
   /// centimetres from step to step, and nobody passes upright under what is lower than he stands.

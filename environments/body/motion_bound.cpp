@@ -21,43 +21,26 @@ double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
 }  // namespace
 
 MotionBound::MotionBound(const Skeleton& skeleton, const Body& body) {
-  for (const Joint& joint : skeleton.joints()) {
-    parent_.push_back(joint.parent);
-    offset_.push_back(joint.offset.norm());
-  }
-  for (size_t i = 0; i < body.parts.size(); ++i) {
-    const BodyPart& part = body.parts[i];
-    const int first = static_cast<int>(levers_.size());
-    for (int j = part.joint; j >= 0; j = parent_[j])
-      levers_.push_back({j, body.reach[i][j] - part.radius});
-    parts_.push_back({part.joint, std::max(part.from.norm(), part.to.norm()), first,
-                      static_cast<int>(levers_.size()) - first});
-  }
+  for (const Joint& joint : skeleton.joints())
+    links_.push_back({joint.parent, joint.offset.norm()});
+  for (const BodyPart& part : body.parts)
+    parts_.push_back({part.joint, std::max(part.from.norm(), part.to.norm())});
 }
 
 void MotionBound::compute(PoseView a, PoseView b, std::span<PartMotion> motions,
-                          std::span<double> angles, std::span<double> sums) const {
-  assert(motions.size() == parts_.size() && angles.size() == parent_.size());
-  assert(sums.size() == 2 * parent_.size());
-  const size_t joints = parent_.size();
-  const double root = (b.p_WR - a.p_WR).norm();
-  double* turned = sums.data();         // theta_1 + ... + theta_j along the way from the root
-  double* bent = sums.data() + joints;  // A of the joint's origin
-  for (size_t j = 0; j < joints; ++j) {
-    angles[j] = angleBetween(a.rotations[j], b.rotations[j]);
-    const int parent = parent_[j];
-    turned[j] = angles[j] + (parent < 0 ? 0.0 : turned[parent]);
-    bent[j] = parent < 0 ? 0.0 : bent[parent] + offset_[j] * turned[parent] * turned[parent];
+                          std::span<Turned> turned) const {
+  assert(motions.size() == parts_.size() && turned.size() == links_.size());
+  turned[0] = {angleBetween(a.rotations[0], b.rotations[0]), (b.p_WR - a.p_WR).norm(), 0.0};
+  for (size_t j = 1; j < links_.size(); ++j) {
+    const Turned& above = turned[links_[j].parent];
+    const double arc = links_[j].offset * above.angle;
+    turned[j] = {above.angle + angleBetween(a.rotations[j], b.rotations[j]), above.path + arc,
+                 above.second + arc * above.angle};
   }
   for (size_t i = 0; i < parts_.size(); ++i) {
-    const Part& part = parts_[i];
-    double path = root;
-    for (int k = 0; k < part.levers; ++k) {
-      const Lever& lever = levers_[part.first_lever + k];
-      path += angles[lever.joint] * lever.reach;
-    }
-    const double turn = turned[part.joint];
-    motions[i] = {path, 0.125 * (bent[part.joint] + part.length * turn * turn)};
+    const Turned& joint = turned[parts_[i].joint];
+    const double arc = parts_[i].length * joint.angle;
+    motions[i] = {joint.path + arc, 0.125 * (joint.second + arc * joint.angle)};
   }
 }
 

@@ -3,11 +3,11 @@
 ///
 /// Two bounds for a point of a part's axis, of which the smaller counts. (1) It moves by no more
 /// than the root does plus, for each joint above it, the joint's angle times its reach (DESIGN.md,
-/// section 3). (2) With every joint turning at a constant rate, a point o_1 + R_1 (o_2 + R_2 (...))
-/// has a second derivative of at most A = sum over links k of |o_k| (theta_1 + ... + theta_k)^2 in
-/// units of the interval, so it leaves the straight line between its two ends by no more than A
-/// / 8. The first is tight for an arm that swings, the second for a planted foot, over which hip,
-/// knee and ankle undo one another.
+/// section 3): link by link, the length of each times all angles above it. (2) With every joint
+/// turning at a constant rate, a point o_1 + R_1 (o_2 + R_2 (...)) has a second derivative of at
+/// most A = sum over links k of |o_k| (theta_1 + ... + theta_k)^2 in units of the interval, so it
+/// leaves the straight line between its two ends by no more than A / 8. The first is tight for an
+/// arm that swings, the second for a planted foot, over which hip, knee and ankle undo one another.
 #pragma once
 
 #include <algorithm>
@@ -41,24 +41,27 @@ class MotionBound {
  public:
   MotionBound(const Skeleton& skeleton, const Body& body);
 
-  /// Fills `motions`, one a part. `angles` and `sums` are scratch, one a joint.
-  void compute(PoseView a, PoseView b, std::span<PartMotion> motions, std::span<double> angles,
-               std::span<double> sums) const;
+  /// What is known of a joint on the way from the root, over one interval.
+  struct Turned {
+    double angle;   ///< theta_1 + ... + theta_j of the joints down to this one [rad]
+    double path;    ///< of its origin, at most [m]
+    double second;  ///< A of its origin [m]
+  };
+  /// Fills `motions`, one a part. `turned` is scratch, one a joint.
+  void compute(PoseView a, PoseView b, std::span<PartMotion> motions,
+               std::span<Turned> turned) const;
 
  private:
-  struct Lever {
-    int joint;
-    double reach;  // of the part's axis from the joint's origin [m]
-  };
   struct Part {
     int joint;
     double length;  // from its joint's origin to the farther end of its axis [m]
-    int first_lever, levers;
   };
-  std::vector<int> parent_;
-  std::vector<double> offset_;  // length of each joint's [m]
+  struct Link {
+    int parent;
+    double offset;  // length of the joint's [m]
+  };
+  std::vector<Link> links_;  // by joint
   std::vector<Part> parts_;
-  std::vector<Lever> levers_;
 };
 
 }  // namespace amble

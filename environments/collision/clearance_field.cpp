@@ -294,26 +294,12 @@ void ClearanceField::transform(const std::vector<uint8_t>& occupied) {
   for (size_t i = 0; i < total; ++i) bound_[i] = table[a[i]];
 }
 
-double ClearanceField::lowerBound(const Eigen::Vector3d& p) const {
-  const Eigen::Vector3d q = (p - grid_.min) * per_voxel_;
-  // Compared as numbers first: a far point's index does not fit an int.
-  if (!(q.x() >= 0.0 && q.y() >= 0.0 && q.z() >= 0.0 && q.x() < grid_.count.x() &&
-        q.y() < grid_.count.y() && q.z() < grid_.count.z()))
-    return 0.0;
-  return kQuantum * bound_[grid_.index(static_cast<int>(q.x()), static_cast<int>(q.y()),
-                                       static_cast<int>(q.z()))];
-}
-
-bool ClearanceField::isFree(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                            double radius) const {
-  const Eigen::Vector3d middle = 0.5 * (from + to);
-  const double bound = lowerBound(middle);
-  if (bound <= radius) return false;
-  const double half = 0.5 * (to - from).norm();
-  if (bound > half + radius) return true;
+bool ClearanceField::halvesAreFree(const Capsule& capsule, double square) const {
   // Half a capsule is as hard as the whole once it is shorter than what the grid can tell.
-  if (half < 0.5 * grid_.size) return false;
-  return isFree(from, middle, radius) && isFree(middle, to, radius);
+  if (square < grid_.size * grid_.size) return false;
+  const Eigen::Vector3d middle = 0.5 * (capsule.from + capsule.to);
+  return isFree({capsule.from, middle, capsule.radius}) &&
+         isFree({middle, capsule.to, capsule.radius});
 }
 
 }  // namespace amble

@@ -49,17 +49,30 @@ class ClearanceField {
 
   double voxel() const { return grid_.size; }  ///< length of a voxel's edge [m]
   /// Nothing is nearer to p than this; 0 outside the region [m].
-  double lowerBound(const Eigen::Vector3d& p) const;
+  double lowerBound(const Eigen::Vector3d& p) const {
+    const Eigen::Vector3d q = (p - grid_.min) * per_voxel_;
+    // Compared as numbers first: a far point's index does not fit an int.
+    if (!(q.x() >= 0.0 && q.y() >= 0.0 && q.z() >= 0.0 && q.x() < grid_.count.x() &&
+          q.y() < grid_.count.y() && q.z() < grid_.count.z()))
+      return 0.0;
+    return kQuantum * bound_[grid_.index(static_cast<int>(q.x()), static_cast<int>(q.y()),
+                                         static_cast<int>(q.z()))];
+  }
   /// True only if the capsule touches nothing; false says nothing.
   bool isFree(const Capsule& capsule) const {
-    return isFree(capsule.from, capsule.to, capsule.radius);
+    // Mostly the ball about the whole of it is free.
+    const double room = lowerBound(0.5 * (capsule.from + capsule.to)) - capsule.radius;
+    if (room <= 0.0) return false;
+    const double square = (capsule.to - capsule.from).squaredNorm();
+    return 4.0 * room * room > square || halvesAreFree(capsule, square);
   }
-  bool isFree(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius) const;
 
  private:
   static constexpr double kQuantum = kFarthest / 255.0;  // [m] of a byte
 
   void transform(const std::vector<uint8_t>& occupied);
+  // @param square  of its axis' length [m^2]
+  bool halvesAreFree(const Capsule& capsule, double square) const;
 
   VoxelGrid grid_;
   double per_voxel_ = 1.0;

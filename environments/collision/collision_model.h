@@ -15,14 +15,18 @@
 
 namespace amble {
 
+/// Of what a part at a frame is free as far as it moves in the intervals beside it.
+struct FreeAround {
+  bool obstacles, ground;
+};
+
 /// Memory of one thread; nothing in it outlives a call but its size.
 class CollisionScratch {
  public:
   CollisionScratch(int joint_count, int part_count)
       : parts(part_count),
         joints(joint_count),
-        angles(joint_count),
-        sums(2 * joint_count),
+        turned(joint_count),
         from(part_count),
         to(part_count),
         exact(ObstacleSet::makeScratch()) {
@@ -45,22 +49,22 @@ class CollisionScratch {
     return all_motions[static_cast<size_t>(frame) * parts + part];
   }
   double& near(int frame, int part) { return nears[static_cast<size_t>(frame) * parts + part]; }
-  char& freeAround(int frame, int part) {
+  FreeAround& freeAround(int frame, int part) {
     return free_around[static_cast<size_t>(frame) * parts + part];
   }
 
   int parts;
   std::vector<JointFrame> joints;
-  std::vector<double> angles, sums;
+  std::vector<MotionBound::Turned> turned;
   std::vector<Eigen::Vector3d> from, to;
   ObstacleSet::ScratchPtr exact;
   Pose middle;
   // [frame][part]: places, where `placed`; motion to the next frame and PartMotion::near of it [m];
-  // whether the part was proved free as far as it moves in the intervals beside the frame.
+  // of what the part was proved free as far as it moves in the intervals beside the frame.
   std::vector<Capsule> capsules;
   std::vector<PartMotion> all_motions;
   std::vector<double> nears;
-  std::vector<char> free_around;
+  std::vector<FreeAround> free_around;
   std::vector<bool> placed;
 };
 

@@ -195,6 +195,38 @@ void GroundLayer::fillSpans(const std::vector<Obstacle>& surfaces, const StopReq
   }
   start_.push_back(static_cast<int>(spans_.size()));
   for (const Span& span : spans_) top_ = std::max(top_, span.high);
+  fillNearTops();
+}
+
+// The largest over a square of cells: along one axis, then along the other.
+void GroundLayer::fillNearTops() {
+  const int nx = count_.x(), ny = count_.y();
+  near_top_.assign(start_.size() - 1, kNone);
+  for (size_t cell = 0; cell < near_top_.size(); ++cell)
+    if (start_[cell + 1] > start_[cell]) near_top_[cell] = spans_[start_[cell + 1] - 1].high;
+  std::vector<double> line;
+  const auto widen = [&](double* first, int count, size_t step) {
+    line.clear();
+    for (int i = 0; i < count; ++i) line.push_back(first[i * step]);
+    for (int i = 0; i < count; ++i)
+      first[i * step] = *std::max_element(line.begin() + std::max(0, i - kNearCells),
+                                          line.begin() + std::min(count, i + kNearCells + 1));
+  };
+  const size_t row = nx;
+  for (int j = 0; j < ny; ++j) widen(&near_top_[j * row], nx, 1);
+  for (int i = 0; i < nx; ++i) widen(&near_top_[i], ny, row);
+}
+
+bool GroundLayer::isAbove(const Capsule& capsule, double depth) const {
+  const double lowest = capsule.lowest() + depth;
+  if (lowest >= top_) return true;
+  // Of cells so near to its middle, a little less against rounding. Cells at the border answer for
+  // what is beyond it: no ground is nearer to that than to them.
+  const double room = (kNearCells - 1e-6) * cell_ - capsule.radius;
+  if (!(room > 0.0) || 4.0 * room * room < (capsule.to - capsule.from).head<2>().squaredNorm())
+    return false;
+  const Eigen::Vector2i cell = cellOf(0.5 * (capsule.from + capsule.to).head<2>());
+  return lowest >= near_top_[cell.x() + static_cast<size_t>(cell.y()) * count_.x()];
 }
 
 bool GroundLayer::meetsSpan(const Eigen::AlignedBox3d& box) const {

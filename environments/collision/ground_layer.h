@@ -33,6 +33,10 @@ class GroundLayer {
   /// >= 0]; -1 for none.
   int touched(const Capsule& capsule, double depth, ObstacleSet::Scratch& scratch) const;
 
+  /// True only if the capsule, lifted by `depth` [m, >= 0], is higher than all ground near it;
+  /// false says nothing.
+  bool isAbove(const Capsule& capsule, double depth) const;
+
   /// True only if nothing between the places a and b of a capsule touches the ground, lifted by
   /// `depth`, each point leaving its straight way by no more than `bend` [m, >= 0]; false says
   /// nothing.
@@ -45,6 +49,7 @@ class GroundLayer {
   static constexpr double kCell = 0.1;
   static constexpr int kMostCells = 1000;
   static constexpr double kMostEntries = 4e6;
+  static constexpr int kNearCells = 3;  // a thigh's half length in cells of the usual size
   struct Span {
     double low, high;
   };
@@ -63,6 +68,7 @@ class GroundLayer {
                                const StopRequest& stop) const;
   void collect(const TriangleMesh& mesh, int solid, std::vector<Entry>& entries) const;
   void fillCell(std::span<const Entry> entries);
+  void fillNearTops();
   Eigen::Vector2i cellOf(const Eigen::Vector2d& p) const;
   bool meetsSpan(const Eigen::AlignedBox3d& box) const;
   int aboveOf(const Eigen::Vector3d& p) const;
@@ -77,7 +83,9 @@ class GroundLayer {
   Eigen::Vector2i count_{0, 0};
   std::vector<int> start_;   // of each cell in spans_, and the end; x fastest
   std::vector<Span> spans_;  // lowest first, without overlap
-  double top_ = -HUGE_VAL;   // of all spans [m]
+  // By cell: the top of all spans no more than kNearCells from it along either axis [m].
+  std::vector<double> near_top_;
+  double top_ = -HUGE_VAL;  // of all spans [m]
 };
 
 }  // namespace amble

@@ -55,30 +55,31 @@ void MotionCheck::measureInterval(int frame) {
   place(frame + 1);
   const size_t parts = static_cast<size_t>(world_.parts());
   world_.bound.compute(poses_[frame], poses_[frame + 1], {&scratch_.motion(frame, 0), parts},
-                       scratch_.angles, scratch_.sums);
+                       scratch_.turned);
   for (int part = 0; part < world_.parts(); ++part) {
     const double chord = chordOf(scratch_.capsule(frame, part), scratch_.capsule(frame + 1, part));
     scratch_.near(frame, part) = scratch_.motion(frame, part).near(chord);
   }
 }
 
-// Leaves in freeAround whether a part is free of obstacles as far as it moves in the intervals
-// beside the frame.
+// Leaves in freeAround of what a part is free as far as it moves in the intervals beside the frame.
+// In those soles may be no less deep than at the frame.
 std::optional<Contact> MotionCheck::checkFrame(int frame) {
   std::optional<Contact> found;
+  const bool has_before = frame > 0, has_after = frame + 1 < poses_.size();
+  const GroundLayer& ground = world_.layers.ground();
   for (int part = 0; part < world_.parts(); ++part) {
     const Capsule& capsule = scratch_.capsule(frame, part);
-    double near = 0.0;
-    for (int side : {frame - 1, frame}) {
-      if (side < 0 || side + 1 >= poses_.size()) continue;
-      near = std::max(near, scratch_.near(side, part));
-    }
+    const double near = std::max(has_before ? scratch_.near(frame - 1, part) : 0.0,
+                                 has_after ? scratch_.near(frame, part) : 0.0);
     const double depth = world_.allowedDepth(part, soles_[frame], soles_[frame]);
-    const bool around =
-        world_.layers.touchedObstacle(capsule.inflated(near), depth, *scratch_.exact) < 0;
-    scratch_.freeAround(frame, part) = around;
-    int object = around ? -1 : world_.layers.touchedObstacle(capsule, depth, *scratch_.exact);
-    if (object < 0) object = world_.layers.ground().touched(capsule, depth, *scratch_.exact);
+    const Capsule around = capsule.inflated(near);
+    const FreeAround free = {world_.layers.touchedObstacle(around, depth, *scratch_.exact) < 0,
+                             ground.isAbove(around, depth)};
+    scratch_.freeAround(frame, part) = free;
+    int object =
+        free.obstacles ? -1 : world_.layers.touchedObstacle(capsule, depth, *scratch_.exact);
+    if (object < 0 && !free.ground) object = ground.touched(capsule, depth, *scratch_.exact);
     if (object < 0 && part == world_.body.head)
       object = world_.touchedCrown(placed(frame), scratch_);
     if (object >= 0 && !found) found = Contact{frame, 0.0, part, object, 0.0};
@@ -89,12 +90,14 @@ std::optional<Contact> MotionCheck::checkFrame(int frame) {
 std::optional<Contact> MotionCheck::checkInterval(int frame) {
   std::optional<Contact> first;
   for (int part = 0; part < world_.parts(); ++part) {
+    const FreeAround &here = scratch_.freeAround(frame, part),
+                     &next = scratch_.freeAround(frame + 1, part);
+    Task task{frame, part, !(here.obstacles && next.obstacles), !(here.ground && next.ground), 0.0};
+    if (!task.obstacles && !task.ground) continue;
+    task.depth = world_.allowedDepth(part, soles_[frame], soles_[frame + 1]);
     const Capsule &a = scratch_.capsule(frame, part), &b = scratch_.capsule(frame + 1, part);
     const PartMotion& motion = scratch_.motion(frame, part);
-    Task task{frame, part,
-              !(scratch_.freeAround(frame, part) && scratch_.freeAround(frame + 1, part)), true,
-              world_.allowedDepth(part, soles_[frame], soles_[frame + 1])};
-    task.ground = !groundIsFree(task, a, b, motion, scratch_.near(frame, part));
+    if (task.ground) task.ground = !groundIsFree(task, a, b, motion, scratch_.near(frame, part));
     if (!task.obstacles && !task.ground) continue;
     const auto contact = prove(task, {0.0, a}, {1.0, b}, motion);
     if (contact && (!first || contact->between < first->between)) first = contact;

@@ -88,7 +88,7 @@ std::optional<std::vector<Waypoint>> CylinderLegs::pathOfCylinder(const Waypoint
     path = corners(std::move(*edges), from, to, limits);
   } else {
     why_cylinder_ = mostOften(inTheWay(roadmap, from, to), request_.world->scene(),
-                              Body{{{"bounding cylinder", 0, {}, {}, 0.0, -1}}, {}});
+                              Body{{{"bounding cylinder", 0, {}, {}, 0.0, -1}}});
   }
   seconds_ += watch.seconds();
   return path;

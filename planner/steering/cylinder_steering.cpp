@@ -31,7 +31,7 @@ Body cylinderBody(const CylinderSteering::Settings& settings) {
   part.to = Eigen::Vector3d(
       0.0, 0.0, std::max(kLift, settings.height - 2.0 * settings.radius) + settings.radius);
   part.radius = settings.radius;
-  return {{part}, {{part.to.z() + settings.radius}}};
+  return {{part}};
 }
 
 void addPlace(AnimationBuffer& buffer, const Eigen::Vector3d& position) {

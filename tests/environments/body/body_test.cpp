@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "animation/body/reference_pose.h"
 #include "animation/captures/bvh.h"
 #include "animation/captures/motion_reader.h"
@@ -24,14 +22,6 @@ Placed place(const Skeleton& skeleton, const Body& body, PoseView pose) {
                 std::vector<Eigen::Vector3d>(body.parts.size())};
   placeBody(body, frames, placed.from, placed.to);
   return placed;
-}
-
-Pose randomPose(const Skeleton& skeleton, std::mt19937_64& generator) {
-  std::uniform_real_distribution<double> angle(-2.0, 2.0);
-  Pose pose;
-  for (int j = 0; j < skeleton.size(); ++j)
-    pose.rotations.push_back(expRotation({angle(generator), angle(generator), angle(generator)}));
-  return pose;
 }
 
 TEST(Body, HasEveryPartOnce) {
@@ -137,28 +127,6 @@ TEST(Body, ScalesWithStature) {
     EXPECT_LT((small.parts[i].from - factor * walker.body.parts[i].from).norm(), 1e-9)
         << small.parts[i].name;
     EXPECT_LT((small.parts[i].to - factor * walker.body.parts[i].to).norm(), 1e-9);
-  }
-}
-
-TEST(Body, NoPointIsFartherFromAJointThanItsReach) {
-  const TestWalker walker;
-  std::mt19937_64 generator(1);
-  for (int n = 0; n < 200; ++n) {
-    const Pose pose = randomPose(walker.skeleton, generator);
-    std::vector<JointFrame> frames(walker.skeleton.size());
-    forwardKinematics(walker.skeleton, pose, frames);
-    for (size_t i = 0; i < walker.body.parts.size(); ++i) {
-      const BodyPart& part = walker.body.parts[i];
-      for (int j = 0; j < walker.skeleton.size(); ++j) {
-        const double reach = walker.body.reach[i][j];
-        if (!walker.skeleton.isAncestor(j, part.joint)) {
-          EXPECT_EQ(reach, 0.0);
-          continue;
-        }
-        for (const Eigen::Vector3d& end : {part.from, part.to})
-          EXPECT_LE((frames[part.joint] * end - frames[j].p_WJ).norm() + part.radius, reach + 1e-9);
-      }
-    }
   }
 }
 

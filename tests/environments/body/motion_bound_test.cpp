@@ -41,8 +41,8 @@ Pose moved(const Pose& pose, double angle, double way, std::mt19937_64& generato
 std::vector<PartMotion> motionsOf(const TestWalker& walker, const Pose& a, const Pose& b) {
   const MotionBound bound(walker.skeleton, walker.body);
   std::vector<PartMotion> motions(walker.body.parts.size());
-  std::vector<double> angles(walker.skeleton.size()), sums(2 * walker.skeleton.size());
-  bound.compute(a, b, motions, angles, sums);
+  std::vector<MotionBound::Turned> turned(walker.skeleton.size());
+  bound.compute(a, b, motions, turned);
   return motions;
 }
 

@@ -132,6 +132,27 @@ TEST(GroundLayer, WhatIsClearBetweenTwoPlacesTouchesNothingOnTheWay) {
   EXPECT_GT(clear, 400);
 }
 
+// On the stair, beside it and beyond the slab's border.
+TEST(GroundLayer, WhatIsAboveTheGroundTouchesNothing) {
+  const Stair stair;
+  std::mt19937_64 generator(5);
+  for (const Eigen::Vector2d& middle : {Eigen::Vector2d(1, 0), {10, 0}, {0, -10}}) {
+    int above = 0, free = 0;
+    const Eigen::Vector3d low(middle.x() - 1.5, middle.y() - 1.5, -0.1);
+    const Eigen::AlignedBox3d box(low, low + Eigen::Vector3d(3, 3, 2.2));
+    for (int n = 0; n < 20000; ++n) {
+      const Capsule capsule = randomCapsule(generator, box, 0.3);
+      const bool is_free = stair.layer.touched(capsule, 0.002, *stair.scratch) < 0;
+      free += is_free;
+      if (!stair.layer.isAbove(capsule, 0.002)) continue;
+      ++above;
+      EXPECT_TRUE(is_free) << capsule.from.transpose() << " to " << capsule.to.transpose()
+                           << " radius " << capsule.radius;
+    }
+    EXPECT_GT(above, free / 2);
+  }
+}
+
 TEST(GroundLayer, BelowABridgeIsFreeWhereTheGroundGoesOnBelow) {
   const TriangleMesh deck{{{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}}, {{0, 1, 2}, {0, 2, 3}}};
   const Scene scene = sceneOf({floorSlab()});

@@ -36,7 +36,7 @@ Body ball() {
   part.name = "ball";
   part.from = part.to = Eigen::Vector3d::Zero();
   part.radius = kRadius;
-  return {{part}, {{kRadius}}};
+  return {{part}};
 }
 
 /// A few boxes to fly between, high over a floor.
