@@ -14,6 +14,20 @@ constexpr double kSmallAngle = 1e-4;
 // known.
 constexpr double kGimbalCosine = 1e-12;
 
+// 1 / (2 k)! and 1 / (2 k + 1)!, as far as they count up to that square of a half angle: turns of 2
+// radians.
+constexpr double kSeriesEnd = 1.0;
+constexpr int kSeriesTerms = 10;
+constexpr auto kSeries = [] {
+  std::array<std::array<double, 2>, kSeriesTerms> terms = {};
+  double factorial = 1.0;
+  for (int k = 0; k < kSeriesTerms; ++k) {
+    if (k > 0) factorial *= (2.0 * k - 1.0) * (2.0 * k);
+    terms[k] = {1.0 / factorial, 1.0 / (factorial * (2.0 * k + 1.0))};
+  }
+  return terms;
+}();
+
 int axisIndex(char axis) {
   assert(axis == 'X' || axis == 'Y' || axis == 'Z');
   return axis - 'X';
@@ -35,13 +49,23 @@ double nearestTurn(double angle, double target) {
 
 }  // namespace
 
+// Both parts are power series of the half angle's square x: cos is the sum of (-x)^k / (2 k)!,
+// sin over the angle that of (-x)^k / (2 k + 1)!. Side by side, and alike on every machine.
 Eigen::Quaterniond expRotation(const Eigen::Vector3d& v) {
-  const double half = 0.5 * v.norm();
-  const double scale =
-      half < kSmallAngle ? 0.5 * (1.0 - half * half / 6.0) : 0.5 * std::sin(half) / half;
+  const double square = 0.25 * v.squaredNorm();
+  if (square <= kSeriesEnd) {
+    const auto term = [](int k) { return Eigen::Map<const Eigen::Array2d>(kSeries[k].data()); };
+    Eigen::Array2d sum = term(kSeriesTerms - 1);
+    for (int k = kSeriesTerms - 2; k >= 0; --k) sum = sum * -square + term(k);
+    Eigen::Quaterniond q;
+    q.w() = sum[0];
+    q.vec() = (0.5 * sum[1]) * v;
+    return q;
+  }
+  const double half = std::sqrt(square);
   Eigen::Quaterniond q;
   q.w() = std::cos(half);
-  q.vec() = scale * v;
+  q.vec() = 0.5 * std::sin(half) / half * v;
   return q;
 }
 

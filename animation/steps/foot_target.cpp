@@ -21,10 +21,20 @@ struct SolePose {
   double pitch, roll;
 };
 
+// How a sole is rolled in its swing [rad].
+struct SwingRoll {
+  double pitch, roll;
+};
+
+SwingRoll swingRoll(const FootState& state, const FootCycle& cycle) {
+  const double tau = state.at - 1.0;
+  const double share = state.lift_roll + smoothstep(tau) * (state.strike_roll - state.lift_roll);
+  return {rolled(footPitch(cycle, state.at), share, share), swingPolynomial(cycle.roll, tau)};
+}
+
 SolePose swingingSole(const FootState& state, const FootCycle& cycle) {
   const SwingShape& shape = state.swing;
   const double tau = state.at - 1.0, ease = smoothstep(tau);
-  const double share = state.lift_roll + ease * (state.strike_roll - state.lift_roll);
   const Eigen::Vector3d line = state.to.position - state.from.position;
   Eigen::Vector3d sole = state.from.position + swingAlong(shape, cycle, tau) * line;
   sole.z() += swingHeight(shape, cycle, tau);
@@ -37,8 +47,8 @@ SolePose swingingSole(const FootState& state, const FootCycle& cycle) {
                          ease * wrapAngle(state.to.heading - state.from.heading) +
                          swingPolynomial(cycle.yaw, tau);
   const Eigen::Vector3d normal = state.from.normal + ease * (state.to.normal - state.from.normal);
-  return {sole, soleFrame(heading, normal), rolled(footPitch(cycle, state.at), share, share),
-          swingPolynomial(cycle.roll, tau)};
+  const SwingRoll turned = swingRoll(state, cycle);
+  return {sole, soleFrame(heading, normal), turned.pitch, turned.roll};
 }
 
 SolePose solePose(const FootState& state, const FootCycle& cycle) {
@@ -99,8 +109,32 @@ FootTarget footTarget(const FootState& state, const FootCycle& cycle, const Foot
   return targetOf(shape, sole);
 }
 
+namespace {
+
+constexpr int kLiftPoints = 100;  // of a swing at which its height is measured
+
+bool isLevel(const FootState& state) {
+  const auto upright = [](const FootPlace& place) {
+    return place.normal.x() == 0.0 && place.normal.y() == 0.0;
+  };
+  return upright(state.from) && upright(state.to) &&
+         state.from.position.z() == state.to.position.z();
+}
+
+// Height of the lower of heel and ball over level prints, whatever the heading: of the sole turned
+// by pitch about y after roll about x.
+double levelHeight(const FootState& state, const FootCycle& cycle, const FootShape& shape) {
+  const SwingRoll turned = swingRoll(state, cycle);
+  const double s = std::sin(turned.pitch), c = std::cos(turned.pitch);
+  const double under = c * std::cos(turned.roll) * (shape.radius - shape.ankle_height);
+  const double lower = s > 0.0 ? shape.ball_x : shape.heel_x;
+  return swingHeight(state.swing, cycle, state.at - 1.0) + rolledAnkle(shape, turned.pitch).z() -
+         shape.radius + under - s * (lower - shape.ankle_x);
+}
+
+}  // namespace
+
 double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape) {
-  constexpr int kPoints = 100;
   const auto endsOf = [&](const FootState& s) {
     const FootTarget target = targetOf(shape, solePose(s, cycle));
     return soleEnds(shape, target.ankle, target.q_WF);
@@ -112,11 +146,13 @@ double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape
     stood.strike_roll = stood.lift_roll = 0.0;
     return endsOf(stood);
   };
+  const bool level = isLevel(state);
   const SoleEnds from = flat(state.from), to = flat(state.to);
   double highest = 0.0;
-  for (int i = 1; i < kPoints; ++i) {
-    state.at = 1.0 + static_cast<double>(i) / kPoints;
-    highest = std::max(highest, heightOver(from, to, endsOf(state)));
+  for (int i = 1; i < kLiftPoints; ++i) {
+    state.at = 1.0 + static_cast<double>(i) / kLiftPoints;
+    highest = std::max(
+        highest, level ? levelHeight(state, cycle, shape) : heightOver(from, to, endsOf(state)));
   }
   return highest;
 }

@@ -22,6 +22,17 @@ void smoothed(std::vector<double>& values, int half) {
   }
 }
 
+// A dip near a stance, which stays as it is: one of a millimetre or two may come at once, a deep
+// one needs its time.
+void fadeToStances(std::vector<double>& dip, double speed, double frame_time) {
+  const int n = static_cast<int>(dip.size());
+  for (int i = 0; i < n; ++i) {
+    const double from_end = std::min(i, n - 1 - i) * frame_time;
+    const double fade = std::max(HipDip::kShortestFade, dip[i] / speed);
+    dip[i] *= smoothstep(from_end / fade);
+  }
+}
+
 }  // namespace
 
 FootController::FootController(const Skeleton& skeleton, const JointRoles& roles,
@@ -30,28 +41,52 @@ FootController::FootController(const Skeleton& skeleton, const JointRoles& roles
     : skeleton_(skeleton),
       roles_(roles),
       shapes_(shapes),
+      leg_lengths_{roles.legLength(skeleton, kLeft), roles.legLength(skeleton, kRight)},
       blend_(blend),
       knee_axes_(knee_axes),
       legs_(chainOf(skeleton, std::array{roles.legs[kLeft].foot, roles.legs[kRight].foot})) {}
 
 bool FootController::apply(AnimationBuffer& buffer) const {
-  return dipHips(buffer) && placeLegs(buffer, 1.0);
+  return place(buffer, {LegReach::kDip, HipDip::kDeepest, 1.0, dips});
 }
 
 bool FootController::applyUneven(AnimationBuffer& buffer) const {
-  return sinkHips(buffer) && placeLegs(buffer, HipDip::kUnevenHeel);
+  return place(buffer, {LegReach::kUneven, HipDip::kUnevenDeepest, HipDip::kUnevenHeel, sinks});
 }
 
-bool FootController::placeLegs(AnimationBuffer& buffer, double heel_share) const {
+// Legs are placed where the hips are; only where those are lowered then, from anew. Never at the
+// first and last frame: those are stances.
+bool FootController::place(AnimationBuffer& buffer, const Manner& manner) const {
+  const int n = buffer.size();
   std::vector<JointFrame> joints(skeleton_.size());
-  for (int i = 0; i < buffer.size(); ++i) {
-    forwardKinematics(skeleton_, buffer.poses[i], legs_, joints);
-    for (const Side side : {kLeft, kRight}) {
-      const FootTarget target = targetFor(side, buffer.states[i], joints, heel_share);
-      if (!placeLeg(side, target, joints, buffer.poses.rotations(i))) return false;
-    }
+  std::vector<Eigen::Quaterniond> captured;  // [frame][legs_]
+  captured.reserve(n * legs_.size());
+  std::vector<double> missing(n, 0.0);
+  std::vector<char> placed(n);
+  for (int i = 0; i < n; ++i) {
+    const Targets targets = targetsOf(buffer, i, manner.heel_share, joints);
+    if (i > 0 && i + 1 < n) missing[i] = missingHeight(targets, joints, manner.reach);
+    if (missing[i] > manner.deepest) return false;
+    for (const int j : legs_) captured.push_back(buffer.poses.rotations(i)[j]);
+    placed[i] = placeLegs(targets, joints, buffer.poses.rotations(i));
+  }
+  const std::vector<double> lowered = manner.lowering(missing, buffer.frame_time);
+  for (int i = 0; i < n; ++i) {
+    if (lowered[i] == 0.0 && !placed[i]) return false;
+    if (lowered[i] == 0.0) continue;
+    for (size_t k = 0; k < legs_.size(); ++k)
+      buffer.poses.rotations(i)[legs_[k]] = captured[i * legs_.size() + k];
+    buffer.poses.p_WR(i).z() -= lowered[i];
+    const Targets targets = targetsOf(buffer, i, manner.heel_share, joints);
+    if (!placeLegs(targets, joints, buffer.poses.rotations(i))) return false;
   }
   return true;
+}
+
+bool FootController::placeLegs(const Targets& targets, std::span<const JointFrame> joints,
+                               std::span<Eigen::Quaterniond> rotations) const {
+  return placeLeg(kLeft, targets[kLeft], joints, rotations) &&
+         placeLeg(kRight, targets[kRight], joints, rotations);
 }
 
 // Share of its length to which a leg behind stretches: less around lift-off.
@@ -62,66 +97,49 @@ double FootController::heelReach(double at) {
   return LegReach::kHeel - LegReach::kPreSwing * rise * fall;
 }
 
-FootTarget FootController::targetFor(Side side, const FrameState& state,
-                                     std::span<const JointFrame> joints, double heel_share) const {
-  return footTarget(state.feet[side], blend_.foot(side), shapes_[side],
-                    joints[roles_.legs[side].up_leg].p_WJ,
-                    heelReach(state.feet[side].at) * roles_.legLength(skeleton_, side), heel_share);
+// Leaves in `joints` where those of the legs are.
+FootController::Targets FootController::targetsOf(const AnimationBuffer& buffer, int frame,
+                                                  double heel_share,
+                                                  std::vector<JointFrame>& joints) const {
+  forwardKinematics(skeleton_, buffer.poses[frame], legs_, joints);
+  const auto target = [&](Side side) {
+    const FootState& foot = buffer.states[frame].feet[side];
+    return footTarget(foot, blend_.foot(side), shapes_[side], joints[roles_.legs[side].up_leg].p_WJ,
+                      heelReach(foot.at) * leg_lengths_[side], heel_share);
+  };
+  return {target(kLeft), target(kRight)};
 }
 
-// Lowers the root around frames in which a leg would be too short, never at the first and last
-// frame: those are stances.
-bool FootController::dipHips(AnimationBuffer& buffer) const {
-  const int n = buffer.size();
-  std::vector<JointFrame> joints(skeleton_.size());
+// Around frames in which a leg would be too short.
+std::vector<double> FootController::dips(const std::vector<double>& missing, double frame_time) {
+  const int n = static_cast<int>(missing.size());
   std::vector<double> dip(n, 0.0);
-  const int reach = std::max(1, static_cast<int>(std::lround(HipDip::kTime / buffer.frame_time)));
-  bool any = false;
+  const int reach = std::max(1, static_cast<int>(std::lround(HipDip::kTime / frame_time)));
   for (int i = 1; i + 1 < n; ++i) {
-    const double missing = missingHeight(buffer, i, LegReach::kDip, joints);
-    if (missing <= 0.0) continue;
-    if (missing > HipDip::kDeepest) return false;
-    any = true;
+    if (missing[i] <= 0.0) continue;
     for (int j = std::max(1, i - reach); j <= std::min(n - 2, i + reach); ++j) {
       const double away = std::abs(j - i) / static_cast<double>(reach);
-      dip[j] = std::max(dip[j], missing * 0.5 * (1.0 + std::cos(kPi * away)));
+      dip[j] = std::max(dip[j], missing[i] * 0.5 * (1.0 + std::cos(kPi * away)));
     }
   }
-  if (!any) return true;
-  for (int i = 1; i + 1 < n; ++i) {
-    // Near a stance a dip of a millimetre or two may come at once, a deep one needs its time.
-    const double from_end = std::min(i, n - 1 - i) * buffer.frame_time;
-    const double fade = std::max(HipDip::kShortestFade, dip[i] / HipDip::kSpeed);
-    buffer.poses.p_WR(i).z() -= dip[i] * smoothstep(from_end / fade);
-  }
-  return true;
+  fadeToStances(dip, HipDip::kSpeed, frame_time);
+  return dip;
 }
 
-// Lowers the root by the least smooth curve over what is missing: the largest of what is missing
-// within HipDip::kUnevenTime, averaged over as long. The first and last frame stay: they are
-// stances.
-bool FootController::sinkHips(AnimationBuffer& buffer) const {
-  const int n = buffer.size();
-  std::vector<JointFrame> joints(skeleton_.size());
-  std::vector<double> missing(n, 0.0), sunk(n, 0.0);
-  for (int i = 1; i + 1 < n; ++i) {
-    missing[i] = missingHeight(buffer, i, LegReach::kUneven, joints, HipDip::kUnevenHeel);
-    if (missing[i] > HipDip::kUnevenDeepest) return false;
-  }
-  const int reach =
-      std::max(1, static_cast<int>(std::lround(HipDip::kUnevenTime / buffer.frame_time)));
+// The least smooth curve over what is missing: the largest of what is missing within
+// HipDip::kUnevenTime, averaged over as long.
+std::vector<double> FootController::sinks(const std::vector<double>& missing, double frame_time) {
+  const int n = static_cast<int>(missing.size());
+  std::vector<double> sunk(n, 0.0);
+  const int reach = std::max(1, static_cast<int>(std::lround(HipDip::kUnevenTime / frame_time)));
   for (int i = 0; i < n; ++i) {
     const auto from = missing.begin() + std::max(0, i - reach);
     const auto to = missing.begin() + std::min(n, i + reach + 1);
     sunk[i] = *std::max_element(from, to);
   }
   for (int pass = 0; pass < 2; ++pass) smoothed(sunk, reach / 2);
-  for (int i = 1; i + 1 < n; ++i) {
-    const double from_end = std::min(i, n - 1 - i) * buffer.frame_time;
-    const double fade = std::max(HipDip::kShortestFade, sunk[i] / HipDip::kUnevenSpeed);
-    buffer.poses.p_WR(i).z() -= sunk[i] * smoothstep(from_end / fade);
-  }
-  return true;
+  fadeToStances(sunk, HipDip::kUnevenSpeed, frame_time);
+  return sunk;
 }
 
 bool FootController::placeLeg(Side side, const FootTarget& target,
@@ -152,12 +170,15 @@ bool FootController::placeLeg(Side side, const FootTarget& target,
 
 double FootController::missingHeight(const AnimationBuffer& buffer, int frame, double share,
                                      std::vector<JointFrame>& joints, double heel_share) const {
-  forwardKinematics(skeleton_, buffer.poses[frame], legs_, joints);
+  return missingHeight(targetsOf(buffer, frame, heel_share, joints), joints, share);
+}
+
+double FootController::missingHeight(const Targets& targets, std::span<const JointFrame> joints,
+                                     double share) const {
   double missing = 0.0;
   for (const Side side : {kLeft, kRight}) {
-    const FootTarget target = targetFor(side, buffer.states[frame], joints, heel_share);
-    const Eigen::Vector3d d = joints[roles_.legs[side].up_leg].p_WJ - target.ankle;
-    const double longest = share * roles_.legLength(skeleton_, side);
+    const Eigen::Vector3d d = joints[roles_.legs[side].up_leg].p_WJ - targets[side].ankle;
+    const double longest = share * leg_lengths_[side];
     const double room = longest * longest - d.head<2>().squaredNorm();
     missing = std::max(missing, d.z() - std::sqrt(std::max(room, 0.0)));
   }

@@ -33,18 +33,33 @@ class FootController : public SubController {
                        std::vector<JointFrame>& joints, double heel_share = 1.0) const;
 
  private:
-  FootTarget targetFor(Side side, const FrameState& state, std::span<const JointFrame> joints,
-                       double heel_share = 1.0) const;
+  // How hips give way where legs are too short: see HipDip.
+  struct Manner {
+    double reach;       // of a leg, as a share of its length, beyond which they do
+    double deepest;     // [m]
+    double heel_share;  // of footTarget
+    // How far the root is lowered at each frame, by how much is missing there [m].
+    std::vector<double> (*lowering)(const std::vector<double>& missing, double frame_time);
+  };
+  using Targets = std::array<FootTarget, 2>;  // by Side
+
+  Targets targetsOf(const AnimationBuffer& buffer, int frame, double heel_share,
+                    std::vector<JointFrame>& joints) const;
+  double missingHeight(const Targets& targets, std::span<const JointFrame> joints,
+                       double share) const;
   static double heelReach(double at);
-  bool dipHips(AnimationBuffer& buffer) const;
-  bool sinkHips(AnimationBuffer& buffer) const;
-  bool placeLegs(AnimationBuffer& buffer, double heel_share) const;
+  static std::vector<double> dips(const std::vector<double>& missing, double frame_time);
+  static std::vector<double> sinks(const std::vector<double>& missing, double frame_time);
+  bool place(AnimationBuffer& buffer, const Manner& manner) const;
+  bool placeLegs(const Targets& targets, std::span<const JointFrame> joints,
+                 std::span<Eigen::Quaterniond> rotations) const;
   bool placeLeg(Side side, const FootTarget& target, std::span<const JointFrame> joints,
                 std::span<Eigen::Quaterniond> rotations) const;
 
   const Skeleton& skeleton_;
   JointRoles roles_;
   std::array<FootShape, 2> shapes_;
+  std::array<double, 2> leg_lengths_;  // by Side [m]
   const GaitBlend& blend_;
   std::array<Eigen::Vector3d, 2> knee_axes_;
   std::vector<int> legs_;  // both, with what they hang on (chainOf)

@@ -113,6 +113,17 @@ TEST(Rotation, UnwrappedAnglesFollowASmoothTurnThroughGimbalLock) {
   }
 }
 
+// Either side of where the series ends, at an angle of 2, and through 0.
+TEST(Rotation, ExpIsTheHalfAnglesCosineAndSine) {
+  Generator generator(11);
+  for (double angle = 0.0; angle < 7.0; angle += 0.0137) {
+    const Eigen::Vector3d axis = randomVector(generator, 1.0).normalized();
+    const Eigen::Quaterniond q = expRotation(angle * axis);
+    EXPECT_NEAR(q.w(), std::cos(0.5 * angle), 1e-15) << angle;
+    EXPECT_LT((q.vec() - std::sin(0.5 * angle) * axis).norm(), 1e-15) << angle;
+  }
+}
+
 TEST(Rotation, LogInvertsExpBelowHalfATurn) {
   Generator generator(6);
   for (const double size : {0.0, 1e-300, 1e-12, 1e-5, 1e-4, 1e-3, 0.1, 1.0, 1.8}) {

@@ -113,6 +113,28 @@ TEST(FootTarget, AFootUnderTheHipDoesNotRise) {
   EXPECT_NEAR(asked.toe_bend, captured.toe_bend, 1e-9);
 }
 
+// Prints on the level are measured by heights alone, tilted ones with all their turns: a tilt of a
+// billionth changes nothing, nor does where the prints lie and face.
+TEST(FootTarget, TheLiftOverLevelPrintsIsThatOverPrintsThatHardlyTilt) {
+  FootState state = stateAt(1.5, {0.9, 0.1, 0.0});
+  state.from.heading = 0.3;
+  state.to.heading = -0.2;
+  for (const double lift : {0.5, 1.0, 3.0}) {
+    state.swing.lift = lift;
+    FootState tilted = state;
+    tilted.to.normal = Eigen::Vector3d(1e-9, 0.0, 1.0).normalized();
+    const double high = swingLift(state, foot().cycle, foot().shape);
+    EXPECT_GT(high, 0.02);
+    EXPECT_NEAR(high, swingLift(tilted, foot().cycle, foot().shape), 1e-8);
+    FootState elsewhere = state;
+    for (FootPlace* place : {&elsewhere.from, &elsewhere.to}) {
+      place->position = aboutZ(0.7) * place->position + Eigen::Vector3d(3.0, -2.0, 0.5);
+      place->heading += 0.7;
+    }
+    EXPECT_NEAR(high, swingLift(elsewhere, foot().cycle, foot().shape), 1e-12);
+  }
+}
+
 TEST(FootTarget, TheLiftFactorGivesTheLiftThatIsAsked) {
   for (const double rise : {0.0, 0.17, -0.1}) {
     FootState state = stateAt(1.5, {0.9, 0.0, rise});

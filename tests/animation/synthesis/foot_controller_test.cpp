@@ -116,6 +116,35 @@ TEST(FootController, HipsDipWhereALegIsTooShortAndNotAtTheEnds) {
   EXPECT_EQ(buffer.poses.p_WR(120), before.poses.p_WR(120));
 }
 
+// Whether hips were lowered on the way or before makes no difference to the legs.
+TEST(FootController, LegsUnderHipsThatDippedAreThoseOfHipsThatWereAsLow) {
+  const Standing s;
+  std::vector<JointFrame> scratch(s.library.skeleton.size());
+  for (const bool uneven : {false, true}) {
+    AnimationBuffer dipped = s.buffer(61, s.low());
+    while (s.feet.missingHeight(dipped, 30, LegReach::kDip, scratch) < 0.01)
+      for (int i = 25; i <= 35; ++i) dipped.poses.p_WR(i).z() += 0.001;
+    AnimationBuffer low = dipped;
+    const auto place = [&](AnimationBuffer& buffer) {
+      return uneven ? s.feet.applyUneven(buffer) : s.feet.apply(buffer);
+    };
+    ASSERT_TRUE(place(dipped));
+    // A little lower still: there a leg is never too short.
+    for (int i = 0; i < low.size(); ++i) low.poses.p_WR(i) = dipped.poses.p_WR(i);
+    for (int i = 1; i + 1 < low.size(); ++i) low.poses.p_WR(i).z() -= 1e-9;
+    ASSERT_TRUE(place(low));
+    int bent = 0;
+    for (int i = 0; i < low.size(); ++i) {
+      bent += low.poses.p_WR(i).z() < s.low() - 0.001;
+      for (int j = 0; j < s.library.skeleton.size(); ++j) {
+        EXPECT_LT(low.poses.rotations(i)[j].angularDistance(dipped.poses.rotations(i)[j]), 1e-5)
+            << i << " " << j;
+      }
+    }
+    EXPECT_GT(bent, 0);
+  }
+}
+
 TEST(FootTarget, AStandingFootIsFlatOnItsPrint) {
   const Standing s;
   FootState foot;
