@@ -14,10 +14,47 @@ using Eigen::Vector3f;
 constexpr float kShadowBias = 0.012f;
 constexpr int kShadowBlur = 2;   // half width of the filter [shadow samples]
 constexpr int kCornerTaps = 14;  // of the ambient occlusion, a pixel
+constexpr float kFlat = 0.08f;   // sine of a rise that still darkens nothing
 constexpr float kPi = 3.14159265f;
 
 float toLinear(float srgb) { return std::pow(srgb, 2.2f); }
 float toSrgb(float linear) { return std::pow(std::clamp(linear, 0.0f, 1.0f), 1 / 2.2f); }
+
+uint8_t toByte(float linear) { return static_cast<uint8_t>(std::lround(toSrgb(linear) * 255)); }
+
+// toByte, which grows with its argument, of a number by its place among the least numbers that give
+// each byte.
+class ByteTable {
+ public:
+  ByteTable() {
+    for (int byte = 1; byte < 256; ++byte) least_[byte] = leastOf(byte);
+    for (int cell = 0, byte = 0; cell <= kCells; ++cell) {
+      while (byte < 255 && least_[byte + 1] <= static_cast<float>(cell) / kCells) ++byte;
+      at_[cell] = static_cast<uint8_t>(byte);
+    }
+  }
+
+  uint8_t operator()(float linear) const {
+    int byte = at_[static_cast<int>(std::clamp(linear, 0.0f, 1.0f) * kCells)];
+    while (byte < 255 && least_[byte + 1] <= linear) ++byte;
+    while (byte > 0 && least_[byte] > linear) --byte;
+    return static_cast<uint8_t>(byte);
+  }
+
+ private:
+  static constexpr int kCells = 4096;
+
+  // Halved until nothing lies between.
+  static float leastOf(int byte) {
+    float low = 0.0f, high = 1.0f;
+    for (float middle = 0.5f; middle > low && middle < high; middle = 0.5f * (low + high))
+      (toByte(middle) < byte ? low : high) = middle;
+    return high;
+  }
+
+  std::array<float, 256> least_ = {};        // that gives each byte
+  std::array<uint8_t, kCells + 1> at_ = {};  // of the least number of each cell
+};
 
 const std::array<float, 256>& linearTable() {
   static const std::array<float, 256> table = [] {
@@ -103,8 +140,9 @@ class Corners {
  private:
   size_t index(int x, int y) const { return static_cast<size_t>(y) * width_ + x; }
 
-  static const Sample& sampleOf(const SampleBuffer& samples, int x, int y) {
-    return samples.at(x * kSupersampling, y * kSupersampling);
+  // Of the sample that stands for a pixel.
+  static size_t sampleOf(const SampleBuffer& samples, int x, int y) {
+    return samples.index(x * kSupersampling, y * kSupersampling);
   }
 
   // Directions of a spiral's points, from each of the turns that pixels begin it with.
@@ -126,12 +164,14 @@ class Corners {
   // Points around on a spiral; those that rise before the surface close it.
   float openness(const SampleBuffer& samples, const Camera& camera, float reach, int x,
                  int y) const {
-    const Sample& here = sampleOf(samples, x, y);
-    if (here.depth == 0 || (here.flags & kDecal)) return 1;
+    const size_t sample = sampleOf(samples, x, y);
+    const float depth = samples.depth[sample];
+    if (depth == 0 || (samples.look[sample].flags & kDecal)) return 1;
     const Vector2f pixel(static_cast<float>(x * kSupersampling) + 0.5f,
                          static_cast<float>(y * kSupersampling) + 0.5f);
-    const Vector3f p = camera.atPixel(pixel, here.depth), normal = camera.axes * here.normal;
-    const float radius = camera.scale * reach / (camera.parallel ? 1.0f : here.depth);
+    const Vector3f p = camera.atPixel(pixel, depth);
+    const Vector3f normal = camera.axes * samples.look[sample].normal;
+    const float radius = camera.scale * reach / (camera.parallel ? 1.0f : depth);
     const Spiral& spiral = spirals()[4 * (y & 3) + (x & 3)];
     float closed = 0;
     for (int i = 0; i < kCornerTaps; ++i) {
@@ -139,11 +179,14 @@ class Corners {
       const Vector2f at = pixel + r * spiral[i];
       const int sx = static_cast<int>(at.x()), sy = static_cast<int>(at.y());
       if (sx < 0 || sy < 0 || sx >= samples.width || sy >= samples.height) continue;
-      const Sample& other = samples.at(sx, sy);
-      if (other.depth == 0) continue;
-      const Vector3f d = camera.atPixel(at, other.depth) - p;
-      const float distance = d.norm() + 1e-4f;
-      const float rise = std::max(0.0f, d.dot(normal) / distance - 0.08f);
+      const float other = samples.depth[samples.index(sx, sy)];
+      if (other == 0) continue;
+      const Vector3f d = camera.atPixel(at, other) - p;
+      // Most points around lie in the surface or behind it: no root, no quotient.
+      const float before = d.dot(normal), square = d.squaredNorm();
+      if (before <= 0 || before * before < 0.99f * kFlat * kFlat * square) continue;
+      const float distance = std::sqrt(square) + 1e-4f;
+      const float rise = std::max(0.0f, before / distance - kFlat);
       closed += rise / (1 + (distance / reach) * (distance / reach));
     }
     return std::max(0.0f, 1 - 1.7f * closed / kCornerTaps);
@@ -151,11 +194,11 @@ class Corners {
 
   // Mean over 4 x 4 pixels (the noise repeats after as many) of about the same depth.
   float smoothed(const SampleBuffer& samples, const std::vector<float>& raw, int x, int y) const {
-    const float depth = sampleOf(samples, x, y).depth;
+    const float depth = samples.depth[sampleOf(samples, x, y)];
     float sum = 0, weight = 0;
     for (int j = std::max(0, y - 2); j < std::min(height_, y + 2); ++j) {
       for (int i = std::max(0, x - 2); i < std::min(width_, x + 2); ++i) {
-        if (std::abs(sampleOf(samples, i, j).depth - depth) > 0.01f * depth) continue;
+        if (std::abs(samples.depth[sampleOf(samples, i, j)] - depth) > 0.01f * depth) continue;
         sum += raw[index(i, j)];
         weight += 1;
       }
@@ -198,25 +241,25 @@ bool alike(const Sample& a, const Sample& b) {
 
 // The light of a pixel: the mean of its samples.
 Vector3f lightPixel(const SampleBuffer& samples, const Camera& camera, int x, int y, float open,
-                    const Shadows& shadows, const LightSettings& settings) {
+                    const Shadows& shadows, const Vector3f& background,
+                    const LightSettings& settings) {
   constexpr int kCount = kSupersampling * kSupersampling;
-  std::array<const Sample*, kCount> seen{};
+  std::array<Sample, kCount> seen;
   bool one = true;
   for (int k = 0; k < kCount; ++k) {
-    seen[k] = &samples.at(x * kSupersampling + k % kSupersampling,
-                          y * kSupersampling + k / kSupersampling);
-    one = one && alike(*seen[0], *seen[k]);
+    seen[k] = samples.at(x * kSupersampling + k % kSupersampling,
+                         y * kSupersampling + k / kSupersampling);
+    one = one && alike(seen[0], seen[k]);
   }
-  if (one && seen[0]->flags & kPlanks) one = false;  // seams are finer than a pixel
+  if (one && seen[0].flags & kPlanks) one = false;  // seams are finer than a pixel
   Vector3f sum = Vector3f::Zero();
   for (int k = 0; k < (one ? 1 : kCount); ++k) {
     const float middle = one ? kSupersampling / 2.0f : 0.5f;
     const Vector2f pixel(static_cast<float>(x * kSupersampling + k % kSupersampling) + middle,
                          static_cast<float>(y * kSupersampling + k / kSupersampling) + middle);
-    sum +=
-        seen[k]->depth == 0
-            ? Vector3f(settings.background.unaryExpr([](float v) { return toLinear(v); }))
-            : lightSample(*seen[k], camera.toWorld(pixel, seen[k]->depth), open, shadows, settings);
+    sum += seen[k].depth == 0 ? background
+                              : lightSample(seen[k], camera.toWorld(pixel, seen[k].depth), open,
+                                            shadows, settings);
   }
   return one ? sum : Vector3f(sum / kCount);
 }
@@ -227,14 +270,15 @@ Image lightSamples(const SampleBuffer& samples, const Camera& camera,
                    std::span<const DrawTriangle> triangles, const LightSettings& settings) {
   const Shadows shadows(triangles, settings);
   const Corners corners(samples, camera, settings.corner_reach, settings.threads);
+  const Vector3f background = settings.background.unaryExpr([](float v) { return toLinear(v); });
+  static const ByteTable bytes;
   Image image(samples.width / kSupersampling, samples.height / kSupersampling);
   forBands(image.height, settings.threads, [&](int first, int last) {
     for (int y = first; y < last; ++y) {
       for (int x = 0; x < image.width; ++x) {
         const Vector3f light =
-            lightPixel(samples, camera, x, y, corners.at(x, y), shadows, settings);
-        for (int c = 0; c < 3; ++c)
-          image.pixel(x, y)[c] = static_cast<uint8_t>(std::lround(toSrgb(light[c]) * 255));
+            lightPixel(samples, camera, x, y, corners.at(x, y), shadows, background, settings);
+        for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = bytes(light[c]);
       }
     }
   });

@@ -166,11 +166,12 @@ void drawBand(const DrawTriangle& triangle, const ScreenTriangle& t, bool parall
     if ((triangle.flags & kSeeThrough) && ((x & 1) || (y & 1))) return;
     const float nearness = w.x() * t.nearness[0] + w.y() * t.nearness[1] + w.z() * t.nearness[2];
     const float depth = depthOf(nearness, parallel);
-    Sample& sample = buffer.samples[static_cast<size_t>(y) * buffer.width + x];
-    if (sample.depth > 0 && depth - lift >= sample.depth) return;
+    float& seen = buffer.depth[buffer.index(x, y)];
+    if (seen > 0 && depth - lift >= seen) return;
     Vector3f normal = Vector3f::Zero();
     for (int k = 0; k < 3; ++k) normal += w[k] * (parallel ? 1.0f : t.nearness[k]) * t.normal[k];
-    sample = {depth, normal.normalized(), color, triangle.flags};
+    seen = depth;
+    buffer.look[buffer.index(x, y)] = {normal.normalized(), color, triangle.flags};
   });
 }
 
@@ -183,7 +184,7 @@ void forBands(int rows, int threads, const std::function<void(int, int)>& work) 
 
 SampleBuffer rasterize(std::span<const DrawTriangle> triangles, const Camera& camera, int width,
                        int height, int threads) {
-  SampleBuffer buffer{width, height, std::vector<Sample>(static_cast<size_t>(width) * height)};
+  SampleBuffer buffer(width, height);
   for (const bool decals : {false, true}) {
     const Projected seen(triangles, camera, height, threads, [&](const DrawTriangle& t) {
       return ((t.flags & kDecal) != 0) == decals;

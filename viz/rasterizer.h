@@ -30,19 +30,32 @@ struct DrawTriangle {
   uint8_t flags = 0;
 };
 
-/// What is seen at a sample.
-struct Sample {
-  float depth = 0;  ///< along the view [m]; 0 where there is nothing
+/// What a surface looks like.
+struct Look {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   std::array<uint8_t, 3> color = {0, 0, 0};
   uint8_t flags = 0;
 };
 
+/// What is seen at a sample.
+struct Sample : Look {
+  float depth = 0;  ///< along the view [m]; 0 where there is nothing
+};
+
+/// Row by row from the top. Depths apart: they are asked for most, all around.
 struct SampleBuffer {
-  int width = 0;
-  int height = 0;
-  std::vector<Sample> samples;  ///< row by row from the top
-  const Sample& at(int x, int y) const { return samples[static_cast<size_t>(y) * width + x]; }
+  SampleBuffer(int samples_x, int samples_y)
+      : width(samples_x),
+        height(samples_y),
+        depth(static_cast<size_t>(samples_x) * samples_y),
+        look(depth.size()) {}
+
+  int width, height;
+  std::vector<float> depth;  ///< [m]; 0 where there is nothing
+  std::vector<Look> look;    ///< the same; where there is nothing without meaning
+
+  size_t index(int x, int y) const { return static_cast<size_t>(y) * width + x; }
+  Sample at(int x, int y) const { return {look[index(x, y)], depth[index(x, y)]}; }
 };
 
 /// Nothing nearer than this is drawn [m].

@@ -112,7 +112,7 @@ void drawFloorLine(const std::vector<int>& rows, double floor, const Camera& cam
                    const SampleBuffer& samples, Image& tile) {
   for (int x = 0; x < tile.width; ++x) {
     for (int y = std::max(0, rows[x]); y < tile.height; ++y) {
-      const bool body = samples.at(x * kSupersampling, y * kSupersampling).depth > 0;
+      const bool body = samples.depth[samples.index(x * kSupersampling, y * kSupersampling)] > 0;
       const uint8_t* old = tile.pixel(x, y);
       const Color sunk = mix(rgb(old[0], old[1], old[2]), rgb(220, 20, 20), kSinkTint);
       fillRect(tile, x, y, 1, 1, body ? sunk : kEarth);

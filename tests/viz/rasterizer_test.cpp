@@ -46,7 +46,7 @@ DrawTriangle turnedOver(DrawTriangle t) {
 
 TEST(Rasterizer, NothingIsSeenOfNothing) {
   const SampleBuffer buffer = rasterize({}, fromAbove(), kSize, kSize);
-  for (const Sample& sample : buffer.samples) EXPECT_EQ(sample.depth, 0);
+  for (const float depth : buffer.depth) EXPECT_EQ(depth, 0);
 }
 
 TEST(Rasterizer, TheNearerWinsInEitherOrder) {
@@ -118,9 +118,8 @@ TEST(Rasterizer, WhatIsNearerHidesWhatIsFartherInAnyOrder) {
     std::rotate(triangles.begin(), triangles.begin() + 1, triangles.end());
     for (const int threads : {1, 4}) {
       const SampleBuffer buffer = rasterize(triangles, fromAbove(), kSize, kSize, threads);
-      for (const Sample& sample : buffer.samples) {
-        EXPECT_TRUE(sample.depth == 0 || sample.color[0] == 2);
-      }
+      for (size_t i = 0; i < buffer.depth.size(); ++i)
+        EXPECT_TRUE(buffer.depth[i] == 0 || buffer.look[i].color[0] == 2);
     }
   }
 }
