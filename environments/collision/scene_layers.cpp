@@ -16,7 +16,6 @@ constexpr double kFieldMargin = 0.7;   // beyond what can be walked on: an arm's
 // What ends on the ground and is no higher than this lies below the ground's surface with it:
 // risers, edges of slabs, undersides. Higher than what is climbed in a step, lower than walls [m].
 constexpr double kTallestRiser = 0.35;
-constexpr double kTouching = 1e-3;  // surfaces so near to one another meet [m]
 
 // Where bodies can be: around the ground, not higher than they are; and no larger than what there
 // is to touch.

@@ -6,27 +6,30 @@
 #include <tuple>
 #include <utility>
 
-#include "base/rotation.h"
 #include "base/union_find.h"
+#include "environments/ground/ground_column.h"
 
 namespace amble {
 namespace {
 
-// Surfaces nearer than this lie on one another [m].
-constexpr double kTouching = 1e-3;
-// Beyond what the steepest slope explains, as far as a foot reaches, a surface may be uneven by so
-// much and be one to stand on [m].
-constexpr double kUneven = 0.01;
-constexpr int kFootHeadings = 8;  // by which a foot is tried, of half a turn
 // Steps bridge so many squares [cells]: gaps between treads, not strides.
 constexpr int kStepReach = 3;
 
-// A surface that the vertical line through a square's middle meets.
-struct Hit {
-  double height;
-  int triangle, piece;
-  bool faces_up;
-};
+// Calls visit_one(span) for those that are no farther up or down from a height than `most`.
+template <typename Visit>
+void eachNear(std::span<const GroundCells::Span> spans, double height, double most,
+              Visit visit_one) {
+  const double from = height - most - kTouching, to = height + most + kTouching;  // and rounding
+  auto next = std::ranges::lower_bound(spans, from, {}, &GroundCells::Span::height);
+  for (; next != spans.end() && next->height <= to; ++next)
+    if (std::abs(next->height - height) <= most) visit_one(*next);
+}
+
+bool hasGroundNear(std::span<const GroundCells::Span> spans, double height, double most) {
+  bool found = false;
+  eachNear(spans, height, most, [&](const GroundCells::Span& span) { found |= span.ground; });
+  return found;
+}
 
 }  // namespace
 
@@ -39,12 +42,7 @@ struct GroundCells::Builder {
   GroundCells& cells;
   const StopRequest& stop;
   Eigen::Vector2d extent;  // of what could be ground [m]
-  std::vector<Hit> hits = {};
-  // Of the line, where it is: which closed pieces it is in, of each object solids less hollows, and
-  // objects in whose solid it is.
-  std::vector<bool> inside = std::vector<bool>(pieces.pieces.size(), false);
-  std::vector<int> depth = std::vector<int>(scene.objects.size(), 0);
-  int solids = 0;
+  GroundColumn over{scene, pieces, all, up, settings};
   std::vector<bool> said = {};  // of each span: of an object that is said to be ground
 
   using Open = std::vector<std::pair<int, Eigen::Vector2i>>;  // spans, squares
@@ -52,13 +50,9 @@ struct GroundCells::Builder {
   void build();
   void makeTiles();
   bool isPlain(int i, int j);
+  double surfacesOf(int i, int j) const;
   void fillTile(int i, int j);
-  void cross(int piece);
-  void collect(const Eigen::Vector2d& p);
   void addSpans(int column, int row);
-  bool hasRoom(const Eigen::Vector3d& p) const;
-  std::optional<double> beside(const Eigen::Vector3d& p, const Eigen::Vector2d& offset) const;
-  bool isStraight(const Eigen::Vector3d& p, const Eigen::Vector2d& offset) const;
   void joinSteps();
   bool isAsked(int column, int row) const;
   template <typename Visit>
@@ -74,93 +68,11 @@ struct GroundCells::Builder {
   void measure();
 };
 
-// Surfaces over p, lowest first, each once: a line through an edge meets the triangles on both
-// sides.
-void GroundCells::Builder::collect(const Eigen::Vector2d& p) {
-  hits.clear();
-  all.visitAt(p.x(), p.y(), [&](int t) {
-    if (const auto z = heightOver(all.triangles()[t], p.x(), p.y()))
-      hits.push_back({*z, t, pieces.piece_of[t], upwardness(all.triangles()[t]) > 0.0});
-  });
-  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
-    return std::tie(a.height, a.piece, a.faces_up, a.triangle) <
-           std::tie(b.height, b.piece, b.faces_up, b.triangle);
-  });
-  const auto doubled = [](const Hit& a, const Hit& b) {
-    return a.piece == b.piece && a.faces_up == b.faces_up && b.height - a.height < kTouching;
-  };
-  hits.erase(std::unique(hits.begin(), hits.end(), doubled), hits.end());
-}
-
-// The line enters or leaves a closed piece. Of an object it may be in solids, and in hollows of
-// them.
-void GroundCells::Builder::cross(int piece) {
-  const int object = pieces.pieces[piece].object;
-  inside[piece] = !inside[piece];
-  const bool adds = inside[piece] != pieces.pieces[piece].hollow;
-  const int before = depth[object];
-  depth[object] += adds ? 1 : -1;
-  solids += (depth[object] > 0) - (before > 0);
-}
-
 void GroundCells::Builder::addSpans(int column, int row) {
-  const Eigen::Vector2d p = cells.middle(column, row);
-  collect(p);
-  for (size_t begin = 0, end; begin < hits.size(); begin = end) {
-    bool stands = false, is_said = false;
-    for (end = begin; end < hits.size() && hits[end].height - hits[begin].height < kTouching;
-         ++end) {
-      const Hit& hit = hits[end];
-      const ScenePiece& piece = pieces.pieces[hit.piece];
-      if (piece.closed) cross(hit.piece);
-      stands = stands || up[hit.triangle];
-      is_said = is_said || (up[hit.triangle] && scene.objects[piece.object].role == Role::kGround);
-    }
-    if (!stands) continue;
-    Span span;
-    span.height = hits[end - 1].height;
-    const bool open = end == hits.size() || hits[end].height - span.height >= settings.headroom;
-    span.standable = solids == 0 && open && hasRoom({p.x(), p.y(), span.height});
-    cells.spans_.push_back(span);
-    said.push_back(is_said);
+  for (const GroundColumn::Surface& surface : over.surfacesAt(cells.middle(column, row))) {
+    cells.spans_.push_back({surface.height, surface.standable});
+    said.push_back(surface.said);
   }
-  // A surface that is met an odd number of times, by its edge, leaves something open.
-  for (const Hit& hit : hits)
-    if (inside[hit.piece]) cross(hit.piece);
-}
-
-// The surface beside p that a slope from there could lead to, the nearest in height.
-std::optional<double> GroundCells::Builder::beside(const Eigen::Vector3d& p,
-                                                   const Eigen::Vector2d& offset) const {
-  const double most = cells.slope_ * offset.norm() + kUneven;
-  const double x = p.x() + offset.x(), y = p.y() + offset.y();
-  std::optional<double> nearest;
-  all.visitAt(x, y, [&](int t) {
-    if (!up[t]) return;
-    const auto z = heightOver(all.triangles()[t], x, y);
-    if (!z || std::abs(*z - p.z()) > most) return;
-    if (!nearest || std::abs(*z - p.z()) < std::abs(*nearest - p.z())) nearest = z;
-  });
-  return nearest;
-}
-
-// Whether the ground goes on straight to both sides of p.
-bool GroundCells::Builder::isStraight(const Eigen::Vector3d& p,
-                                      const Eigen::Vector2d& offset) const {
-  const auto before = beside(p, -offset), after = beside(p, offset);
-  return before && after && std::abs(*before + *after - 2.0 * p.z()) <= 2.0 * kUneven;
-}
-
-bool GroundCells::Builder::hasRoom(const Eigen::Vector3d& p) const {
-  for (int k = 0; k < kFootHeadings; ++k) {
-    const double heading = kPi * k / kFootHeadings;
-    const Eigen::Vector2d along =
-        0.5 * settings.foot_length * Eigen::Vector2d(std::cos(heading), std::sin(heading));
-    const Eigen::Vector2d aside =
-        0.5 * settings.foot_breadth * Eigen::Vector2d(-std::sin(heading), std::cos(heading));
-    if (isStraight(p, along) && isStraight(p, 0.5 * along) && isStraight(p, aside)) return true;
-  }
-  return false;
 }
 
 // Whether the square has neighbours that others of its tile do not stand for. In a plain tile those
@@ -204,10 +116,8 @@ void GroundCells::Builder::eachSpan(Visit visit_one) const {
 template <typename Visit>
 void GroundCells::Builder::eachNeighbour(int span, const Eigen::Vector2i& other, double most,
                                          Visit visit_one) const {
-  const auto there = cells.spans(other.x(), other.y());
-  const int first = static_cast<int>(there.data() - cells.spans_.data());
-  for (int k = 0; k < static_cast<int>(there.size()); ++k)
-    if (std::abs(there[k].height - cells.spans_[span].height) <= most) visit_one(first + k);
+  eachNear(cells.spans(other.x(), other.y()), cells.spans_[span].height, most,
+           [&](const Span& near) { visit_one(static_cast<int>(&near - cells.spans_.data())); });
 }
 
 void GroundCells::Builder::joinSteps() {
@@ -339,22 +249,49 @@ bool GroundCells::Builder::isPlain(int i, int j) {
   const Eigen::Vector2d reach = Eigen::Vector2d::Constant(
       0.5 * std::max(settings.foot_length, settings.foot_breadth) + 2.0 * kSeam);
   const Eigen::AlignedBox2d box(low - reach, low + Eigen::Vector2d::Constant(side) + reach);
+  const auto isLevel = [](const Triangle3& t) {
+    return t[0].z() == t[1].z() && t[1].z() == t[2].z();
+  };
   std::vector<int> near;
-  all.visitBox(box, [&](int t) { near.push_back(t); });
+  bool all_level = true;
+  all.visitBox(box, [&](int t) {
+    if (!all_level) return;
+    const Triangle3& corners = all.triangles()[t];
+    if (isLevel(corners))
+      near.push_back(t);
+    else if (heightsWithin(corners, box))
+      all_level = false;
+  });
+  if (!all_level) return false;
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   std::map<std::tuple<int, double, bool>, double> areas;  // of piece, height, facing [m^2]
   for (const int t : near) {
     const Triangle3& corners = all.triangles()[t];
-    const bool level = corners[0].z() == corners[1].z() && corners[1].z() == corners[2].z();
-    if (!level && heightsWithin(corners, box)) return false;
-    const double area = level ? areaWithin(corners, box) : 0.0;
+    const double area = areaWithin(corners, box);
     if (area > 0.0) areas[{pieces.piece_of[t], corners[0].z(), upwardness(corners) > 0.0}] += area;
   }
   constexpr double kRounding = 1e-6;  // of the area
   return std::all_of(areas.begin(), areas.end(), [&](const auto& entry) {
     return std::abs(entry.second - box.volume()) <= kRounding * box.volume();
   });
+}
+
+// Surfaces over all squares of a tile, by four of them.
+double GroundCells::Builder::surfacesOf(int i, int j) const {
+  const Eigen::Vector2i first(i * kTile, j * kTile);
+  const Eigen::Vector2i size = (cells.count_ - first).cwiseMin(kTile);
+  const double share = 0.25 * size.x() * size.y();
+  double surfaces = 0.0;
+  for (const int x : {size.x() / 4, 3 * size.x() / 4}) {
+    for (const int y : {size.y() / 4, 3 * size.y() / 4}) {
+      const Eigen::Vector2d p = cells.middle(first.x() + x, first.y() + y);
+      all.visitAt(p.x(), p.y(), [&](int t) {
+        if (heightOver(all.triangles()[t], p.x(), p.y())) surfaces += share;
+      });
+    }
+  }
+  return surfaces;
 }
 
 void GroundCells::Builder::fillTile(int i, int j) {
@@ -383,14 +320,18 @@ void GroundCells::Builder::makeTiles() {
     }
     cells.tiles_.assign(static_cast<size_t>(cells.tile_count_.x()) * cells.tile_count_.y(), {});
     long long squares = 0;
-    for (size_t t = 0; t < cells.tiles_.size() && squares <= kMostSquares; ++t) {
+    double surfaces = 0.0;
+    const auto fits = [&] { return squares <= kMostSquares && surfaces <= kMostSurfaces; };
+    for (size_t t = 0; t < cells.tiles_.size() && fits(); ++t) {
       stop.check();
       const int i = static_cast<int>(t) % cells.tile_count_.x();
       const int j = static_cast<int>(t) / cells.tile_count_.x();
       cells.tiles_[t].plain = isPlain(i, j) ? 0 : -1;
-      if (cells.tiles_[t].plain < 0) squares += kTile * kTile;
+      if (cells.tiles_[t].plain >= 0) continue;
+      squares += kTile * kTile;
+      surfaces += surfacesOf(i, j);
     }
-    if (squares <= kMostSquares) return;
+    if (fits() || cells.count_.maxCoeff() == 1) return;
   }
 }
 
@@ -459,8 +400,25 @@ bool GroundCells::matches(const Eigen::Vector3d& p, const Eigen::Vector3d& norma
     for (int column = at.x() - 1; column <= at.x() + 1; ++column) {
       const Eigen::Vector2d way = middle(column, row) - p.head<2>();
       const double z = p.z() - normal.head<2>().dot(way) / normal.z();
-      for (const Span& span : spans(column, row))
-        if (span.ground && std::abs(span.height - z) <= kLevel) return true;
+      if (hasGroundNear(spans(column, row), z, kLevel)) return true;
+    }
+  }
+  return false;
+}
+
+// Whether the triangle is ground over one of these squares, which are of one tile.
+bool GroundCells::isGroundWithin(const Triangle3& t, const Eigen::Vector2i& low,
+                                 const Eigen::Vector2i& high) const {
+  const auto [bottom, top] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
+  const bool plain = tileAt(low.x(), low.y()).plain >= 0;
+  if (plain && !hasGroundNear(spans(low.x(), low.y()), 0.5 * (bottom + top),
+                              0.5 * (top - bottom) + kTouching))
+    return false;
+  for (int row = low.y(); row <= high.y(); ++row) {
+    for (int column = low.x(); column <= high.x(); ++column) {
+      const Eigen::Vector2d p = middle(column, row);
+      const auto z = heightOver(t, p.x(), p.y());
+      if (z && hasGroundNear(spans(column, row), *z, kTouching)) return true;
     }
   }
   return false;
@@ -469,17 +427,14 @@ bool GroundCells::matches(const Eigen::Vector3d& p, const Eigen::Vector3d& norma
 bool GroundCells::isGround(const Triangle3& t) const {
   Eigen::AlignedBox2d plan;
   for (const Eigen::Vector3d& corner : t) plan.extend(Eigen::Vector2d(corner.head<2>()));
-  const Eigen::Vector2i low = squareAt(plan.min()), high = squareAt(plan.max());
-  for (int row = low.y(); row <= high.y(); ++row) {
-    for (int column = low.x(); column <= high.x(); ++column) {
-      const Eigen::Vector2d p = middle(column, row);
-      const auto here = spans(column, row);
-      if (std::none_of(here.begin(), here.end(), [](const Span& span) { return span.ground; }))
-        continue;
-      const auto z = heightOver(t, p.x(), p.y());
-      if (!z) continue;
-      for (const Span& span : here)
-        if (span.ground && std::abs(span.height - *z) <= kTouching) return true;
+  const Eigen::Vector2i low = squareAt(plan.min()).cwiseMax(0);
+  const Eigen::Vector2i high = squareAt(plan.max()).cwiseMin(count_ - Eigen::Vector2i::Ones());
+  if ((low.array() > high.array()).any()) return false;
+  for (int j = low.y() / kTile; j <= high.y() / kTile; ++j) {
+    for (int i = low.x() / kTile; i <= high.x() / kTile; ++i) {
+      const Eigen::Vector2i first(i * kTile, j * kTile);
+      const Eigen::Vector2i last = first.array() + (kTile - 1);
+      if (isGroundWithin(t, low.cwiseMax(first), high.cwiseMin(last))) return true;
     }
   }
   // Small and narrow ones lie between the middles of squares.

@@ -12,7 +12,8 @@
 /// Squares are 0.1 m, whatever the size of the scene. They lie in tiles of 16 by 16, and a tile
 /// over which there are level surfaces only, each over all of it and a foot's length beyond, is
 /// kept as one square: what is found at one of its squares is found at all. So a floor of 400 m
-/// costs what its edges do. Only where more than kMostSquares are left do they grow.
+/// costs what its edges do. Only where more than kMostSquares are left, or kMostSurfaces over them
+/// (a hundred shells in one another), do they grow.
 #pragma once
 
 #include <span>
@@ -69,9 +70,12 @@ class GroundCells {
 
  private:
   struct Builder;
-  static constexpr double kCell = 0.1;                // [m]
-  static constexpr int kTile = 16;                    // squares along a side of a tile
-  static constexpr long long kMostSquares = 4000000;  // beside plain tiles; 200 m of uneven ground
+  static constexpr double kCell = 0.1;  // [m]
+  static constexpr int kTile = 16;      // squares along a side of a tile
+  // Beside plain tiles: 200 m of uneven ground; and what lies over them, of about 80 bytes each
+  // while they are made.
+  static constexpr long long kMostSquares = 4000000;
+  static constexpr double kMostSurfaces = 8e6;
 
   // Its squares' spans: of a plain tile those from `first` on; else the squares' begins are in
   // start_, from `first` on, and the end.
@@ -84,6 +88,8 @@ class GroundCells {
     return tiles_[static_cast<size_t>(row / kTile) * tile_count_.x() + column / kTile];
   }
   bool matches(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const;
+  bool isGroundWithin(const Triangle3& t, const Eigen::Vector2i& low,
+                      const Eigen::Vector2i& high) const;
 
   Eigen::Vector2d min_{0, 0};
   Eigen::Vector2i count_{0, 0}, tile_count_{0, 0};

@@ -9,8 +9,6 @@
 namespace amble {
 namespace {
 
-constexpr double kTouching = 1e-3;  // surfaces so near to one another meet [m]
-
 // Whether anything that faces up lies below the middle of a triangle.
 bool hasFloorBelow(const Triangle3& t, const SceneGround& ground) {
   const Eigen::Vector3d middle = (t[0] + t[1] + t[2]) / 3.0;

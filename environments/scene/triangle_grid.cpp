@@ -118,7 +118,7 @@ TriangleGrid::TriangleGrid(std::vector<Triangle3> triangles) : triangles_(std::m
   for (const Triangle3& t : triangles_) extent_.extend(planOf(t));
   const double per_triangle = extent_.volume() / static_cast<double>(triangles_.size());
   cell_ = std::clamp(std::sqrt(kTrianglesPerCell * per_triangle), kSmallestCell, kLargestCell);
-  cell_ = std::max(cell_, extent_.sizes().maxCoeff() / kMostCells);
+  cell_ = std::max({cell_, extent_.sizes().maxCoeff() / kMostCells, leastCell()});
   for (int k = 0; k < 2; ++k) count_[k] = 1 + static_cast<int>(extent_.sizes()[k] / cell_);
   // Counting sort: once to count, once to place.
   start_.assign(static_cast<size_t>(count_[0]) * count_[1] + 1, 0);
@@ -127,6 +127,20 @@ TriangleGrid::TriangleGrid(std::vector<Triangle3> triangles) : triangles_(std::m
   items_.resize(start_.back());
   std::vector<int> next(start_.begin(), start_.end() - 1);
   eachSquare([&](size_t cell, int triangle) { items_[next[cell]++] = triangle; });
+}
+
+// That of which the lists have room for all triangles: one of area A, w long and h wide, lies over
+// about A / cell^2 + (w + h) / cell + 1 squares.
+double TriangleGrid::leastCell() const {
+  double area = 0.0, around = 0.0;
+  for (const Triangle3& t : triangles_) {
+    const Eigen::Vector2d a = (t[1] - t[0]).head<2>(), b = (t[2] - t[0]).head<2>();
+    area += 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
+    around += planOf(t).sizes().sum();
+  }
+  const double room =
+      kMostItems + (kItemsOfTriangle - 1.0) * static_cast<double>(triangles_.size());
+  return (around + std::sqrt(around * around + 4.0 * area * room)) / (2.0 * room);
 }
 
 Eigen::AlignedBox2d TriangleGrid::squareOf(int i, int j) const {

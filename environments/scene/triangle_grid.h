@@ -3,7 +3,8 @@
 ///
 /// A grid over (x, y) with the triangles of each square in one list (counting sort). Heights at a
 /// point cost O(triangles over its square): a fraction of a microsecond where the squares are about
-/// as large as the triangles, as they are chosen to be.
+/// as large as the triangles, as they are chosen to be. Triangles that lie over one another many
+/// times have larger squares: memory is O(triangles).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -21,6 +22,8 @@ using Triangle3 = std::array<Eigen::Vector3d, 3>;  ///< corners [m, World]
 /// Points this near to a triangle's edge are on it: meshes have seams, and their numbers are often
 /// floats [m].
 inline constexpr double kSeam = 1e-4;
+/// Surfaces this near to one another meet [m].
+inline constexpr double kTouching = 1e-3;
 
 /// Height of the triangle over (x, y), or none beside it. One that stands upright has none [m].
 std::optional<double> heightOver(const Triangle3& t, double x, double y);
@@ -68,6 +71,8 @@ class TriangleGrid {
   static constexpr double kSmallestCell = 0.05;  // [m]
   static constexpr double kLargestCell = 0.5;    // [m], unless there would be more than kMostCells
   static constexpr double kMostCells = 2000.0;   // along a side
+  // Of the lists of all squares: so much, and as much more for each triangle; 4 bytes each.
+  static constexpr double kMostItems = 2e6, kItemsOfTriangle = 16.0;
 
   struct Range {
     std::array<int, 2> low, high;
@@ -84,6 +89,7 @@ class TriangleGrid {
     return {{column(box.min().x(), 0), column(box.min().y(), 1)},
             {column(box.max().x(), 0), column(box.max().y(), 1)}};
   }
+  double leastCell() const;
   Eigen::AlignedBox2d squareOf(int i, int j) const;
   std::pair<int, int> columnsWithin(const Triangle3& t, const Range& range, int row) const;
   template <typename Visit>

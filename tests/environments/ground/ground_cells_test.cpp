@@ -29,6 +29,26 @@ TEST(GroundCells, SquaresHaveOneSizeWhateverTheSceneHas) {
     EXPECT_DOUBLE_EQ(SceneGround(sceneOf({slab(side, 0.0)})).cells().cell(), 0.1) << side;
 }
 
+// A hundred sheets over one another, each a little uneven, so that no tile of them is plain: nine
+// million surfaces over squares of 0.1 m.
+TEST(GroundCells, ManySheetsOverOneAnotherMakeSquaresLargerNotMore) {
+  std::vector<SceneObject> objects;
+  for (int k = 0; k < 100; ++k) {
+    const double z = 0.3 * k;
+    objects.push_back(
+        makeObject("sheet" + std::to_string(k),
+                   TriangleMesh{{{0, 0, z}, {30, 0, z}, {30, 30, z + 0.1}, {0, 30, z}},
+                                {{0, 1, 2}, {0, 2, 3}}},
+                   {0, 0, 0}));
+  }
+  const SceneGround ground(sceneOf(objects));
+  EXPECT_GT(ground.cells().cell(), 0.1);
+  EXPECT_LE(ground.cells().columns() * ground.cells().rows() * 100, 8e6);
+  // Who stands on all but the topmost has his head in others.
+  ASSERT_EQ(groundAt(ground.cells(), 10.0, 20.0).size(), 1u);
+  EXPECT_NEAR(groundAt(ground.cells(), 10.0, 20.0)[0], 29.7, 0.1);
+}
+
 TEST(GroundCells, TreadsOfAStairOnASiteOf400MetresAreGround) {
   std::vector<SceneObject> objects = stairs(8, 0.17, 0.29);
   objects.push_back(makeObject("top", Box{{3, 2, 0.1}}, {8 * 0.29 + 1.5, 0, 8 * 0.17 - 0.05}));

@@ -91,6 +91,21 @@ TEST(TriangleGrid, FindsEveryTriangleOverABox) {
   }
 }
 
+// Of n triangles of 5 m in one place squares of 0.05 m would list 5,000 n.
+TEST(TriangleGrid, ListsAreAboutAsLongAsThereAreTrianglesHoweverTheyOverlap) {
+  std::vector<Triangle3> pile;
+  for (int k = 0; k < 3000; ++k) {
+    const Eigen::Vector3d at(1e-4 * k, -1e-4 * k, 0.0);
+    pile.push_back({at, at + Eigen::Vector3d(5, 0, 0), at + Eigen::Vector3d(0, 5, 0)});
+  }
+  const TriangleGrid grid(pile);
+  int listed = 0, over = 0;
+  grid.visitBox(grid.extent(), [&](int) { ++listed; });
+  EXPECT_LT(listed, 2200000);
+  grid.visitAt(1.5, 1.5, [&](int t) { over += heightOver(grid.triangles()[t], 1.5, 1.5) ? 1 : 0; });
+  EXPECT_EQ(over, 3000);
+}
+
 TEST(AreaWithin, OfABoxInSidesAddsUpToTheTriangle) {
   const Triangle3 t = {Eigen::Vector3d(0.3, 0.1, 0), {3.7, 0.4, 1}, {1.2, 2.9, 2}};
   const double whole = areaWithin(t, {Eigen::Vector2d(-9, -9), Eigen::Vector2d(9, 9)});
