@@ -66,16 +66,7 @@ struct SignedDistance {
 };
 
 Eigen::AlignedBox3d boundsOf(const Obstacle& obstacle) {
-  Eigen::AlignedBox3d box;
-  if (const auto* mesh = std::get_if<TriangleMesh>(&obstacle.shape)) {
-    for (const Eigen::Vector3d& v : mesh->vertices) box.extend(obstacle.X_WO * v);
-  } else {
-    // Round shapes are meshed a little too small: by the cosine of half a segment.
-    const TriangleMesh round = worldMesh({"", "", obstacle.shape, obstacle.X_WO, Role::kAuto});
-    for (const Eigen::Vector3d& v : round.vertices) box.extend(v);
-    const Eigen::Vector3d more = 0.01 * box.sizes();
-    box = {box.min() - more, box.max() + more};
-  }
+  Eigen::AlignedBox3d box = worldBounds(obstacle.shape, obstacle.X_WO);
   for (const Eigen::Vector3d& v : obstacle.solid.vertices) box.extend(v);
   return box;
 }

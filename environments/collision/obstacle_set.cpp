@@ -87,12 +87,13 @@ Piece roundPiece(int object, const Capsule& round) {
 }
 
 Piece fclPiece(const Obstacle& obstacle) {
-  // Round shapes are meshed a little too small: by the cosine of half a segment.
-  Eigen::AlignedBox3d box =
-      boundsOf(worldMesh({"", "", obstacle.shape, obstacle.X_WO, Role::kAuto}));
-  const Eigen::Vector3d more = 0.01 * box.sizes();
-  box = {box.min() - more, box.max() + more};
-  return {obstacle.object, makeFclSurface(obstacle.shape, obstacle.X_WO), {}, box};
+  // FCL may find a contact from so far away [m].
+  const Eigen::Vector3d tolerance = Eigen::Vector3d::Constant(1e-5);
+  const Eigen::AlignedBox3d box = worldBounds(obstacle.shape, obstacle.X_WO);
+  return {obstacle.object,
+          makeFclSurface(obstacle.shape, obstacle.X_WO),
+          {},
+          {box.min() - tolerance, box.max() + tolerance}};
 }
 
 Piece makePiece(const Obstacle& obstacle, Checker checker) {

@@ -89,7 +89,7 @@ struct SceneLayers::Split {
         const bool is_ground = ground_of.isGroundTriangle(number);
         has_ground = has_ground || is_ground;
         is_low.push_back(is_ground ||
-                         isBelowGround(ground_of.pieces().triangles[number], ground_of));
+                         isBelowGround(ground_of.pieces().triangles()[number], ground_of));
       }
       if (piece.closed) append(solid, piece.mesh);
       if (!has_ground) {

@@ -36,13 +36,13 @@ bool hasGroundNear(std::span<const GroundCells::Span> spans, double height, doub
 struct GroundCells::Builder {
   const Scene& scene;
   const ScenePieces& pieces;
-  const TriangleGrid& all;
   const std::vector<bool>& up;
   const GroundSettings& settings;
   GroundCells& cells;
   const StopRequest& stop;
   Eigen::Vector2d extent;  // of what could be ground [m]
-  GroundColumn over{scene, pieces, all, up, settings};
+  const TriangleGrid& all = pieces.grid;
+  GroundColumn over{scene, pieces, up, settings};
   std::vector<bool> said = {};  // of each span: of an object that is said to be ground
 
   using Open = std::vector<std::pair<int, Eigen::Vector2i>>;  // spans, squares
@@ -351,19 +351,18 @@ void GroundCells::Builder::build() {
   measure();
 }
 
-GroundCells::GroundCells(const Scene& scene, const ScenePieces& pieces, const TriangleGrid& all,
-                         const std::vector<bool>& up, const GroundSettings& settings,
-                         const StopRequest& stop)
+GroundCells::GroundCells(const Scene& scene, const ScenePieces& pieces, const std::vector<bool>& up,
+                         const GroundSettings& settings, const StopRequest& stop)
     : slope_(std::tan(settings.limits.max_slope)) {
   Eigen::AlignedBox2d extent;
   for (size_t t = 0; t < up.size(); ++t) {
     if (!up[t]) continue;
-    for (const Eigen::Vector3d& corner : all.triangles()[t])
+    for (const Eigen::Vector3d& corner : pieces.triangles()[t])
       extent.extend(Eigen::Vector2d(corner.head<2>()));
   }
   if (extent.isEmpty()) return;
   min_ = extent.min();
-  Builder{scene, pieces, all, up, settings, *this, stop, extent.sizes()}.build();
+  Builder{scene, pieces, up, settings, *this, stop, extent.sizes()}.build();
 }
 
 std::span<const GroundCells::Span> GroundCells::spans(int column, int row) const {

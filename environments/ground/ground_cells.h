@@ -43,9 +43,8 @@ class GroundCells {
 
   /// @param up  of each triangle whether it faces up, is flat enough and of an `auto` or `ground`
   /// object
-  GroundCells(const Scene& scene, const ScenePieces& pieces, const TriangleGrid& all,
-              const std::vector<bool>& up, const GroundSettings& settings,
-              const StopRequest& stop = {});
+  GroundCells(const Scene& scene, const ScenePieces& pieces, const std::vector<bool>& up,
+              const GroundSettings& settings, const StopRequest& stop = {});
 
   double cell() const { return cell_; }  ///< side of a square [m]
   int columns() const { return count_.x(); }

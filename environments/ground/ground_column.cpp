@@ -15,11 +15,11 @@ constexpr double kUneven = 0.01;
 
 }  // namespace
 
-GroundColumn::GroundColumn(const Scene& scene, const ScenePieces& pieces, const TriangleGrid& all,
+GroundColumn::GroundColumn(const Scene& scene, const ScenePieces& pieces,
                            const std::vector<bool>& up, const GroundSettings& settings)
     : scene_(scene),
       pieces_(pieces),
-      all_(all),
+      all_(pieces.grid),
       up_(up),
       settings_(settings),
       inside_(pieces.pieces.size(), false),

@@ -26,8 +26,8 @@ class GroundColumn {
   /// @param up  of each triangle whether it faces up, is flat enough and of an `auto` or `ground`
   /// object
   /// @pre all of these outlive the column.
-  GroundColumn(const Scene& scene, const ScenePieces& pieces, const TriangleGrid& all,
-               const std::vector<bool>& up, const GroundSettings& settings);
+  GroundColumn(const Scene& scene, const ScenePieces& pieces, const std::vector<bool>& up,
+               const GroundSettings& settings);
 
   /// Over p, lowest first. They hold until it is asked again.
   const std::vector<Surface>& surfacesAt(const Eigen::Vector2d& p);

@@ -28,7 +28,7 @@ double areaFacingDown(const ScenePiece& piece, const SceneGround& ground) {
   const double least = std::cos(ground.settings().limits.max_slope);
   double area = 0.0;
   for (size_t k = 0; k < piece.mesh.triangles.size(); ++k) {
-    const Triangle3& t = ground.pieces().triangles[piece.first + static_cast<int>(k)];
+    const Triangle3& t = ground.pieces().triangles()[piece.first + static_cast<int>(k)];
     const double up = upwardness(t);
     if (up >= least) return 0.0;
     if (up > -least) continue;

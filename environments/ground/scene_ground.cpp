@@ -19,12 +19,12 @@ constexpr double kSlopeRounding = 1e-6;
 // Of each triangle whether it could be ground as it lies; `ground` is ground from either side.
 std::vector<bool> facingUp(const Scene& scene, const ScenePieces& pieces, double max_slope) {
   const double least = std::cos(max_slope) - kSlopeRounding;
-  std::vector<bool> up(pieces.triangles.size(), false);
+  std::vector<bool> up(pieces.triangles().size(), false);
   for (size_t t = 0; t < up.size(); ++t) {
     const ScenePiece& piece = pieces.pieceOf(static_cast<int>(t));
     const Role role = scene.objects[piece.object].role;
     if (role != Role::kAuto && role != Role::kGround) continue;
-    const double nz = upwardness(pieces.triangles[t]);
+    const double nz = upwardness(pieces.triangles()[t]);
     const bool either_side = role == Role::kGround && !piece.closed;
     up[t] = (either_side ? std::abs(nz) : nz) >= least;
   }
@@ -40,11 +40,9 @@ GroundSettings atLevel(double level) {
 }  // namespace
 
 struct SceneGround::Parts {
-  explicit Parts(ScenePieces of_scene) : pieces(std::move(of_scene)), all(pieces.triangles) {}
-
   ScenePieces pieces;
-  TriangleGrid all, surfaces;
-  std::optional<GroundCells> cells;
+  TriangleGrid surfaces = {};
+  std::optional<GroundCells> cells = {};
 };
 
 SceneGround::SceneGround(const Scene& scene, double level) : SceneGround(scene, atLevel(level)) {}
@@ -52,22 +50,22 @@ SceneGround::SceneGround(const Scene& scene, double level) : SceneGround(scene, 
 SceneGround::SceneGround(const Scene& scene, const GroundSettings& settings,
                          const StopRequest& stop)
     : settings_(settings),
-      parts_(std::make_unique<Parts>(splitScene(scene, stop))),
+      parts_(std::make_unique<Parts>(Parts{splitScene(scene, stop)})),
       up_(facingUp(scene, parts_->pieces, settings.limits.max_slope)),
       ground_triangles_(up_.size(), false),
       ground_objects_(scene.objects.size(), false) {
   const ScenePieces& of_scene = parts_->pieces;
-  parts_->cells.emplace(scene, of_scene, parts_->all, up_, settings, stop);
+  parts_->cells.emplace(scene, of_scene, up_, settings, stop);
   std::vector<Triangle3> ground;
   for (size_t t = 0; t < up_.size(); ++t) {
     const int object = of_scene.pieceOf(static_cast<int>(t)).object;
     if (!up_[t]) continue;
     if (scene.objects[object].role != Role::kGround &&
-        !parts_->cells->isGround(of_scene.triangles[t]))
+        !parts_->cells->isGround(of_scene.triangles()[t]))
       continue;
     ground_triangles_[t] = true;
     ground_objects_[object] = true;
-    ground.push_back(of_scene.triangles[t]);
+    ground.push_back(of_scene.triangles()[t]);
     for (const Eigen::Vector3d& corner : ground.back())
       heights_.extend(Eigen::AlignedBox1d::VectorType(corner.z()));
   }
@@ -81,7 +79,7 @@ SceneGround::SceneGround(SceneGround&&) noexcept = default;
 const Eigen::AlignedBox2d& SceneGround::extent() const { return parts_->surfaces.extent(); }
 const GroundCells& SceneGround::cells() const { return *parts_->cells; }
 const ScenePieces& SceneGround::pieces() const { return parts_->pieces; }
-const TriangleGrid& SceneGround::all() const { return parts_->all; }
+const TriangleGrid& SceneGround::all() const { return parts_->pieces.grid; }
 const TriangleGrid& SceneGround::surfaces() const { return parts_->surfaces; }
 
 std::optional<SurfacePoint> SceneGround::surface(double x, double y, double z, double reach) const {

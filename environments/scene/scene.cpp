@@ -221,9 +221,7 @@ class SceneReader {
 
   void addObject(SceneObject object, const YamlNode& node) {
     if (object.role != Role::kIgnore) {
-      const TriangleMesh mesh = worldMesh(object);
-      Eigen::AlignedBox3d box;
-      for (const Eigen::Vector3d& v : mesh.vertices) box.extend(v);
+      const Eigen::AlignedBox3d box = worldBounds(object.shape, object.X_WO);
       bounds_.extend(box);
       const double reach =
           std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
@@ -266,7 +264,7 @@ Eigen::AlignedBox3d Scene::bounds() const {
   Eigen::AlignedBox3d box;
   for (const SceneObject& object : objects) {
     if (object.role == Role::kIgnore) continue;
-    for (const Eigen::Vector3d& v : worldMesh(object).vertices) box.extend(v);
+    box.extend(worldBounds(object.shape, object.X_WO));
   }
   return box;
 }
@@ -309,17 +307,64 @@ bool matchesPattern(std::string_view pattern, std::string_view name) {
   return p == pattern.size();
 }
 
+namespace {
+
+// So many segments that their chords lie no deeper than kRoundness in a ball, if no more than 48
+// do; by fours, so that it is as wide as the ball. Squared it is what a ball costs.
+int segmentsOf(double radius) {
+  constexpr double kRoundness = 0.005;  // [m]
+  constexpr int kFewest = 12, kMost = 48;
+  if (radius <= kRoundness) return kFewest;
+  const int quarter =
+      static_cast<int>(std::ceil(0.25 * kPi / std::acos(1.0 - kRoundness / radius)));
+  return std::clamp(4 * quarter, kFewest, kMost);
+}
+
+}  // namespace
+
 TriangleMesh worldMesh(const SceneObject& object) {
   struct ToMesh {
     TriangleMesh operator()(const Box& s) const { return makeBox(s.size); }
     TriangleMesh operator()(const Cylinder& s) const { return makeCylinder(s.radius, s.height); }
-    TriangleMesh operator()(const Sphere& s) const { return makeSphere(s.radius); }
-    TriangleMesh operator()(const CapsuleShape& s) const { return makeCapsule(s.radius, s.height); }
+    TriangleMesh operator()(const Sphere& s) const {
+      return makeSphere(s.radius, segmentsOf(s.radius));
+    }
+    TriangleMesh operator()(const CapsuleShape& s) const {
+      return makeCapsule(s.radius, s.height, segmentsOf(s.radius));
+    }
     TriangleMesh operator()(const TriangleMesh& s) const { return s; }
   };
   TriangleMesh mesh = std::visit(ToMesh{}, object.shape);
   for (Eigen::Vector3d& v : mesh.vertices) v = object.X_WO * v;
   return mesh;
+}
+
+Eigen::AlignedBox3d worldBounds(const Shape& shape, const Eigen::Isometry3d& X_WO) {
+  if (const auto* mesh = std::get_if<TriangleMesh>(&shape)) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& v : mesh->vertices) box.extend(X_WO * v);
+    return box;
+  }
+  // How far a primitive reaches along World's axes: half its sides, or an axis and what is round.
+  struct Reach {
+    const Eigen::Matrix3d& R;
+    Eigen::Vector3d operator()(const Box& s) const { return R.cwiseAbs() * (0.5 * s.size); }
+    Eigen::Vector3d operator()(const Cylinder& s) const {
+      const Eigen::Array3d axis = R.col(2).array();
+      return 0.5 * s.height * axis.abs() + s.radius * (1.0 - axis.square()).max(0.0).sqrt();
+    }
+    Eigen::Vector3d operator()(const Sphere& s) const {
+      return Eigen::Vector3d::Constant(s.radius);
+    }
+    Eigen::Vector3d operator()(const CapsuleShape& s) const {
+      return (0.5 * s.height - s.radius) * R.col(2).cwiseAbs() +
+             Eigen::Vector3d::Constant(s.radius);
+    }
+    Eigen::Vector3d operator()(const TriangleMesh&) const { return Eigen::Vector3d::Zero(); }
+  };
+  const Eigen::Matrix3d R = X_WO.linear();
+  const Eigen::Vector3d reach = std::visit(Reach{R}, shape), at = X_WO.translation();
+  return {at - reach, at + reach};
 }
 
 }  // namespace amble

@@ -72,7 +72,10 @@ std::string objectName(const SceneObject& object);
 /// the same (ASCII).
 bool matchesPattern(std::string_view pattern, std::string_view name);
 
-/// The object's surface in World; primitives become meshes.
+/// The object's surface in World; primitives become meshes, round ones of chords.
 TriangleMesh worldMesh(const SceneObject& object);
+
+/// A shape's bounds where it stands; exact for primitives [m].
+Eigen::AlignedBox3d worldBounds(const Shape& shape, const Eigen::Isometry3d& X_WO);
 
 }  // namespace amble

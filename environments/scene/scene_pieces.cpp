@@ -47,6 +47,24 @@ std::vector<bool> findHollows(const std::vector<MeshComponent>& parts, const Sto
   return hollow;
 }
 
+// Primitives are of one piece as they are made.
+std::vector<MeshComponent> partsOf(const SceneObject& object) {
+  if (std::holds_alternative<TriangleMesh>(object.shape)) return splitComponents(worldMesh(object));
+  std::vector<MeshComponent> whole;
+  whole.push_back({worldMesh(object), true});
+  return whole;
+}
+
+std::vector<Triangle3> trianglesOf(const std::vector<ScenePiece>& pieces, size_t count) {
+  std::vector<Triangle3> triangles;
+  triangles.reserve(count);
+  for (const ScenePiece& piece : pieces)
+    for (const std::array<int, 3>& t : piece.mesh.triangles)
+      triangles.push_back(
+          {piece.mesh.vertices[t[0]], piece.mesh.vertices[t[1]], piece.mesh.vertices[t[2]]});
+  return triangles;
+}
+
 }  // namespace
 
 double upwardness(const Triangle3& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized().z(); }
@@ -58,23 +76,26 @@ std::span<const ScenePiece> ScenePieces::ofObject(int object) const {
 
 ScenePieces splitScene(const Scene& scene, const StopRequest& stop) {
   ScenePieces all;
+  size_t count = 0;
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     if (scene.objects[i].role == Role::kIgnore) continue;
-    const std::vector<MeshComponent> parts = splitComponents(worldMesh(scene.objects[i]));
+    std::vector<MeshComponent> parts = partsOf(scene.objects[i]);
     const std::vector<bool> hollow = findHollows(parts, stop);
     for (size_t k = 0; k < parts.size(); ++k) {
-      ScenePiece piece{static_cast<int>(i), parts[k].mesh, parts[k].closed, hollow[k],
-                       static_cast<int>(all.triangles.size())};
+      ScenePiece piece{static_cast<int>(i), std::move(parts[k].mesh), parts[k].closed, hollow[k],
+                       static_cast<int>(count)};
       const bool inside_out = piece.closed && (signedVolume(piece.mesh) < 0.0) != piece.hollow;
-      for (std::array<int, 3>& t : piece.mesh.triangles) {
-        if (inside_out) std::swap(t[1], t[2]);
-        all.triangles.push_back(
-            {piece.mesh.vertices[t[0]], piece.mesh.vertices[t[1]], piece.mesh.vertices[t[2]]});
-        all.piece_of.push_back(static_cast<int>(all.pieces.size()));
-      }
+      if (inside_out)
+        for (std::array<int, 3>& t : piece.mesh.triangles) std::swap(t[1], t[2]);
+      count += piece.mesh.triangles.size();
       all.pieces.push_back(std::move(piece));
     }
   }
+  all.grid = TriangleGrid(trianglesOf(all.pieces, count));
+  all.piece_of.reserve(count);
+  for (size_t k = 0; k < all.pieces.size(); ++k)
+    all.piece_of.insert(all.piece_of.end(), all.pieces[k].mesh.triangles.size(),
+                        static_cast<int>(k));
   return all;
 }
 

@@ -13,17 +13,16 @@ namespace {
 // A scene with all that a column asks.
 struct Asked {
   explicit Asked(const std::vector<SceneObject>& objects)
-      : scene(sceneOf(objects)), pieces(splitScene(scene)), all(pieces.triangles) {
-    for (const Triangle3& t : pieces.triangles)
+      : scene(sceneOf(objects)), pieces(splitScene(scene)) {
+    for (const Triangle3& t : pieces.triangles())
       up.push_back(upwardness(t) >= std::cos(settings.limits.max_slope));
   }
   std::vector<GroundColumn::Surface> at(double x, double y) const {
-    return GroundColumn(scene, pieces, all, up, settings).surfacesAt({x, y});
+    return GroundColumn(scene, pieces, up, settings).surfacesAt({x, y});
   }
 
   Scene scene;
   ScenePieces pieces;
-  TriangleGrid all;
   std::vector<bool> up;
   GroundSettings settings;
 };
@@ -78,8 +77,7 @@ TEST(GroundColumn, EachStoreyIsJudgedAsIfItWereAlone) {
     alone.emplace_back(boxes);
   }
   const Asked together(all);
-  GroundColumn column(together.scene, together.pieces, together.all, together.up,
-                      together.settings);
+  GroundColumn column(together.scene, together.pieces, together.up, together.settings);
   int standable = 0, not_standable = 0;
   for (int k = 0; k < 300; ++k) {
     const Eigen::Vector2d p(place(random), place(random));

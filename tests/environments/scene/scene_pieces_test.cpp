@@ -15,7 +15,7 @@ namespace {
 // How many of the scene's triangles face up at a height.
 int facingUpAt(const ScenePieces& pieces, double z) {
   int count = 0;
-  for (const Triangle3& t : pieces.triangles)
+  for (const Triangle3& t : pieces.triangles())
     count += upwardness(t) > 0.9 && std::abs(t[0].z() - z) < 1e-9 ? 1 : 0;
   return count;
 }
@@ -33,7 +33,7 @@ TEST(ScenePieces, NumberTheirTrianglesInOrder) {
   EXPECT_EQ(all.pieces[1].first, 12);
   EXPECT_EQ(all.pieceOf(11).object, 0);
   EXPECT_EQ(all.pieceOf(12).object, 1);
-  EXPECT_EQ(all.triangles.size(), 12 + all.pieces[1].mesh.triangles.size());
+  EXPECT_EQ(all.triangles().size(), 12 + all.pieces[1].mesh.triangles.size());
 }
 
 TEST(ScenePieces, ClosedOnesFaceOutHoweverTheyAreWound) {
@@ -101,7 +101,7 @@ TEST(ScenePieces, PrimitivesMeshesAndOneMeshOfAllMeanTheSame) {
   }
   const auto cornersOf = [](const ScenePieces& pieces) {
     std::vector<std::array<double, 3>> corners;
-    for (const Triangle3& t : pieces.triangles)
+    for (const Triangle3& t : pieces.triangles())
       for (const Eigen::Vector3d& p : t) corners.push_back({p.x(), p.y(), p.z()});
     std::sort(corners.begin(), corners.end());
     return corners;

@@ -294,5 +294,53 @@ TEST(WorldMesh, OfEveryPrimitiveIsClosedOutwardsAndWhereItStands) {
   }
 }
 
+// Chords of a ball lie half a centimetre in it at most, its triangles twice as deep; and small
+// balls, of which a scene may have thousands, are not as fine as large ones.
+TEST(WorldMesh, OfABallIsAsFineAsItIsLarge) {
+  size_t last = 0;
+  for (const double radius : {0.01, 0.05, 0.2, 0.6, 1.5, 2.3}) {
+    SceneObject ball;
+    ball.shape = Sphere{radius};
+    const TriangleMesh mesh = worldMesh(ball);
+    for (const std::array<int, 3>& t : mesh.triangles) {
+      const Eigen::Vector3d middle =
+          (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
+      ASSERT_GT(middle.norm(), radius - 0.01) << radius;
+    }
+    EXPECT_LT((boundsOf(mesh).sizes() - Eigen::Vector3d::Constant(2.0 * radius)).norm(), 1e-9);
+    EXPECT_GE(mesh.triangles.size(), last);
+    last = mesh.triangles.size();
+  }
+  EXPECT_GT(last, 2000u);
+  EXPECT_LT(worldMesh({"", "", Sphere{0.2}, Eigen::Isometry3d::Identity()}).triangles.size(), 300u);
+}
+
+TEST(WorldBounds, HoldPrimitivesTightlyHoweverTheyLie) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(0.2, 2.0), turn(-3.0, 3.0);
+  for (int k = 0; k < 50; ++k) {
+    Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+    X.translation() << turn(random), turn(random), turn(random);
+    X.linear() = expRotation({turn(random), turn(random), turn(random)}).toRotationMatrix();
+    const double radius = number(random), height = 2.0 * radius + number(random);
+    const Eigen::Vector3d size(number(random), number(random), number(random));
+    const std::vector<std::pair<Shape, TriangleMesh>> fine = {
+        {Box{size}, makeBox(size)},
+        {Sphere{radius}, makeSphere(radius, 256)},
+        {Cylinder{radius, height}, makeCylinder(radius, height, 256)},
+        {CapsuleShape{radius, height}, makeCapsule(radius, height, 256)},
+        {makeBox(size), makeBox(size)}};
+    for (size_t i = 0; i < fine.size(); ++i) {
+      Eigen::AlignedBox3d of_mesh;
+      for (const Eigen::Vector3d& v : fine[i].second.vertices) of_mesh.extend(X * v);
+      const Eigen::AlignedBox3d bounds = worldBounds(fine[i].first, X);
+      EXPECT_LT((bounds.min() - of_mesh.min()).cwiseAbs().maxCoeff(), 1e-3 * height) << i;
+      EXPECT_LT((bounds.max() - of_mesh.max()).cwiseAbs().maxCoeff(), 1e-3 * height) << i;
+      EXPECT_LE((of_mesh.max() - bounds.max()).maxCoeff(), 1e-12) << i;
+      EXPECT_LE((bounds.min() - of_mesh.min()).maxCoeff(), 1e-12) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace amble
