@@ -108,13 +108,14 @@ std::vector<std::filesystem::path> inputsOf(const Problem& problem) {
 }
 
 void writeAll(const Options& options, RunResult& result, const std::filesystem::path& folder) {
-  const WalkView view = viewOf(result);
+  const bool loaded = result.problem != nullptr;
+  const WalkView view = loaded ? viewOf(result) : WalkView{};
   WriteOptions write;
   write.bvh = wants(options, "bvh");
   write.json = wants(options, "json");
   write.names.clear();
   for (const Format& format : kFormats) write.names.emplace_back(format.file);
-  if (wants(options, "svg")) {
+  if (wants(options, "svg") && loaded) {
     write.more.push_back({"top.svg", [&](std::ostream& out) { writePlanView(out, view); }});
   }
   if (wants(options, "png") && view.hasBody()) {
@@ -192,9 +193,12 @@ int run(const Options& options) {
   how.memory = options.memory;
   how.checker = options.checker == "fcl" ? Checker::kFcl : Checker::kFast;
   how.stop = &stopFlag();
-  how.loaded = [&](const Problem& problem) {
-    const std::vector<std::filesystem::path> inputs = inputsOf(problem);
+  const auto keep = [&](const std::vector<std::filesystem::path>& inputs) {
     for (const Format& format : kFormats) keepInputs(folder / format.file, inputs);
+  };
+  keep({scenario.source.file, scenario.scene});
+  how.loaded = [&](const Problem& problem) {
+    keep(inputsOf(problem));
     for (const std::string& warning : sceneWarnings(problem.scene, problem.ground))
       fmt::print(stderr, "{}: warning: {}\n", scenario.scene.string(), warning);
   };

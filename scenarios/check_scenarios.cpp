@@ -97,12 +97,6 @@ CheckRow runGuardedFromFaults(const ScenarioFile& file, const CheckOptions& opti
     return runOne(file, options);
   } catch (const InputError& error) {
     row.notes = {error.what()};
-  } catch (const Stopped& stopped) {
-    if (stopped.byTime()) {
-      row.notes = {InputError(name, 0, stopped.what(), "a longer time_limit").what()};
-    } else {
-      row.verdict = CheckVerdict::kStopped;
-    }
   } catch (const std::bad_alloc&) {
     row.notes = {InputError(name, 0, "out of memory", "a smaller scene").what()};
   } catch (const std::exception& error) {

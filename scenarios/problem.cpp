@@ -9,6 +9,7 @@
 #include "animation/synthesis/action.h"
 #include "base/error.h"
 #include "base/rotation.h"
+#include "base/stopwatch.h"
 #include "environments/ground/ground_warnings.h"
 #include "scenarios/walker_ground.h"
 
@@ -124,6 +125,17 @@ GroundSettings groundSettings(const Scenario& scenario, const MotionLibrary& lib
 
 namespace {
 
+template <typename Make>
+auto timed(double& seconds, Make make) {
+  struct Lap {
+    explicit Lap(double& out_in) : out(out_in) {}
+    ~Lap() { out = watch.seconds(); }
+    double& out;
+    const Stopwatch watch;
+  } const lap(seconds);
+  return make();
+}
+
 // Without ground nobody stands anywhere; what is wrong then is the scene, not a place in it.
 SceneGround makeGround(const Scene& scene, const Scenario& scenario, const MotionLibrary& library,
                        const StopRequest& stop) {
@@ -176,13 +188,18 @@ double chooseFloor(const Scene& scene, const SceneGround& ground, const Scenario
 Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& limits,
                  Checker checker)
     : scenario(problem),
-      scene(loadScene(scenario, limits)),
-      library(loadLibrary(scenario)),
-      ground(makeGround(scene, scenario, library, limits.stop)),
+      scene(timed(times.scene, [&] { return loadScene(scenario, limits); })),
+      library(timed(times.library, [&] { return loadLibrary(scenario); })),
+      ground(
+          timed(times.ground, [&] { return makeGround(scene, scenario, library, limits.stop); })),
       floor(chooseFloor(scene, ground, scenario, scenario.start, "start")),
-      synthesizer(library, ground, settingsOf(scenario, frame_time)),
+      synthesizer(timed(
+          times.character,
+          [&] { return WalkSynthesizer(library, ground, settingsOf(scenario, frame_time)); })),
       body(walkerBody(synthesizer, library, mayStoop(scenario, library))),
-      world(scene, ground, synthesizer.skeleton(), body, limits.stop, checker) {}
+      world(timed(times.collision, [&] {
+        return CollisionWorld(scene, ground, synthesizer.skeleton(), body, limits.stop, checker);
+      })) {}
 
 Eigen::Vector3d Problem::stand(const Place& place, const std::string& key) const {
   return {place.at.x(), place.at.y(), chooseFloor(scene, ground, scenario, place, key)};

@@ -8,6 +8,7 @@
 #include "environments/collision/collision_world.h"
 #include "environments/ground/scene_ground.h"
 #include "environments/scene/scene.h"
+#include "scenarios/report.h"
 #include "scenarios/scenario.h"
 
 namespace amble {
@@ -23,6 +24,7 @@ struct Problem {
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 
+  LoadTimes times;  ///< what making the parts below took; first, since they tell it
   const Scenario scenario;
   const Scene scene;
   const MotionLibrary library;

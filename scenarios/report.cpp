@@ -137,11 +137,13 @@ void writeJson(std::ostream& out, const Report& report) {
   json["bvh_unit"] = number(report.bvh_unit);
   json["stature"] = number(report.stature);
   json["body"] = bodyJson(report);
-  json["times"] = {{"load", number(report.times.load)},
-                   {"roadmap", number(report.times.roadmap)},
-                   {"search", number(report.times.search)},
-                   {"refine", number(report.times.refine)},
-                   {"export", number(report.times.export_)}};
+  const LoadTimes& loading = report.times.loading;
+  json["times"] = {
+      {"load", number(report.times.load)},       {"scene", number(loading.scene)},
+      {"library", number(loading.library)},      {"ground", number(loading.ground)},
+      {"character", number(loading.character)},  {"collision", number(loading.collision)},
+      {"roadmap", number(report.times.roadmap)}, {"search", number(report.times.search)},
+      {"refine", number(report.times.refine)},   {"export", number(report.times.export_)}};
   // Names come from files: what is no UTF-8 in them is replaced, not thrown at.
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }

@@ -34,9 +34,17 @@ struct RoadmapReport {
   double coverage = 0.0;
 };
 
+/// What loading is made of, in its order [s]: the scene and its mesh files; the motion library;
+/// what of the scene is ground; the character with its gaits; what a body is checked against.
+struct LoadTimes {
+  double scene = 0.0, library = 0.0, ground = 0.0, character = 0.0, collision = 0.0;
+};
+
 /// Seconds by the clock: the only part that differs from run to run.
 struct RunTimes {
-  double load = 0.0, roadmap = 0.0, search = 0.0, refine = 0.0, export_ = 0.0;
+  double load = 0.0;  ///< all of it, with the hashes of the inputs
+  LoadTimes loading;
+  double roadmap = 0.0, search = 0.0, refine = 0.0, export_ = 0.0;
 
   double planning() const { return roadmap + search + refine; }
 };
@@ -46,7 +54,7 @@ struct Report {
   std::string scenario;
   std::uint64_t seed = 1;
   std::string planner;
-  /// "time_limit" or "interrupt" where that ended the search or the refinement; else empty, and
+  /// "time_limit" or "interrupt" where that ended loading, search or refinement; else empty, and
   /// the result is the counted one.
   std::string stopped_by;
   double length = 0.0;    ///< of the root path [m]

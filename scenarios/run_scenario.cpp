@@ -1,10 +1,8 @@
 #include "scenarios/run_scenario.h"
 
-#include <chrono>
-#include <cstdio>
-
 #include "animation/captures/bvh.h"
 #include "base/sha256.h"
+#include "base/stopwatch.h"
 #include "base/strict_yaml.h"
 #include "base/version.h"
 #include "planner/obstruction.h"
@@ -14,12 +12,6 @@
 
 namespace amble {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 void requireKnownPlanner(const Scenario& scenario) {
   std::vector<std::string> names;
@@ -70,13 +62,26 @@ std::string whyNot(const PlanOutcome& outcome) {
   return text;
 }
 
+// Reads all that the scenario names into result.problem; where that is stopped, says so instead.
+void load(const Scenario& scenario, const RunOptions& options, RunResult& result) {
+  const Stopwatch watch;
+  const LoadLimits limits{options.memory, {options.stop, deadlineIn(scenario.planner.time_limit)}};
+  Report& report = result.report;
+  try {
+    result.problem =
+        std::make_unique<const Problem>(scenario, options.frame_time, limits, options.checker);
+    report.inputs = inputDigests(*result.problem);
+    report.times.loading = result.problem->times;
+  } catch (const Stopped& stopped) {
+    report.stopped_by = stopped.byTime() ? "time_limit" : "interrupt";
+    report.why = stopped.what();
+  }
+  report.times.load = watch.seconds();
+}
+
 void reportSearch(const RunResult& result, Report& report) {
   const PlanOutcome& outcome = result.outcome;
-  const Scenario& scenario = result.problem->scenario;
   report.status = outcome.status;
-  report.scenario = scenario.name;
-  report.seed = scenario.planner.seed;
-  report.planner = scenario.planner.name;
   if (outcome.time_limit_hit) report.stopped_by = "time_limit";
   if (outcome.stopped) report.stopped_by = "interrupt";
   report.roadmap = {outcome.guards, outcome.connectors, outcome.edges, outcome.samples,
@@ -121,24 +126,20 @@ std::string RunResult::bvhDigest() const { return bvh.empty() ? "" : sha256(bvh)
 RunResult runScenario(const Scenario& scenario, const RunOptions& options) {
   requireKnownPlanner(scenario);
   RunResult result;
-  auto begin = Clock::now();
-  const auto time_limit = std::chrono::duration_cast<Clock::duration>(
-      std::chrono::duration<double>(scenario.planner.time_limit));
-  const LoadLimits limits{options.memory, {options.stop, begin + time_limit}};
-  result.problem =
-      std::make_unique<const Problem>(scenario, options.frame_time, limits, options.checker);
-  PlanRequest request = requestOf(*result.problem, options);
-  result.report.inputs = inputDigests(*result.problem);
-  result.report.times.load = secondsSince(begin);
-  if (options.loaded) options.loaded(*result.problem);
-
-  begin = Clock::now();
-  request.limits.deadline = begin + time_limit;
-  result.outcome = planWalk(request);
   Report& report = result.report;
-  reportSearch(result, report);
+  report.scenario = scenario.name;
+  report.seed = scenario.planner.seed;
+  report.planner = scenario.planner.name;
   report.version = version();
   report.bvh_unit = options.bvh_unit;
+  load(scenario, options, result);
+  if (!result.problem) return result;
+  PlanRequest request = requestOf(*result.problem, options);
+  if (options.loaded) options.loaded(*result.problem);
+
+  request.limits.deadline = deadlineIn(scenario.planner.time_limit);
+  result.outcome = planWalk(request);
+  reportSearch(result, report);
   report.stature = result.problem->synthesizer.stature();
   report.body = result.problem->body.parts;
   report.joint_names = bvhJointNames(result.problem->synthesizer.skeleton());

@@ -26,7 +26,7 @@ struct RunOptions {
 };
 
 struct RunResult {
-  std::unique_ptr<const Problem> problem;
+  std::unique_ptr<const Problem> problem;  ///< none where loading it was stopped
   PlanOutcome outcome;
   Report report;
   std::string bvh;  ///< the file's bytes, as they were checked; empty without a walk
@@ -34,8 +34,8 @@ struct RunResult {
   std::string bvhDigest() const;  ///< SHA-256 of `bvh`; empty without a walk
 };
 
-/// @throws InputError for bad input only; that there is no walk is a result. @throws Stopped where
-/// the scene was not loaded when that was asked for, or when the scenario's time limit passed.
+/// @throws InputError for bad input only; that there is no walk is a result, and so is that loading
+/// was stopped, by `stop` or by the scenario's time limit.
 RunResult runScenario(const Scenario& scenario, const RunOptions& options = {});
 
 }  // namespace amble

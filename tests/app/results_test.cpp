@@ -44,6 +44,14 @@ TEST_F(Results, OfTwoRunsNoneIsMixed) {
   EXPECT_EQ(results(), (std::set<std::string>{"notes.txt", "report.json"}));
 }
 
+TEST_F(Results, OfALoadingThatTookTooLongThereIsTheReportAlone) {
+  ASSERT_EQ(run("plan in/scenario.yaml -o out").status, 0);
+  const Ran late = run("plan in/scenario.yaml -o out --time-limit 0.001");
+  EXPECT_EQ(late.status, 1) << late.err;
+  EXPECT_NE(late.out.find("time limit passed while the scene was loaded"), std::string::npos);
+  EXPECT_EQ(results(), (std::set<std::string>{"report.json"}));
+}
+
 TEST_F(Results, WhatAKilledRunLeftIsClearedByTheNext) {
   ASSERT_EQ(run("plan in/scenario.yaml -o out --formats json").status, 0);
   // The name that a process which is gone gave it.

@@ -91,6 +91,14 @@ TEST_F(CheckScenarios, AnUpdateTakesFinishedRunsOnly) {
   EXPECT_EQ(read(folder_ / "case.yaml"), text);
 }
 
+TEST_F(CheckScenarios, ATimeLimitThatPassesWhileLoadingIsNoWalk) {
+  const std::string late = std::string(kScenario) + "planner: {time_limit: 1e-6}\n";
+  EXPECT_EQ(checkOne(late + "expect: {status: no_walk}\n").verdict, CheckVerdict::kHolds);
+  const CheckRow row = checkOne(late + "expect: {status: solved}\n");
+  EXPECT_EQ(row.verdict, CheckVerdict::kDiffers);
+  EXPECT_EQ(row.status, "no_walk");
+}
+
 TEST_F(CheckScenarios, WhatIsInterruptedIsStoppedAndNeitherJudgedNorWritten) {
   const std::string text = std::string(kScenario) + "expect: {max_length: 0.1}\n";
   std::atomic<bool> stop = false;

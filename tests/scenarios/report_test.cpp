@@ -66,7 +66,8 @@ TEST(Report, AWalksReportHasEveryFieldOfTheAgreement) {
   for (const char* field : {"guards", "connectors", "edges", "samples", "coverage"}) {
     EXPECT_TRUE(json["roadmap"].contains(field)) << field;
   }
-  for (const char* field : {"load", "roadmap", "search", "refine", "export"}) {
+  for (const char* field : {"load", "scene", "library", "ground", "character", "collision",
+                            "roadmap", "search", "refine", "export"}) {
     EXPECT_TRUE(json["times"].contains(field)) << field;
   }
   for (const char* field : {"min", "part", "object", "time"}) {

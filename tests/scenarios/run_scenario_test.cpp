@@ -188,6 +188,31 @@ TEST_F(RunScenario, BehindAWallThereIsNoWalkAndWhyNamesTheWall) {
   EXPECT_FALSE(result.report.refusals.empty());
 }
 
+TEST_F(RunScenario, LoadingThatIsStoppedIsAResultThatSaysSo) {
+  const RunResult late = run(std::string(kScenario) + "planner: {time_limit: 1e-6, seed: 4}\n");
+  EXPECT_EQ(late.report.status, PlanStatus::kNoWalk);
+  EXPECT_EQ(late.report.stopped_by, "time_limit");
+  EXPECT_TRUE(holds(late.report.why, "time limit passed while the scene was loaded"));
+  EXPECT_FALSE(late.report.proved);
+  EXPECT_EQ(late.report.seed, 4u);
+  EXPECT_EQ(late.problem, nullptr);
+  std::ostringstream written;
+  writeJson(written, late.report);
+  EXPECT_TRUE(holds(written.str(), "no_walk"));
+  const std::atomic<bool> stop = true;
+  RunOptions options;
+  options.stop = &stop;
+  EXPECT_EQ(run(kScenario, options).report.stopped_by, "interrupt");
+}
+
+TEST_F(RunScenario, LoadingIsTimedByItsParts) {
+  const RunTimes& times = run(kScenario).report.times;
+  const LoadTimes& of = times.loading;
+  for (const double part : {of.scene, of.library, of.ground, of.character, of.collision})
+    EXPECT_GT(part, 0.0);
+  EXPECT_LE(of.scene + of.library + of.ground + of.character + of.collision, times.load);
+}
+
 TEST_F(RunScenario, ATimeLimitStopsTheSearchAndTheReportSaysSo) {
   write("scene.yaml", std::string(kScene) +
                           "  - {name: divider, box: {size: [0.1, 3, 2.5]}, at: [3, 1.5, 1.25]}\n");
