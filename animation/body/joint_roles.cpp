@@ -21,15 +21,16 @@ struct LimbNames {
 
 const std::array<LimbNames, 8>& limbNames() {
   static const std::array<LimbNames, 8> kNames = {{
-      {"up_leg", {"upperleg", "upleg", "thigh", "femur", "hip"}},
-      {"leg", {"lowerleg", "lowleg", "loleg", "shin", "calf", "tibia", "knee", "leg"}},
+      {"up_leg", {"upperleg", "legupper", "upleg", "thigh", "femur", "hip"}},
+      {"leg", {"lowerleg", "leglower", "lowleg", "loleg", "shin", "calf", "tibia", "knee", "leg"}},
       {"foot", {"foot", "ankle", "talocrural"}},
       {"toe",
        {"toebase", "toes", "toe0", "toe", "ball", "metatarsophalangeal", "metatarsal",
         "midtarsal"}},
-      {"fore_arm", {"forearm", "lowerarm", "lowarm", "loarm", "radius", "elbow"}},
-      {"arm", {"upperarm", "uparm", "shldr", "humerus", "arm", "shoulder"}},
-      {"shoulder", {"collar", "clavicle", "sternoclavicular", "shoulder"}},
+      {"fore_arm",
+       {"forearm", "lowerarm", "armlower", "lowarm", "loarm", "farm", "radius", "elbow"}},
+      {"arm", {"upperarm", "armupper", "uparm", "uarm", "shldr", "humerus", "arm", "shoulder"}},
+      {"shoulder", {"collar", "clavicle", "clav", "sternoclavicular", "shoulder"}},
       {"hand", {"wrist", "hand", "radiocarpal"}},
   }};
   return kNames;
@@ -61,10 +62,22 @@ std::vector<std::string> wordsOf(const std::string& name) {
   return words;
 }
 
-/// The words without the numbers that programs put behind names which are there already:
-/// `LeftFoot.001`, `L_Foot_2`, `LeftFoot1`.
-std::vector<std::string> withoutNumber(std::vector<std::string> words) {
+/// Words that say nothing of whose joint it is: numbers (`toes_01.l`), that it is one
+/// (`L_hip_jnt`), which of the two that share a bone it is (Daz's `lThighBend`, `lThighTwist`;
+/// Auto-Rig Pro's `thigh_stretch.l`), that it lies in the middle (`head.x`).
+bool saysNothing(const std::string& word) {
+  if (word.find_first_not_of("0123456789") == word.npos) return true;
+  for (const char* const empty : {"joint", "jnt", "bone", "bend", "stretch", "x"}) {
+    if (word == empty) return true;
+  }
+  return false;
+}
+
+/// The words without those that say nothing and without the numbers that programs put behind names
+/// which are there already: `LeftFoot.001`, `L_Foot_2`, `LeftFoot1`.
+std::vector<std::string> bareWords(std::vector<std::string> words) {
   const auto digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  std::erase_if(words, saysNothing);
   while (!words.empty()) {
     std::string& last = words.back();
     while (!last.empty() && digit(last.back())) last.pop_back();
@@ -83,7 +96,7 @@ class RoleGuess {
       : skeleton_(skeleton), taken_(skeleton.size(), false) {
     for (const Joint& joint : skeleton.joints()) {
       words_.push_back(wordsOf(joint.name));
-      bare_words_.push_back(withoutNumber(words_.back()));
+      bare_words_.push_back(bareWords(words_.back()));
     }
   }
   JointRoles guess();
@@ -91,8 +104,9 @@ class RoleGuess {
  private:
   int named(const std::string& name) const;
   std::vector<int> endingIn(const std::string& name, const JointWords& words) const;
-  int limbJoint(Side side, const LimbNames& limb) const;
+  int sided(Side side, const std::string& name) const;
   void guessLimbs(Side side);
+  void settleAnkle(Side side);
   void guessTrunk();
   int commonAncestor(int a, int b) const;
   int childTowards(int ancestor, int joint) const;
@@ -136,24 +150,35 @@ int RoleGuess::named(const std::string& name) const {
   return numbered.size() == 1 ? numbered[0] : -1;
 }
 
-int RoleGuess::limbJoint(Side side, const LimbNames& limb) const {
+/// The joint of that name on a side. -1 for none.
+int RoleGuess::sided(Side side, const std::string& name) const {
   const std::string whole = kSideNames[side];
   const std::string letter = whole.substr(0, 1);
-  for (const char* const name : limb.names) {
-    for (const std::string& full : {whole + name, letter + name, name + whole, name + letter}) {
-      const int joint = named(full);
-      if (joint >= 0) return joint;
-    }
+  for (const std::string& full : {whole + name, letter + name, name + whole, name + letter}) {
+    const int joint = named(full);
+    if (joint >= 0) return joint;
   }
   return -1;
 }
 
 void RoleGuess::guessLimbs(Side side) {
   for (const LimbNames& limb : limbNames()) {
-    const int joint = limbJoint(side, limb);
+    int joint = -1;
+    for (size_t i = 0; joint < 0 && i < limb.names.size(); ++i) joint = sided(side, limb.names[i]);
     setRole(roles_, std::string(kSideNames[side]) + "_" + limb.role, joint);
     if (joint >= 0) taken_[joint] = true;
   }
+  settleAnkle(side);
+}
+
+// SMPL and Kinect call the ball of the foot `Foot`: it hangs on an `Ankle`, and nothing is a toe.
+void RoleGuess::settleAnkle(Side side) {
+  LegJoints& leg = roles_.legs[side];
+  const int ankle = sided(side, "ankle");
+  if (ankle < 0 || leg.foot < 0 || !skeleton_.isAncestor(ankle, leg.foot)) return;
+  if (leg.toe < 0) leg.toe = leg.foot;
+  leg.foot = ankle;
+  taken_[ankle] = true;
 }
 
 // The trunk is known from the tree once the limbs are: names of its joints differ more than its

@@ -40,7 +40,7 @@ struct JointRoles {
 };
 
 /// Guessed from names of the common rigs (MotionBuilder, 3ds Max Biped, Daz, Acclaim, Mixamo,
-/// Rokoko, H-Anim, VRM, Unreal).
+/// Rokoko, H-Anim, VRM, Unreal, OptiTrack, SMPL, Kinect, Auto-Rig Pro).
 /// @throws InputError naming `file` and the first role for which no joint was found (hips, both
 /// legs, both arms, head).
 JointRoles guessJointRoles(const Skeleton& skeleton, const std::string& file);

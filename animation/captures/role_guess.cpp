@@ -1,5 +1,6 @@
 #include "animation/captures/role_guess.h"
 
+#include <algorithm>
 #include <set>
 
 #include "animation/captures/role_tree.h"
@@ -60,12 +61,41 @@ void noteBrokenLimbs(const JointRoles& roles, const Skeleton& skeleton, RoleGues
   }
 }
 
-/// Roles that nothing has told yet, by the shape of the tree.
+bool anotherHas(const JointRoles& roles, const std::string& role, int joint) {
+  const std::vector<std::string>& names = roleNames();
+  return std::any_of(names.begin(), names.end(), [&](const std::string& each) {
+    return each != role && roleJoint(roles, each) == joint;
+  });
+}
+
+/// A limb whose joints a person needs are not all told by names is forgotten: half of it by names
+/// and half by the tree would give one joint two roles (`LShoulder` is an arm by its name where
+/// nothing else is called one).
+void forgetHalfLimbs(const std::set<std::string>& said, JointRoles& roles) {
+  for (const std::string side : {"left_", "right_"}) {
+    for (const std::vector<std::string>& limb :
+         {std::vector<std::string>{"up_leg", "leg", "foot", "toe"},
+          std::vector<std::string>{"arm", "fore_arm", "hand", "shoulder"}}) {
+      const size_t needed = limb[0] == "arm" ? 2 : 3;
+      const bool whole = std::all_of(limb.begin(), limb.begin() + needed, [&](const auto& role) {
+        return roleJoint(roles, side + role) >= 0;
+      });
+      for (size_t i = 0; !whole && i < limb.size(); ++i) {
+        if (!said.contains(side + limb[i])) setRole(roles, side + limb[i], -1);
+      }
+    }
+  }
+}
+
+/// Roles that nothing has told yet, by the shape of the tree; joints that have a role keep it, but
+/// that a trunk of one joint is spine and chest.
 void fillByTree(const Clip& clip, const std::set<std::string>& said, RoleGuess& guess) {
   const JointRoles tree = rolesByTree(clip);
+  if (missingRole(tree).empty()) forgetHalfLimbs(said, guess.roles);
   for (const std::string& role : roleNames()) {
     const int joint = roleJoint(tree, role);
     if (joint < 0 || roleJoint(guess.roles, role) >= 0 || said.contains(role)) continue;
+    if (role != "chest" && anotherHas(guess.roles, role, joint)) continue;
     setRole(guess.roles, role, joint);
     guess.unsure.push_back(role + ": by the shape of the skeleton, " +
                            clip.skeleton.joint(joint).name);

@@ -125,6 +125,38 @@ const std::vector<Rig> kRigs = {
      {"@Collar1", "@Arm1", "@ForeArm1", "@Hand1", "@UpLeg1", "@Leg1", "@Foot1", "@Toe1"},
      "Left",
      "Right"},
+    {"SMPL",
+     {"Pelvis", "Spine1", "Neck", "Head"},
+     {"@_Collar", "@_Shoulder", "@_Elbow", "@_Wrist", "@_Hip", "@_Knee", "@_Ankle", "@_Foot"},
+     "L",
+     "R"},
+    {"Kinect",
+     {"SpineBase", "SpineMid", "Neck", "Head"},
+     {"Collar@", "Shoulder@", "Elbow@", "Wrist@", "Hip@", "Knee@", "Ankle@", "Foot@"},
+     "Left",
+     "Right"},
+    {"OptiTrack",
+     {"Hip", "Chest", "Neck", "Head"},
+     {"@Shoulder", "@UArm", "@FArm", "@Hand", "@Thigh", "@Shin", "@Foot", "@Toe"},
+     "L",
+     "R"},
+    {"Auto-Rig Pro",
+     {"root.x", "spine_01.x", "neck.x", "head.x"},
+     {"shoulder.@", "arm_stretch.@", "forearm_stretch.@", "hand.@", "thigh_stretch.@",
+      "leg_stretch.@", "foot.@", "toes_01.@"},
+     "l",
+     "r"},
+    {"upper and lower behind",
+     {"Hips", "Spine", "Neck", "Head"},
+     {"@Shoulder", "@ArmUpper", "@ArmLower", "@Hand", "@LegUpper", "@LegLower", "@Foot", "@Toe"},
+     "Left",
+     "Right"},
+    {"Maya",
+     {"C_hip_jnt", "C_spine1_jnt", "C_neck_jnt", "C_head_jnt"},
+     {"@_clavicle_jnt", "@_shoulder_jnt", "@_elbow_jnt", "@_wrist_jnt", "@_hip_jnt", "@_knee_jnt",
+      "@_ankle_jnt", "@_ball_jnt"},
+     "L",
+     "R"},
     {"H-Anim",
      {"humanoid_root", "vl5", "vc4", "skullbase"},
      {"@_sternoclavicular", "@_shoulder", "@_elbow", "@_wrist", "@_hip", "@_knee", "@_ankle",
@@ -153,6 +185,45 @@ TEST(JointRoles, HAnimsLegsHangBesideTheSpine) {
   const JointRoles roles = rolesByName(Skeleton(joints));
   EXPECT_EQ(roles.hips, 0);
   EXPECT_EQ(roles.spine, 1);
+}
+
+TEST(JointRoles, BonesThatTwistAreBetweenTheJointsOfALimbAndNotOfThem) {
+  // Daz Genesis 3: each bone but the shin is two, one that bends and one that twists.
+  const std::vector<std::string> limbs = {"@Collar",      "@ShldrBend",    "@ShldrTwist",
+                                          "@ForearmBend", "@ForearmTwist", "@Hand"};
+  std::vector<Joint> joints =
+      person({"hip", "abdomenLower", "neckLower", "head"}, limbs, "l", "r").joints();
+  const auto hang = [&joints](const std::string& name, int parent) {
+    Joint joint;
+    joint.name = name;
+    joint.parent = parent;
+    joints.push_back(joint);
+    return static_cast<int>(joints.size()) - 1;
+  };
+  for (const std::string side : {"l", "r"}) {
+    int parent = 0;
+    for (const char* const name : {"ThighBend", "ThighTwist", "Shin", "Foot", "Toe"})
+      parent = hang(side + name, parent);
+  }
+  // The arms of `person` hang their fifth joint on the pelvis: a forearm hangs on its arm.
+  for (size_t j = 0; j < joints.size(); ++j) {
+    if (joints[j].name.ends_with("ForearmTwist")) joints[j].parent = static_cast<int>(j) - 1;
+  }
+  const Skeleton skeleton(joints);
+  const JointRoles roles = guessJointRoles(skeleton, "genesis3.bvh");
+  for (const std::string side : {"left", "right"}) {
+    const std::string letter = side.substr(0, 1);
+    for (const auto& [role, name] :
+         std::vector<std::pair<std::string, std::string>>{{"arm", "ShldrBend"},
+                                                          {"fore_arm", "ForearmBend"},
+                                                          {"hand", "Hand"},
+                                                          {"up_leg", "ThighBend"},
+                                                          {"leg", "Shin"},
+                                                          {"foot", "Foot"},
+                                                          {"toe", "Toe"}}) {
+      EXPECT_EQ(roleJoint(roles, side + "_" + role), skeleton.find(letter + name)) << role;
+    }
+  }
 }
 
 TEST(JointRoles, ASkeletonWithoutAPersonIsRefusedByTheFirstRoleMissing) {

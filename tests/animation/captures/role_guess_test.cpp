@@ -114,6 +114,20 @@ TEST(RoleGuess, NamesThatSayALittleAreHeard) {
             guess.unsure.end());
 }
 
+TEST(RoleGuess, ALimbIsToldByNamesOrByTheShapeAndNoJointHasTwoRoles) {
+  const Clip person = walkingPerson();
+  // Only the clavicle of each arm has a name that says something: an arm's, taken alone.
+  Clip half = person;
+  std::vector<Joint> joints = half.skeleton.joints();
+  for (const char* const bone : {"LeftArm", "LeftForeArm", "RightArm", "RightForeArm"})
+    joints[half.skeleton.find(bone)].name = std::string("bone of ") + bone[0];
+  half.skeleton = Skeleton(joints);
+  const JointRoles named = rolesByName(person.skeleton);
+  const RoleGuess guess = guessRoles(half, "walk.bvh");
+  for (const std::string& role : roleNames())
+    EXPECT_EQ(roleJoint(guess.roles, role), roleJoint(named, role)) << role;
+}
+
 TEST(RoleGuessOfCaptures, TheShapeAloneFindsWhatNamesSay) {
   AMBLE_NEEDS_CAPTURES();
   int all = 0, same = 0;
