@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -16,7 +17,8 @@ namespace {
 // Nobody's hips are faster: Bolt ran 12.4 [m/s]. At high rates a jump is that and a hand's breadth.
 constexpr double kFastest = 13.0;
 constexpr double kLeastJump = 0.1;  // [m]
-// A jump is so many times the way between the frames before and after it; by trial [1].
+// A jump is so many times the way between the frames before and after it, of the two before and the
+// two after, but for one: what is out for a single frame jumps back at once. By trial [1].
 constexpr double kOutstanding = 6.0;
 
 constexpr size_t kToldJumps = 3;
@@ -61,8 +63,11 @@ std::string jumpsText(const std::vector<RootJump>& jumps) {
 
 std::string cadenceText(const Clip& clip, const StepRhythm& rhythm, double leg) {
   const double over = cadenceOverUsual(rhythm, leg);
-  const bool fast = over > kFastCadence && rhythm.cadence > kQuickest;
-  const bool slow = over > 0.0 && over < kSlowCadence && rhythm.cadence < kSlowest;
+  const bool walks = rhythm.speed >= kWalkingSpeed;
+  const bool fast = walks && over > kFastCadence && rhythm.cadence > kQuickest;
+  // However slowly it goes: who steps so seldom takes small steps. But who stops in between does
+  // not.
+  const bool slow = over > 0.0 && over < kSlowCadence && rhythm.least_step * kSlowest > 1.0;
   if (!fast && !slow) return "";
   const double times = rhythm.cadence / kUsualCadence, wanted = 1.0 / (clip.frame_time * times);
   const double rate = *std::min_element(
@@ -82,7 +87,10 @@ std::vector<RootJump> rootJumps(const Clip& clip) {
   std::vector<RootJump> jumps;
   for (int i = 0; i + 1 < clip.frames(); ++i) {
     const double way = wayOf(clip, i);
-    const double about = std::max(wayOf(clip, i - 1), wayOf(clip, i + 1));
+    std::array<double, 4> near = {wayOf(clip, i - 2), wayOf(clip, i - 1), wayOf(clip, i + 1),
+                                  wayOf(clip, i + 2)};
+    std::sort(near.begin(), near.end());
+    const double about = near[2];
     if (way > kLeastJump + kFastest * clip.frame_time && way > kOutstanding * about) {
       jumps.push_back({i, way});
     }

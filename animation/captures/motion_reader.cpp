@@ -82,7 +82,7 @@ Reading<double> settleUnit(const CapturedMotion& motion, const Clip& seen, const
                            const std::optional<double>& said) {
   if (said) return {*said, false, true, fmt::format("{:g} m, as asked", *said)};
   if (!isPerson(motion)) return {1.0, true, false, "1 m, guessed: there are no legs"};
-  return guessUnit(meanLeg(seen, motion.roles), rhythm);
+  return guessUnit(meanLeg(seen, motion.roles), rhythm, seen.frame_time);
 }
 
 Reading<UpAxis> settleUp(const CapturedMotion& motion, const Clip& seen,

@@ -16,14 +16,16 @@ namespace {
 // noise does, far below a step. By trial. [leg lengths]
 constexpr double kPassed = 0.12;
 
-// Of a shuffle, or a sway from foot to foot, cadence says nothing. [leg lengths/s]
-constexpr double kWalking = 0.4;
+// So much less than a step are the ankles apart when both feet are down: the one behind has rolled
+// over its ball. Measured on captures [1].
+constexpr double kRolled = 0.1;
 
 constexpr double kAdultLeg = 0.83;  // thigh + shank at a stature of 1.7 m (Winter) [m]
 
 /// What the rhythm needs of a clip, by frame.
 struct FeetTrack {
   std::vector<double> ahead;  // left foot before the right along the pelvis' heading
+  std::vector<double> apart;  // its ball before the right one's; the ankles where a foot has none
   std::vector<double> lower;  // the lower foot before the pelvis
   std::vector<int> side;      // which foot is the lower one
   std::vector<Eigen::Vector3d> pelvis;
@@ -32,6 +34,7 @@ struct FeetTrack {
 FeetTrack trackFeet(const Clip& clip, const JointRoles& roles) {
   FeetTrack track;
   std::vector<JointFrame> joints(clip.skeleton.size());
+  const bool balls = roles.legs[kLeft].toe >= 0 && roles.legs[kRight].toe >= 0;
   for (int i = 0; i < clip.frames(); ++i) {
     forwardKinematics(clip, i, joints);
     const double heading = pelvisHeading(joints, roles);
@@ -44,6 +47,9 @@ FeetTrack trackFeet(const Clip& clip, const JointRoles& roles) {
     track.ahead.push_back(forward.dot(left - right));
     track.lower.push_back(forward.dot((left_is_lower ? left : right) - pelvis));
     track.side.push_back(left_is_lower ? kLeft : kRight);
+    track.apart.push_back(balls ? forward.dot(joints[roles.legs[kLeft].toe].p_WJ -
+                                              joints[roles.legs[kRight].toe].p_WJ)
+                                : track.ahead.back() / (1.0 - kRolled));
     track.pelvis.push_back(pelvis);
   }
   return track;
@@ -66,13 +72,19 @@ std::vector<int> passings(const std::vector<double>& ahead, double least) {
   return frames;
 }
 
-/// Median speed at which the lower foot goes back under the pelvis [file units/frame].
-double groundSpeed(const FeetTrack& track, int first, int last) {
-  std::vector<double> speeds;
-  for (int i = first; i < last; ++i) {
-    if (track.side[i] == track.side[i + 1]) speeds.push_back(track.lower[i] - track.lower[i + 1]);
+/// Mean length of the steps: how far apart the feet are at most between two passings. Less than 0
+/// where the lower foot goes forwards under the pelvis, as of one who walks backwards [file units].
+double stepLength(const FeetTrack& track, const std::vector<int>& passed) {
+  double sum = 0.0, back = 0.0;
+  for (size_t i = 1; i < passed.size(); ++i) {
+    double apart = 0.0;
+    for (int k = passed[i - 1]; k < passed[i]; ++k) {
+      apart = std::max(apart, std::abs(track.apart[k]));
+      if (track.side[k] == track.side[k + 1]) back += track.lower[k] - track.lower[k + 1];
+    }
+    sum += apart;
   }
-  return speeds.empty() ? 0.0 : upperMedian(std::move(speeds));
+  return std::copysign(sum / static_cast<double>(passed.size() - 1), back);
 }
 
 }  // namespace
@@ -91,16 +103,18 @@ StepRhythm stepRhythm(const Clip& clip, const JointRoles& roles) {
   rhythm.cadence = static_cast<double>(passed.size() - 1) / time;
   // From step to step: what sways in between is no way.
   double way = 0.0;
+  rhythm.least_step = time;
   for (size_t i = 1; i < passed.size(); ++i) {
+    rhythm.least_step = std::min(rhythm.least_step, (passed[i] - passed[i - 1]) * clip.frame_time);
     way += (track.pelvis[passed[i]] - track.pelvis[passed[i - 1]]).head<2>().norm();
   }
   rhythm.speed = way / (time * leg);
-  rhythm.ground_speed = groundSpeed(track, first, last) / (clip.frame_time * leg);
+  rhythm.ground_speed = stepLength(track, passed) * rhythm.cadence / leg;
   return rhythm;
 }
 
 double cadenceOverUsual(const StepRhythm& rhythm, double leg) {
-  if (rhythm.speed < kWalking) return 0.0;
+  if (!(rhythm.speed > 0.0)) return 0.0;
   const double usual = 0.743 * std::sqrt(rhythm.speed) * std::pow(kAdultLeg / leg, 0.25);
   return 0.5 * rhythm.cadence / usual;
 }

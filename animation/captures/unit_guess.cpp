@@ -28,11 +28,15 @@ constexpr double kCadenceSpread = 0.12, kCadenceDoubt = 0.2;
 // So many times likelier than the next, a unit is sure.
 constexpr double kSure = 15.0;
 
+// CMU captured at 120 frames a second: so seldom is its unit that of a file of another rate, from
+// which an inch of a small child would be told by nothing else; by judgement [1].
+constexpr double kCmuUnit = 0.056444, kOtherRate = 0.03, kSameRate = 0.02;
+
 struct Unit {
   double metres;
   double share;  // of captures that come without their unit; by judgement
 };
-constexpr Unit kUnits[] = {{1.0, 0.3},   {0.01, 0.35}, {0.0254, 0.1}, {0.056444, 0.1},
+constexpr Unit kUnits[] = {{1.0, 0.3},   {0.01, 0.35}, {0.0254, 0.1}, {kCmuUnit, 0.1},
                            {0.001, 0.1}, {0.1, 0.02},  {0.3048, 0.02}};
 
 // How many times a file's unit may be wrong: metres that are centimetres first of all.
@@ -53,7 +57,24 @@ double likelihoodOfLeg(double leg) {
 
 double likelihoodOfCadence(const StepRhythm& rhythm, double leg) {
   const double over = cadenceOverUsual(rhythm, leg);
-  return over > 0.0 ? kCadenceSpread * bell(over, 1.0, kCadenceSpread) + kCadenceDoubt : 1.0;
+  return rhythm.speed >= kWalkingSpeed
+             ? kCadenceSpread * bell(over, 1.0, kCadenceSpread) + kCadenceDoubt
+             : 1.0;
+}
+
+struct Candidate {
+  double metres;      // a unit
+  double leg;         // [m]
+  double likelihood;  // of all [1]
+};
+
+Candidate candidate(const Unit& unit, double leg, const StepRhythm& rhythm, double frame_time) {
+  const double length = leg * unit.metres;
+  const bool other =
+      unit.metres == kCmuUnit && std::abs(frame_time / kCmuFrameTime - 1.0) > kSameRate;
+  return {unit.metres, length,
+          unit.share * (other ? kOtherRate : 1.0) * likelihoodOfLeg(length) *
+              likelihoodOfCadence(rhythm, length)};
 }
 
 bool isPersonsLeg(double leg) { return leg >= kShortestLeg && leg <= kLongestLeg; }
@@ -66,24 +87,26 @@ std::string tall(double leg) {
 
 }  // namespace
 
-Reading<double> guessUnit(double leg, const StepRhythm& rhythm) {
+Reading<double> guessUnit(double leg, const StepRhythm& rhythm, double frame_time) {
   if (!(leg > 0.0)) return {1.0, true, false, "1 m, guessed: the legs have no length"};
-  std::vector<std::pair<double, double>> ranked;  // likelihood, unit
-  for (const Unit& unit : kUnits) {
-    const double length = leg * unit.metres;
-    ranked.emplace_back(unit.share * likelihoodOfLeg(length) * likelihoodOfCadence(rhythm, length),
-                        unit.metres);
-  }
-  std::sort(ranked.rbegin(), ranked.rend());
-  const double best = ranked[0].second, next = ranked[1].second;
-  Reading<double> unit{best, true, true,
-                       fmt::format("{:g} m, guessed: legs of {:.2f} m", best, leg * best)};
-  if (!isPersonsLeg(leg * best)) {
+  std::vector<Candidate> ranked;
+  for (const Unit& unit : kUnits) ranked.push_back(candidate(unit, leg, rhythm, frame_time));
+  std::sort(ranked.begin(), ranked.end(),
+            [](const Candidate& a, const Candidate& b) { return a.likelihood > b.likelihood; });
+  const Candidate& best = ranked[0];
+  Reading<double> unit{best.metres, true, true,
+                       fmt::format("{:g} m, guessed: legs of {:.2f} m", best.metres, best.leg)};
+  if (!isPersonsLeg(best.leg)) {
     unit.sure = false;
     unit.text += ", which nobody has";
-  } else if (ranked[0].first < kSure * ranked[1].first) {
+  }
+  const auto other = std::find_if(ranked.begin() + 1, ranked.end(), [&best](const Candidate& next) {
+    return isPersonsLeg(next.leg) && next.likelihood * kSure > best.likelihood;
+  });
+  if (other != ranked.end()) {
     unit.sure = false;
-    unit.text += fmt::format("; or is it {:g} m, with legs of {:.2f} m?", next, leg * next);
+    unit.text +=
+        fmt::format("; or is it {:g} m, with legs of {:.2f} m?", other->metres, other->leg);
   }
   return unit;
 }

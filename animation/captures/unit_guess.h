@@ -7,11 +7,14 @@
 
 namespace amble {
 
+inline constexpr double kCmuFrameTime = 1.0 / 120.0;  ///< [s]
+
 /// The likeliest of metre, centimetre, inch, millimetre, CMU's 0.056444 m, decimetre and foot;
 /// unsure where another is not far less likely, which the text then names, and where nobody has
 /// such legs [m].
 /// @param leg  thigh and shank [file units, >= 0]
-Reading<double> guessUnit(double leg, const StepRhythm& rhythm);
+/// @param frame_time  of the file: CMU's unit goes with CMU's rate [s, > 0]
+Reading<double> guessUnit(double leg, const StepRhythm& rhythm, double frame_time = kCmuFrameTime);
 
 /// A unit that a file says; unsure where nobody has such legs: the text then says which unit would
 /// make a person of it. @param leg  thigh and shank, by that unit [m, >= 0]

@@ -52,6 +52,28 @@ TEST(CaptureChecks, AJumpOfTheRootIsFoundWhereItIs) {
   EXPECT_NEAR(jumps[0].distance, 1.5, 0.05);
 }
 
+TEST(CaptureChecks, ARootThatIsOutForAFrameJumpsThereAndBack) {
+  for (const int out : {1, 2, 5}) {
+    Clip walk = walkingPerson();
+    for (int i = 31; i < 31 + out; ++i) walk.poses.p_WR(i).z() += 1.5;
+    const std::vector<RootJump> jumps = rootJumps(walk);
+    ASSERT_EQ(jumps.size(), 2u) << out;
+    EXPECT_EQ(jumps[0].frame, 30);
+    EXPECT_EQ(jumps[1].frame, 30 + out);
+  }
+}
+
+TEST(CaptureChecks, AFrameTimeThatIsTimesTooLongIsToldHoweverSlowItMakesTheWalk) {
+  const Clip walk = walkingPerson();
+  for (const double times : {4.0, 6.0, 15.0}) {
+    Clip slow = walk;
+    slow.frame_time *= times;
+    const std::vector<std::string> warnings = captureWarnings(slow, rolesByName(slow.skeleton));
+    ASSERT_EQ(warnings.size(), 1u) << times;
+    EXPECT_NE(warnings[0].find("times too long; --file-fps 30 "), std::string::npos) << warnings[0];
+  }
+}
+
 TEST(CaptureChecks, ASprintIsNoJump) {
   Clip walk = walkingPerson();
   for (int i = 0; i < walk.frames(); ++i) walk.poses.p_WR(i).x() = 12.0 * i * walk.frame_time;

@@ -41,6 +41,23 @@ TEST(UnitGuess, CadenceTellsAChildFromAGiant) {
   EXPECT_EQ(guessUnit(0.48 / 0.0254, giant).value, 0.056444);
 }
 
+TEST(UnitGuess, CmusUnitIsExpectedAtCmusRateAndElseASmallChildInInchesIsThoughtOf) {
+  // 0.36 m of leg in inches, or an adult's 0.80 m in CMU's unit.
+  const double leg = 0.36 / 0.0254;
+  EXPECT_TRUE(guessUnit(leg, {}, kCmuFrameTime).sure);
+  const Reading<double> other = guessUnit(leg, {}, 1.0 / 30.0);
+  EXPECT_FALSE(other.sure);
+  EXPECT_NE(other.text.find("or is it 0.0254 m, with legs of 0.36 m?"), std::string::npos)
+      << other.text;
+}
+
+TEST(UnitGuess, WhereNobodyHasSuchLegsThoseThatSomebodyHasAreNamed) {
+  // A small child in feet has the legs of a giant in metres.
+  const Reading<double> guess = guessUnit(0.36 / 0.3048, {}, 1.0 / 30.0);
+  EXPECT_FALSE(guess.sure);
+  EXPECT_NE(guess.text.find("0.3048 m, with legs of 0.36 m"), std::string::npos) << guess.text;
+}
+
 TEST(UnitGuess, LegsThatNobodyHasAreNeverSure) {
   for (const double leg : {0.002, 3.9e-5, 5e4}) {
     EXPECT_FALSE(guessUnit(leg, {}).sure) << leg;
