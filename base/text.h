@@ -35,6 +35,9 @@ std::string joined(const std::vector<std::string>& parts, std::string_view betwe
 std::string counted(long long count, std::string_view thing);
 /// Control characters as blanks: a message is one line, and what it quotes may hold anything.
 std::string withoutControls(std::string text);
+/// `%20` and its like as the bytes that they stand for, as in the addresses of files that a glTF or
+/// Collada file names (RFC 3986, 2.1); what is none of them stays.
+std::string withoutPercents(std::string_view text);
 /// `text` as UTF-8 that XML may hold: a byte that begins no such character becomes U+FFFD, and so
 /// do control characters other than tab and line end.
 std::string utf8Text(std::string_view text);

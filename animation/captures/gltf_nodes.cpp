@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/rotation.h"
+#include "base/text.h"
 
 namespace amble {
 namespace {
@@ -207,7 +208,10 @@ std::string GltfReader::besides(const std::string& uri) const {
   std::error_code error;
   const std::filesystem::path own = std::filesystem::path(file_).parent_path();
   const auto folder = std::filesystem::weakly_canonical(own.empty() ? "." : own, error);
-  const auto real = std::filesystem::weakly_canonical(folder / uri, error);
+  const auto plain = std::filesystem::weakly_canonical(folder / withoutPercents(uri), error);
+  const auto real = std::filesystem::exists(plain, error)
+                        ? plain
+                        : std::filesystem::weakly_canonical(folder / uri, error);
   const auto way = real.lexically_relative(folder);
   if (way.empty() || *way.begin() == ".." || !std::filesystem::is_regular_file(real, error)) {
     fail("cannot be read: '" + uri.substr(0, 100) + "' does not lie beside it",

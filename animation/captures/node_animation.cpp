@@ -31,6 +31,13 @@ constexpr double kSparse = 1.0 / 20.0;
 
 constexpr double kMaxTime = 1e6;  // a key beyond that is no animation's [s]
 
+// Of steps: a key whose time is that of a frame but for its 24 bits is not of the next frame. Of
+// the time between two keys [1].
+constexpr double kReached = 0.99;
+
+/// Index of the key that is held at `t`, `part` of the way from key i to the next.
+size_t heldKey(size_t i, double part) { return part > kReached ? i + 1 : i; }
+
 /// Index of the key before `t`, and how far between it and the next `t` is [0, 1].
 std::pair<size_t, double> placeIn(const std::vector<double>& times, double t) {
   const auto next = std::upper_bound(times.begin(), times.end(), t);
@@ -54,7 +61,8 @@ Eigen::Vector3d valueAt(const KeyTrack<Eigen::Vector3d>& track, double t,
                         const Eigen::Vector3d& otherwise) {
   if (track.times.empty()) return otherwise;
   const auto [i, part] = placeIn(track.times, t);
-  if (part == 0.0 || track.shape == KeyShape::kStep) return track.values[i];
+  if (track.shape == KeyShape::kStep) return track.values[heldKey(i, part)];
+  if (part == 0.0) return track.values[i];
   const double span = track.times[i + 1] - track.times[i];
   if (track.shape == KeyShape::kCubic) {
     return hermite<Eigen::Vector3d>(track.values[i], span * track.out[i], track.values[i + 1],
@@ -66,7 +74,8 @@ Eigen::Vector3d valueAt(const KeyTrack<Eigen::Vector3d>& track, double t,
 Eigen::Quaterniond valueAt(const KeyTrack<Eigen::Quaterniond>& track, double t) {
   if (track.times.empty()) return Eigen::Quaterniond::Identity();
   const auto [i, part] = placeIn(track.times, t);
-  if (part == 0.0 || track.shape == KeyShape::kStep) return track.values[i].normalized();
+  if (track.shape == KeyShape::kStep) return track.values[heldKey(i, part)].normalized();
+  if (part == 0.0) return track.values[i].normalized();
   const double span = track.times[i + 1] - track.times[i];
   if (track.shape == KeyShape::kCubic) {
     return Eigen::Quaterniond(hermite<Eigen::Vector4d>(track.values[i].coeffs(),

@@ -14,10 +14,12 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
+#include <set>
 
 #include "base/assimp_scene.h"
 #include "base/error.h"
 #include "base/file_axes.h"
+#include "base/text.h"
 
 namespace amble {
 namespace {
@@ -100,18 +102,34 @@ class PartCollector {
 class FolderFiles : public Assimp::DefaultIOSystem {
  public:
   explicit FolderFiles(const std::filesystem::path& file)
-      : file_(placeOf(file)), folder_(placeOf(std::filesystem::absolute(file).parent_path())) {}
+      : beside_(file.parent_path()),
+        percents_(meshEnding(file) == ".gltf"),
+        file_(placeOf(file)),
+        folder_(placeOf(std::filesystem::absolute(file).parent_path())) {}
 
-  bool Exists(const char* path) const override { return isAllowed(path); }
+  bool Exists(const char* path) const override { return isAllowed(meant(path)); }
   Assimp::IOStream* Open(const char* path, const char* mode) override {
-    if (isAllowed(path)) return Assimp::DefaultIOSystem::Open(path, mode);
+    const std::filesystem::path file = meant(path);
+    if (isAllowed(file)) {
+      if (placeOf(file) != file_) others_.insert(file);
+      return Assimp::DefaultIOSystem::Open(file.c_str(), mode);
+    }
     if (refused_.empty()) refused_ = path;
     return nullptr;
   }
   /// The first that was asked for and not opened, as it was named; or empty.
   const std::string& refused() const { return refused_; }
+  /// What was opened beside the file itself.
+  const std::set<std::filesystem::path>& others() const { return others_; }
 
  private:
+  // A glTF names files by addresses, `my%20walk.bin`, which Assimp takes for names.
+  std::filesystem::path meant(const std::filesystem::path& path) const {
+    if (!percents_) return path;
+    const std::filesystem::path plain =
+        beside_ / withoutPercents(path.lexically_relative(beside_).string());
+    return isAllowed(plain) ? plain : path;
+  }
   static std::filesystem::path placeOf(const std::filesystem::path& file) {
     std::error_code error;
     return std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
@@ -125,8 +143,11 @@ class FolderFiles : public Assimp::DefaultIOSystem {
     return place == file_ || end == folder_.end();
   }
 
+  std::filesystem::path beside_;  // the folder as the file's name has it
+  bool percents_;
   std::filesystem::path file_, folder_;
   std::string refused_;
+  std::set<std::filesystem::path> others_;
 };
 
 bool isYUp(const std::string& ending) {
@@ -210,6 +231,8 @@ MeshFile importMesh(const std::filesystem::path& file) {
   if (isYUp(ending)) X.linear() = yUpMatrix();
   if (ending == ".fbx") X = fbxToWorld(*scene, name);
   result.has_axes = isYUp(ending) || ending == ".fbx";
+  for (const std::filesystem::path& other : files->others())
+    result.others.push_back(other.string());
   PartCollector(*scene, name).collect(*scene->mRootNode, X, {}, result.parts);
   if (result.parts.empty())
     throw InputError(name, 0, "holds no triangles", "at least one with an area");

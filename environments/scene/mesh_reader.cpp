@@ -34,6 +34,7 @@ std::string packed(Answer answer) {
   pack(answer.problem);
   pack(answer.expected);
   pack(answer.mesh.has_axes);
+  pack(answer.mesh.others);
   pack(answer.mesh.parts.size());
   for (MeshPart& part : answer.mesh.parts) {
     pack(part.names);
@@ -48,6 +49,7 @@ Answer unpacked(const std::string& bytes) {
   unpack(answer.problem);
   unpack(answer.expected);
   unpack(answer.mesh.has_axes);
+  unpack(answer.mesh.others);
   answer.mesh.parts.resize(unpack.takeCount());
   for (MeshPart& part : answer.mesh.parts) {
     unpack(part.names);

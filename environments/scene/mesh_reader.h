@@ -29,6 +29,7 @@ struct MeshPart {
 struct MeshFile {
   std::vector<MeshPart> parts;
   bool has_axes = false;  ///< the file says its axes and unit itself: `up:` may not be given
+  std::vector<std::string> others;  ///< files beside it that were read too: buffers, materials
 };
 
 /// Assimp needs about thirty times a text's size.

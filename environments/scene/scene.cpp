@@ -212,7 +212,10 @@ class SceneReader {
     scene_.inputs.push_back(path);
     const auto stopped = [this] { return limits_.stop.asked(); };
     try {
-      return meshes_.emplace(path, readMesh(path, limits_.memory, stopped)).first->second;
+      const MeshFile& file =
+          meshes_.emplace(path, readMesh(path, limits_.memory, stopped)).first->second;
+      scene_.inputs.insert(scene_.inputs.end(), file.others.begin(), file.others.end());
+      return file;
     } catch (const InputError&) {
       limits_.stop.check();
       throw;

@@ -46,7 +46,7 @@ struct Scene {
   std::string name;
   std::filesystem::path file;
   std::vector<SceneObject> objects;           ///< `ignore` ones are kept: pictures show them
-  std::vector<std::filesystem::path> inputs;  ///< every file that was read, the scene's first
+  std::vector<std::filesystem::path> inputs;  ///< every file that was read, its meshes' own too
   std::vector<std::string> warnings;          ///< what is likely not meant, a line each
 
   Eigen::AlignedBox3d bounds() const;  ///< of all objects but the ignored [m]

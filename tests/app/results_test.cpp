@@ -83,6 +83,24 @@ TEST_F(Results, APipeThatNobodyReadsFromIsNotWaitedForAndCtrlCEndsTheWait) {
   EXPECT_EQ(stopped.status, 130) << stopped.err;
 }
 
+TEST_F(Results, NoFileThatAMeshNamesIsWrittenOver) {
+  const std::string gltf =
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+      "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+      "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+      "bufferViews":[{"buffer":0,"byteLength":36}],
+      "buffers":[{"byteLength":36,"uri":"top%2Esvg"}]})";
+  const float corners[9] = {0, 0, 0, 0.2f, 0, 0, 0, 0.2f, 0};
+  const std::string buffer(reinterpret_cast<const char*>(corners), sizeof corners);
+  write("in/mat.gltf", gltf);
+  write("in/top.svg", buffer);
+  write("in/room.yaml", kRoom + "  - {name: mat, mesh: mat.gltf, at: [3, 0.5, 1]}\n");
+  expectRefused("plan in/scenario.yaml -o in", {"in/top.svg: "});
+  EXPECT_EQ(read("in/top.svg"), buffer);
+  EXPECT_EQ(run("plan in/scenario.yaml -o out").status, 0);
+  EXPECT_NE(read("out/report.json").find("top.svg\""), std::string::npos) << "it is an input";
+}
+
 TEST_F(Results, LinksAndModesAreKept) {
   fs::create_directories(folder_ / "far");
   fs::create_directories(folder_ / "out");

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "base/sample_stream.h"
@@ -108,6 +109,24 @@ bool isXmlText(const std::string& text) {
     i += 1 + more;
   }
   return true;
+}
+
+TEST(WithoutPercents, BytesComeBackAsTheyWereCoded) {
+  std::string all, coded;
+  for (int byte = 0; byte < 256; ++byte) {
+    all += static_cast<char>(byte);
+    char code[4];
+    std::snprintf(code, sizeof code, byte % 2 == 0 ? "%%%02x" : "%%%02X", byte);
+    coded += code;
+  }
+  EXPECT_EQ(withoutPercents(coded), all);
+}
+
+TEST(WithoutPercents, WhatIsNoCodeStays) {
+  for (const std::string plain : {"", "walk.bin", "100 %", "%", "%4", "%zz", "%-1", "%+1", "% 1"})
+    EXPECT_EQ(withoutPercents(plain), plain);
+  EXPECT_EQ(withoutPercents("%%20"), "% ");
+  EXPECT_EQ(withoutPercents("%2520"), "%20") << "once";
 }
 
 TEST(Utf8Text, WhatIsGoodStaysAsItIs) {

@@ -303,5 +303,26 @@ TEST(NodeAnimation, TheLargestSkeletonIsTaken) {
   EXPECT_EQ(back.frames(), clip.frames()) << "a door's animation is none of the person's";
 }
 
+TEST(NodeAnimation, StepsChangeInTheFrameOfTheirKeyThoughItsTimeHasButTwentyFourBits) {
+  Generator generator(5);
+  const Clip clip = randomClip(generator, 4, 200);
+  AnimatedNodes scene = nodesOf(clip, Eigen::Affine3d::Identity(), generator);
+  scene.frame_time = clip.frame_time;
+  const Clip exact = clipOfNodes(scene, "nodes.glb", {});
+  for (AnimatedNode& node : scene.nodes) {
+    for (auto* times : {&node.tracks.translations.times, &node.tracks.rotations.times})
+      for (double& t : *times) t = static_cast<float>(t);
+    node.tracks.translations.shape = node.tracks.rotations.shape = KeyShape::kStep;
+  }
+  const Clip stepped = clipOfNodes(scene, "nodes.glb", {});
+  ASSERT_EQ(stepped.frames(), exact.frames());
+  for (int i = 0; i < exact.frames(); ++i) {
+    for (int j = 0; j < exact.skeleton.size(); ++j) {
+      EXPECT_LT(stepped.poses.rotations(i)[j].angularDistance(exact.poses.rotations(i)[j]), 1e-9)
+          << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace amble

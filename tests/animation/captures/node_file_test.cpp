@@ -297,6 +297,36 @@ TEST(NodeFile, WhatLiesOutsideOfTheFilesFolderIsNotRead) {
   EXPECT_NE(with("/dev/zero").find("cannot be read"), std::string::npos);
 }
 
+std::string bytesOfBase64(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  for (size_t i = 0; i + 4 <= text.size(); i += 4) {
+    size_t bits = 0;
+    for (size_t k = 0; k < 4; ++k) bits = bits << 6 | digits.find(text[i + k]) % 64;
+    for (const int shift : {16, 8, 0}) bytes += static_cast<char>(bits >> shift & 255u);
+  }
+  return bytes;
+}
+
+TEST(NodeFile, AFileIsNamedByItsAddress) {
+  const TestFolder folder;
+  const std::string text = gltfOf(walkingPerson());
+  const std::string comma = ";base64,";
+  const size_t begin = text.find("data:"), end = text.find('"', begin);
+  const size_t data = text.find(comma, begin) + comma.size();
+  const auto with = [&](const std::string& uri) {
+    return errorOf([&] {
+      readNodeFile(folder.write("walk.gltf", text.substr(0, begin) + uri + text.substr(end)));
+    });
+  };
+  ASSERT_NE(with("my%20walk.bin").find("does not lie beside it"), std::string::npos);
+  folder.write("my walk.bin", bytesOfBase64(text.substr(data, end - data)));
+  EXPECT_EQ(with("my%20walk.bin"), "");
+  EXPECT_EQ(with("my walk.bin"), "") << "as some programs write it";
+  // Coded or not, what lies elsewhere is not read.
+  EXPECT_NE(with("%2e%2e/my%20walk.bin").find("does not lie beside it"), std::string::npos);
+}
+
 TEST(NodeFile, HostileFilesAreOneLine) {
   const std::filesystem::path folder = sharedFolder() / "cases/hostile";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder;

@@ -292,6 +292,19 @@ TEST(ReadMesh, ReferencesOutOfTheFolderAreNotFollowed) {
   EXPECT_EQ(errorOf([&] { readMesh(folder.path() / "named.gltf"); }), "");
 }
 
+TEST(ReadMesh, WhatIsReadBesideTheFileIsToldAndNamedByItsAddress) {
+  const TestFolder folder;
+  const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
+  const std::string bytes(reinterpret_cast<const char*>(corners), sizeof corners);
+  const auto buffer = folder.write("my corners.bin", bytes);
+  const auto looks = folder.write("looks.mtl", "newmtl a\n");
+  const auto coded = readMesh(folder.write("coded.gltf", gltfOf("my%20corners.bin")));
+  EXPECT_EQ(coded.others, std::vector<std::string>{buffer.string()});
+  const auto cube = readMesh(folder.write("cube.obj", "mtllib looks.mtl\n" + cubeObj()));
+  EXPECT_EQ(cube.others, std::vector<std::string>{looks.string()});
+  EXPECT_TRUE(readMesh(folder.write("alone.obj", cubeObj())).others.empty());
+}
+
 TEST(ReadMesh, AMeshOfPointsSaysSo) {
   const TestFolder folder;
   const auto file =
