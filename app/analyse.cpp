@@ -10,6 +10,7 @@
 #include "app/command.h"
 #include "app/progress.h"
 #include "app/read_options.h"
+#include "app/say.h"
 #include "app/stop.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
@@ -98,7 +99,7 @@ int run(const Options& options) {
   for (const AnalysedClip& clip : clips) {
     if (clip.good()) continue;
     wrong = true;
-    fmt::print(stderr, "{}\n", clip.error);
+    say(stderr, "{}\n", clip.error);
   }
   print(clips, options.json);
   return wrong ? kExitWrong : kExitDone;

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "app/read_options.h"
+#include "app/say.h"
 #include "base/rotation.h"
 
 namespace amble {
@@ -294,7 +295,7 @@ void printAnalysisTable(const std::vector<AnalysedClip>& clips,
                         const std::vector<SubjectLaw>& laws) {
   size_t width = 4;
   for (const AnalysedClip& clip : clips) width = std::max(width, clip.file.string().size());
-  std::cout << fmt::format(
+  say(stdout,
       "{:<{}}  {:<7} {:>5} {:>7} {:>6} {:>6} {:>5} {:>6} {:>6} {:>6} {:>6} "
       "{:>6} {:>6} {:>6}\n",
       "clip", width, "type", "share", "seconds", "m/s", "legs/s", "deg/s", "st/min", "step",
@@ -304,7 +305,7 @@ void printAnalysisTable(const std::vector<AnalysedClip>& clips,
     const GaitMeasures& gait = clip.analysis.gait;
     const OfSteps steps = stepsOf(gait);
     const ClipClass& kind = clip.analysis.kind;
-    std::cout << fmt::format(
+    say(stdout,
         "{:<{}}  {:<7} {:>3.0f} % {:>7.2f} {:>6.2f} {:>6.2f} {:>+5.0f} {:>6} {:>6} {:>6} "
         "{:>6} {:>6} {:>6.3f} {:>6}\n",
         clip.file.string(), width, motionTypeName(kind.largest()),
@@ -316,9 +317,9 @@ void printAnalysisTable(const std::vector<AnalysedClip>& clips,
   }
   for (const SubjectLaw& law : laws) {
     if (law.walks.empty()) continue;
-    std::cout << fmt::format("subject with legs of {:.3f} m, {} walk{}: {} (off by {:.1f} %); {}\n",
-                             law.leg_length, law.walks.size(), law.walks.size() == 1 ? "" : "s",
-                             lawText(law.fit), 100.0 * law.fit.residual, biasText(law));
+    say(stdout, "subject with legs of {:.3f} m, {} walk{}: {} (off by {:.1f} %); {}\n",
+        law.leg_length, law.walks.size(), law.walks.size() == 1 ? "" : "s", lawText(law.fit),
+        100.0 * law.fit.residual, biasText(law));
   }
 }
 

@@ -16,6 +16,7 @@
 #include "animation/synthesis/walk_synthesizer.h"
 #include "app/command.h"
 #include "app/demo_walk.h"
+#include "app/say.h"
 #include "app/unit_text.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
@@ -75,8 +76,8 @@ bool printQuality(const WalkSynthesizer& synthesizer, const Clip& clip, const An
       judgeSteps(measureWalkSteps(clip.skeleton, roles, synthesizer.feet(), walk, ground));
   lines.insert(lines.end(), steps.begin(), steps.end());
   for (const QualityLine& line : lines) {
-    fmt::print(out, "  {:<5} {:<24} {:10.4g} {:10.4g}{}\n", line.holds() ? "ok" : "ABOVE",
-               line.measure, line.value, line.bar, unitText(line.unit));
+    say(out, "  {:<5} {:<24} {:10.4g} {:10.4g}{}\n", line.holds() ? "ok" : "ABOVE", line.measure,
+        line.value, line.bar, unitText(line.unit));
     all = all && line.holds();
   }
   return all;
@@ -111,16 +112,15 @@ int run(const Options& options) {
   AnimationBuffer walk;
   const WalkResult result = demoWalk(synthesizer, *ground, request, walk);
   if (result.refused != WalkRule::kNone) {
-    fmt::print(stderr, "amble animate: there is no such walk: {} refused\n",
-               walkRuleName(result.refused));
+    say(stderr, "amble animate: there is no such walk: {} refused\n", walkRuleName(result.refused));
     return kExitNone;
   }
   const Clip clip{"walk", synthesizer.skeleton(), walk.frame_time, walk.poses, {}};
   writeBvh(std::filesystem::path(options.out), clip,
            {.metres_per_unit = options.bvh_units == "cm" ? 0.01 : 1.0});
   std::FILE* const out = options.out == "-" ? stderr : stdout;
-  fmt::print(out, "{}: {:.2f} s, {} frames, {} steps, {:.2f} m\n", options.out, clip.duration(),
-             clip.frames(), result.steps, walk.states.empty() ? 0.0 : walk.states.back().arc);
+  say(out, "{}: {:.2f} s, {} frames, {} steps, {:.2f} m\n", options.out, clip.duration(),
+      clip.frames(), result.steps, walk.states.empty() ? 0.0 : walk.states.back().arc);
   if (!options.quality) return kExitDone;
   const QualityAnchors anchors =
       anchorsOf(library, synthesizer.stature() / library.stature, synthesizer.settings().speed);

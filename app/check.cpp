@@ -9,6 +9,7 @@
 
 #include "app/command.h"
 #include "app/progress.h"
+#include "app/say.h"
 #include "app/stop.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
@@ -41,8 +42,8 @@ void printRow(const CheckRow& row, int width) {
     text += fmt::format("{:29}", "");
   }
   text += row.status.empty() ? "" : fmt::format(" {:7.2f} s", row.planning_time);
-  fmt::print("{}{}\n", text, row.updated ? "  (updated)" : "");
-  for (const std::string& note : row.notes) fmt::print("{:9}{}\n", "", note);
+  say(stdout, "{}{}\n", text, row.updated ? "  (updated)" : "");
+  for (const std::string& note : row.notes) say(stdout, "{:9}{}\n", "", note);
   std::fflush(stdout);
 }
 
@@ -66,17 +67,17 @@ void printSummary(const std::vector<CheckRow>& rows) {
                          [&](const CheckRow& row) { return row.verdict == verdict; });
   };
   const auto stopped = count(CheckVerdict::kStopped);
-  fmt::print("{} scenarios: {} as expected, {} differ, {} in error, {} skipped{}\n", rows.size(),
-             count(CheckVerdict::kHolds), count(CheckVerdict::kDiffers),
-             count(CheckVerdict::kError), count(CheckVerdict::kSkipped),
-             stopped > 0 ? fmt::format(", {} stopped", stopped) : std::string());
+  say(stdout, "{} scenarios: {} as expected, {} differ, {} in error, {} skipped{}\n", rows.size(),
+      count(CheckVerdict::kHolds), count(CheckVerdict::kDiffers), count(CheckVerdict::kError),
+      count(CheckVerdict::kSkipped),
+      stopped > 0 ? fmt::format(", {} stopped", stopped) : std::string());
 }
 
 int statusOf(const std::vector<CheckRow>& rows) {
   if (stopFlag()) return kExitStopped;
   for (const CheckRow& row : rows) {
     if (row.verdict != CheckVerdict::kError) continue;
-    for (const std::string& note : row.notes) fmt::print(stderr, "{}\n", note);
+    for (const std::string& note : row.notes) say(stderr, "{}\n", note);
     return kExitWrong;
   }
   return allHold(rows) ? kExitDone : kExitNone;

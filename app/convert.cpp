@@ -14,6 +14,7 @@
 #include "animation/clips/resample_clip.h"
 #include "app/command.h"
 #include "app/read_options.h"
+#include "app/say.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
 
@@ -75,10 +76,10 @@ void report(const Options& options, const CapturedMotion& motion, const Clip& wr
   std::FILE* const out = options.out == "-" ? stderr : stdout;
   Findings findings;
   addReadings(motion, findings);
-  fmt::print(out, "{}: {} frames of {:.7g} s, {} joints, from {}\n", options.out, written.frames(),
-             written.frame_time, written.skeleton.size(), options.in);
-  for (const auto& [label, value] : findings.facts) fmt::print(out, "  {:<10}  {}\n", label, value);
-  for (const std::string& warning : findings.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  say(out, "{}: {} frames of {:.7g} s, {} joints, from {}\n", options.out, written.frames(),
+      written.frame_time, written.skeleton.size(), options.in);
+  for (const auto& [label, value] : findings.facts) say(out, "  {:<10}  {}\n", label, value);
+  for (const std::string& warning : findings.warnings) say(stderr, "warning: {}\n", warning);
 }
 
 int run(const Options& options) {

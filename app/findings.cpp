@@ -5,20 +5,22 @@
 #include <algorithm>
 #include <iostream>
 
+#include "app/say.h"
+
 namespace amble {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 void printText(const Findings& findings) {
-  std::cout << findings.file << ": " << findings.kind << '\n';
+  say(stdout, "{}: {}\n", findings.file, findings.kind);
   size_t width = 0;
   for (const auto& fact : findings.facts) width = std::max(width, fact.first.size());
   for (const auto& [label, value] : findings.facts) {
-    std::cout << fmt::format("  {:<{}}  {}\n", label, width, value);
+    say(stdout, "  {:<{}}  {}\n", label, width, value);
   }
   for (const std::string& warning : findings.warnings) {
-    std::cout << "  warning: " << warning << '\n';
+    say(stdout, "  warning: {}\n", warning);
   }
 }
 

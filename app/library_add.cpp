@@ -13,6 +13,7 @@
 #include "animation/preparation/motion_library_add.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "app/read_options.h"
+#include "app/say.h"
 #include "base/error.h"
 #include "base/rotation.h"
 #include "environments/body/body.h"
@@ -58,18 +59,17 @@ std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip, const O
 void sayAdded(const Motion& motion) {
   const std::string& kind = motionKindNames()[static_cast<size_t>(motion.kind)];
   if (motion.kind != MotionKind::kWalk) {
-    fmt::print(stderr, "  {}: {}, frames {} to {}\n", motion.name, kind, motion.source.frames[0],
-               motion.source.frames[1]);
+    say(stderr, "  {}: {}, frames {} to {}\n", motion.name, kind, motion.source.frames[0],
+        motion.source.frames[1]);
     return;
   }
   const WalkCycle& cycle = motion.cycle;
-  fmt::print(stderr,
-             "  {}: {} walk, {:.2f} m/s, {:+.0f} degrees/s, mean of {} cycles in frames {} to {}, "
-             "closed to {:.0f} mm, {} harmonics leave out {:.2f} degrees\n",
-             motion.name, motion.turning ? "turning" : "straight", cycle.speed,
-             cycle.turn_rate / kDegree, cycle.cycles, motion.source.frames[0],
-             motion.source.frames[1], 1000.0 * cycle.closure, cycle.series.harmonics(),
-             cycle.residual / kDegree);
+  say(stderr,
+      "  {}: {} walk, {:.2f} m/s, {:+.0f} degrees/s, mean of {} cycles in frames {} to {}, "
+      "closed to {:.0f} mm, {} harmonics leave out {:.2f} degrees\n",
+      motion.name, motion.turning ? "turning" : "straight", cycle.speed, cycle.turn_rate / kDegree,
+      cycle.cycles, motion.source.frames[0], motion.source.frames[1], 1000.0 * cycle.closure,
+      cycle.series.harmonics(), cycle.residual / kDegree);
 }
 
 // A name beside the library that nothing has but, at most, another library's skeleton: captures
@@ -149,24 +149,24 @@ std::string sunkText(const MotionLibrary& library) {
 }  // namespace
 
 void sayWritten(const MotionLibrary& library, const std::filesystem::path& file) {
-  fmt::print(stderr, "{}: {} motions\n", file.string(), library.motions.size());
+  say(stderr, "{}: {} motions\n", file.string(), library.motions.size());
   if (const MotionLack lack = whatItLacks(library); !lack.problem.empty()) {
-    fmt::print(stderr, "warning: {}: {}: nobody walks with it yet; add {}\n", file.string(),
-               lack.problem, lack.expected);
+    say(stderr, "warning: {}: {}: nobody walks with it yet; add {}\n", file.string(), lack.problem,
+        lack.expected);
     return;
   }
   const double drop = restFootDrop(library.skeleton, library.roles);
   if (drop > kHangingFoot && liftsToesFirst(library)) {
-    fmt::print(stderr,
-               "warning: {}: in its rig's rest pose the feet hang down, toes {:.0f} degrees below "
-               "level, and their soles are read wrongly: few walks will be found; expected a rig "
-               "whose feet are flat there\n",
-               file.string(), drop / kDegree);
+    say(stderr,
+        "warning: {}: in its rig's rest pose the feet hang down, toes {:.0f} degrees below "
+        "level, and their soles are read wrongly: few walks will be found; expected a rig "
+        "whose feet are flat there\n",
+        file.string(), drop / kDegree);
     return;
   }
   if (const std::string sunk = sunkText(library); !sunk.empty()) {
-    fmt::print(stderr, "warning: {}: standing, its body is in the floor: {}; no walk will begin\n",
-               file.string(), sunk);
+    say(stderr, "warning: {}: standing, its body is in the floor: {}; no walk will begin\n",
+        file.string(), sunk);
   }
 }
 

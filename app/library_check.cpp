@@ -7,6 +7,7 @@
 
 #include "animation/library/motion_library_reader.h"
 #include "animation/preparation/motion_library_add.h"
+#include "app/say.h"
 #include "base/error.h"
 #include "base/rotation.h"
 
@@ -105,16 +106,16 @@ int run(const Options& options) {
     const std::string problem =
         options.captures.empty() ? "" : problemOf(library, motion, options.captures);
     if (!problem.empty()) ++wrong;
-    fmt::print("{:<6} {:<26} {:<9} {}\n", problem.empty() ? "ok" : "WRONG", motion.name,
-               motionKindNames()[static_cast<size_t>(motion.kind)],
-               problem.empty() ? facts(motion) : problem);
+    say(stdout, "{:<6} {:<26} {:<9} {}\n", problem.empty() ? "ok" : "WRONG", motion.name,
+        motionKindNames()[static_cast<size_t>(motion.kind)],
+        problem.empty() ? facts(motion) : problem);
   }
   if (const MotionLack lack = whatItLacks(library); !lack.problem.empty()) {
     ++wrong;
-    fmt::print("WRONG  {}; expected {}\n", lack.problem, lack.expected);
+    say(stdout, "WRONG  {}; expected {}\n", lack.problem, lack.expected);
   }
-  fmt::print("{} motions, {} wrong{}\n", library.motions.size(), wrong,
-             options.captures.empty() ? "; captures were not read: give --captures DIR" : "");
+  say(stdout, "{} motions, {} wrong{}\n", library.motions.size(), wrong,
+      options.captures.empty() ? "; captures were not read: give --captures DIR" : "");
   return wrong == 0 ? kExitDone : kExitNone;
 }
 

@@ -12,6 +12,7 @@
 #include "app/clip_sources.h"
 #include "app/progress.h"
 #include "app/read_options.h"
+#include "app/say.h"
 #include "app/stop.h"
 #include "base/parallel.h"
 #include "base/text.h"
@@ -110,7 +111,7 @@ std::vector<Found> search(const Options& options, MotionType type, bool& wrong) 
       all.push_back(foundIn(clip, type));
     } else {
       wrong = true;
-      fmt::print(stderr, "{}\n", clip.error);
+      say(stderr, "{}\n", clip.error);
     }
   }
   return all;
@@ -127,8 +128,8 @@ std::string segmentsText(const Found& found) {
 void print(const std::vector<Found>& all, const std::string& type, bool json) {
   if (!json) {
     for (const Found& found : all) {
-      std::cout << fmt::format("{:>3.0f} % {}  {}{}\n", 100.0 * found.share, type, found.name,
-                               segmentsText(found));
+      say(stdout, "{:>3.0f} % {}  {}{}\n", 100.0 * found.share, type, found.name,
+          segmentsText(found));
     }
     return;
   }

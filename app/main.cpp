@@ -9,6 +9,7 @@
 
 #include "app/command.h"
 #include "app/misuse.h"
+#include "app/say.h"
 #include "app/standard_streams.h"
 #include "app/stop.h"
 #include "base/error.h"
@@ -18,10 +19,9 @@
 namespace amble {
 namespace {
 
-int complain(std::string line) {
-  std::replace(line.begin(), line.end(), '\n', ' ');
+int complain(const std::string& line) {
   std::cout.flush();
-  fmt::print(stderr, "{}\n", line);
+  say(stderr, "{}\n", line);
   return kExitWrong;
 }
 

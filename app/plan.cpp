@@ -11,6 +11,7 @@
 
 #include "app/command.h"
 #include "app/progress.h"
+#include "app/say.h"
 #include "app/stop.h"
 #include "app/unit_text.h"
 #include "app/view_of.h"
@@ -139,44 +140,44 @@ void sayWhatIsMissing(const Options& options, const Report& report) {
   for (const Format& format : kFormats)
     if (format.of_walk && wants(options, format.name)) missing.emplace_back(format.file);
   if (missing.empty()) return;
-  fmt::print(stderr, "amble plan: without a walk there is no {}\n", fmt::join(missing, ", "));
+  say(stderr, "amble plan: without a walk there is no {}\n", fmt::join(missing, ", "));
 }
 
 void printResult(const Report& report, const std::filesystem::path& folder) {
-  fmt::print("{}: {}\n", report.scenario, statusName(report.status));
+  say(stdout, "{}: {}\n", report.scenario, statusName(report.status));
   if (report.status == PlanStatus::kSolved) {
-    fmt::print("  walk       {:.2f} m, {:.2f} s, {} frames, {} steps\n", report.length,
-               report.duration, report.frames, report.steps.size());
+    say(stdout, "  walk       {:.2f} m, {:.2f} s, {} frames, {} steps\n", report.length,
+        report.duration, report.frames, report.steps.size());
     if (!report.clearance.object.empty()) {
-      fmt::print("  clearance  {:.3f} m, {} and {} at {:.2f} s\n", report.clearance.min,
-                 report.clearance.part, report.clearance.object, report.clearance.time);
+      say(stdout, "  clearance  {:.3f} m, {} and {} at {:.2f} s\n", report.clearance.min,
+          report.clearance.part, report.clearance.object, report.clearance.time);
     }
-    fmt::print("  foot skate {:.1f} mm at most\n", 1000.0 * report.foot_skate_max);
+    say(stdout, "  foot skate {:.1f} mm at most\n", 1000.0 * report.foot_skate_max);
     for (const QualityLine& line : report.quality) {
       if (line.holds()) continue;
-      fmt::print("  quality    {} is {:.4g}{}, over its bar of {:.4g}\n", line.measure, line.value,
-                 unitText(line.unit), line.bar);
+      say(stdout, "  quality    {} is {:.4g}{}, over its bar of {:.4g}\n", line.measure, line.value,
+          unitText(line.unit), line.bar);
     }
   } else {
-    fmt::print("  why        {}\n", report.why);
+    say(stdout, "  why        {}\n", report.why);
   }
-  fmt::print("  roadmap    {} guards, {} connectors, {} edges from {} samples{}\n",
-             report.roadmap.guards, report.roadmap.connectors, report.roadmap.edges,
-             report.roadmap.samples,
-             report.roadmap.coverage > 0.0
-                 ? fmt::format(", {:.1f} % covered", 100.0 * report.roadmap.coverage)
-                 : std::string());
+  say(stdout, "  roadmap    {} guards, {} connectors, {} edges from {} samples{}\n",
+      report.roadmap.guards, report.roadmap.connectors, report.roadmap.edges,
+      report.roadmap.samples,
+      report.roadmap.coverage > 0.0
+          ? fmt::format(", {:.1f} % covered", 100.0 * report.roadmap.coverage)
+          : std::string());
   const RunTimes& times = report.times;
-  fmt::print("  time       {:.2f} s: load {:.2f}, roadmap {:.2f}, search {:.2f}, refine {:.2f}\n",
-             times.load + times.roadmap + times.search + times.refine, times.load, times.roadmap,
-             times.search, times.refine);
-  if (!report.stopped_by.empty()) fmt::print("  ended by   {}\n", report.stopped_by);
-  fmt::print("  written to {}\n", folder.string());
+  say(stdout, "  time       {:.2f} s: load {:.2f}, roadmap {:.2f}, search {:.2f}, refine {:.2f}\n",
+      times.load + times.roadmap + times.search + times.refine, times.load, times.roadmap,
+      times.search, times.refine);
+  if (!report.stopped_by.empty()) say(stdout, "  ended by   {}\n", report.stopped_by);
+  say(stdout, "  written to {}\n", folder.string());
 }
 
 int printPlanners() {
   for (const PlannerInfo& planner : listPlanners()) {
-    fmt::print("{:<12} {}\n", planner.name, planner.explanation);
+    say(stdout, "{:<12} {}\n", planner.name, planner.explanation);
   }
   return kExitDone;
 }
@@ -200,7 +201,7 @@ int run(const Options& options) {
   how.loaded = [&](const Problem& problem) {
     keep(inputsOf(problem));
     for (const std::string& warning : sceneWarnings(problem.scene, problem.ground))
-      fmt::print(stderr, "{}: warning: {}\n", scenario.scene.string(), warning);
+      say(stderr, "{}: warning: {}\n", scenario.scene.string(), warning);
   };
   how.progress = [&](const SearchProgress& at) {
     const double done =
@@ -212,7 +213,7 @@ int run(const Options& options) {
   RunResult result = runScenario(scenario, how);
   progress.clear();
   if (result.report.stopped_by == "interrupt" && result.report.status != PlanStatus::kSolved) {
-    fmt::print(stderr, "amble plan: stopped; nothing was written to {}\n", folder.string());
+    say(stderr, "amble plan: stopped; nothing was written to {}\n", folder.string());
     return kExitStopped;
   }
   writeAll(options, result, folder);

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "app/say.h"
+
 namespace amble {
 namespace {
 
@@ -46,13 +48,13 @@ void Progress::update(const std::string& stage, double done) {
 void Progress::draw(const std::string& stage, double done) {
   if (!terminal_) {
     const std::string share = done < 0.0 ? "" : fmt::format(" {:.0f} %", 100.0 * done);
-    fmt::print(stderr, "{}{}\n", stage, share);
+    say(stderr, "{}{}\n", stage, share);
     return;
   }
   const int filled = static_cast<int>(std::clamp(done, 0.0, 1.0) * kWidth);
   const std::string bar = std::string(filled, '=') + std::string(kWidth - filled, ' ');
   fmt::print(stderr, "\r{}[{}]{} {:<40}", colour_ ? "\033[36m" : "", bar, colour_ ? "\033[0m" : "",
-             stage);
+             printable(stage));
   std::fflush(stderr);
   drawn_ = true;
 }

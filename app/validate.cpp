@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "app/say.h"
 #include "base/rotation.h"
 #include "scenarios/validate_walk.h"
 
@@ -26,33 +27,34 @@ struct Options {
 };
 
 void printText(const std::string& walk, const WalkValidation& result, const GroundLimits& limits) {
-  fmt::print("{}: {} frames of {:.7g} s, {} poses checked\n", walk, result.frames,
-             result.frame_time, result.poses_checked);
-  fmt::print("  body         {:.3f} m tall; file unit {:g} m; floor at {:.3f} m\n", result.stature,
-             result.metres_per_unit, result.floor);
+  say(stdout, "{}: {} frames of {:.7g} s, {} poses checked\n", walk, result.frames,
+      result.frame_time, result.poses_checked);
+  say(stdout, "  body         {:.3f} m tall; file unit {:g} m; floor at {:.3f} m\n", result.stature,
+      result.metres_per_unit, result.floor);
   for (const ContactSpan& contact : result.contacts) {
-    fmt::print("  contact      {:.3f} s to {:.3f} s: {} and {}\n", contact.start, contact.end,
-               contact.part, contact.object);
+    say(stdout, "  contact      {:.3f} s to {:.3f} s: {} and {}\n", contact.start, contact.end,
+        contact.part, contact.object);
   }
-  if (result.contacts.empty()) fmt::print("  contact      none\n");
+  if (result.contacts.empty()) say(stdout, "  contact      none\n");
   if (result.clearance_part.empty()) {
-    fmt::print("  clearance    {:.3f} m or more\n", result.clearance);
+    say(stdout, "  clearance    {:.3f} m or more\n", result.clearance);
   } else {
-    fmt::print("  clearance    {:.3f} m, {} and {} at {:.3f} s\n", result.clearance,
-               result.clearance_part, result.clearance_object, result.clearance_time);
+    say(stdout, "  clearance    {:.3f} m, {} and {} at {:.3f} s\n", result.clearance,
+        result.clearance_part, result.clearance_object, result.clearance_time);
   }
   const StandingFeet& feet = result.feet;
-  fmt::print("  foot skate   {:.1f} mm mean, {:.1f} mm largest, of {} plants\n",
-             1000.0 * feet.skate_mean, 1000.0 * feet.skate_max, feet.plants);
-  fmt::print("  hover        {:.1f} mm largest, over {:.0f} mm in {:.1f} % of the planted time{}\n",
-             1000.0 * feet.hover_max, 1000.0 * kHoverLimit, 100.0 * feet.hover_share,
-             result.hovers() ? ": feet hang in the air" : "");
-  fmt::print(
-      "  steps        {:.3f} m up, {:.3f} m down at most{}\n", result.steps.up, result.steps.down,
+  say(stdout, "  foot skate   {:.1f} mm mean, {:.1f} mm largest, of {} plants\n",
+      1000.0 * feet.skate_mean, 1000.0 * feet.skate_max, feet.plants);
+  say(stdout,
+      "  hover        {:.1f} mm largest, over {:.0f} mm in {:.1f} % of the planted time{}\n",
+      1000.0 * feet.hover_max, 1000.0 * kHoverLimit, 100.0 * feet.hover_share,
+      result.hovers() ? ": feet hang in the air" : "");
+  say(stdout, "  steps        {:.3f} m up, {:.3f} m down at most{}\n", result.steps.up,
+      result.steps.down,
       result.oversteps(limits) ? fmt::format(": over the {:g} m up or {:g} m down that may be",
                                              limits.max_climb, limits.max_drop)
                                : std::string());
-  fmt::print("  penetration  {:.1f} mm largest\n", 1000.0 * result.ground_penetration);
+  say(stdout, "  penetration  {:.1f} mm largest\n", 1000.0 * result.ground_penetration);
 }
 
 void printJson(const std::string& walk, const WalkValidation& result) {

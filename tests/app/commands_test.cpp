@@ -184,5 +184,32 @@ TEST_F(Commands, TheExamplesOfTheReadmeWork) {
   EXPECT_GE(examples, 5);
 }
 
+TEST_F(Commands, NamesOfAnyBytesSteerNoTerminal) {
+  // Escape sequences in an object's name, a scenario's and a joint's.
+  write("in/room.yaml", kRoom +
+                            "  - {name: \"w\\x01\\x1b[31m\\x7f\", box: {size: [1, 1, 1]}, "
+                            "at: [1, 2, 0.5]}\n");
+  const std::string name = "in/esc\x1b[31m\tx.yaml";
+  write(name, kScenario + "expect: {status: solved}\n");
+  ASSERT_EQ(run("animate --duration 2 -o walk.bvh").status, 0);
+  std::string walk = read("walk.bvh");
+  for (size_t at = walk.find("LeftHand"); at != walk.npos; at = walk.find("LeftHand", at + 1))
+    walk.replace(at, 8, "Left\x1bHand");
+  write("walk.bvh", walk);
+  int blocked = 0;
+  for (const std::string& command : std::vector<std::string>{
+           "plan '" + name + "' -o out", "check in", "inspect '" + name + "'",
+           "inspect in/room.yaml walk.bvh", "analyse walk.bvh",
+           "validate walk.bvh --scene in/room.yaml", "convert walk.bvh -o 'out\x1b.bvh'"}) {
+    const Ran ran = run(command);
+    const std::string said = ran.out + ran.err;
+    EXPECT_FALSE(said.empty()) << command;
+    blocked += said.find("start_blocked") != said.npos;
+    for (const char c : said)
+      EXPECT_TRUE(c == '\n' || (c >= ' ' && c != '\x7f')) << command << said;
+  }
+  EXPECT_EQ(blocked, 2) << "plan and check name what stands there";
+}
+
 }  // namespace
 }  // namespace amble
