@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <system_error>
 
 #include "base/data_directory.h"
 #include "base/error.h"
@@ -32,22 +33,34 @@ bool isBelow(const fs::path& file, const fs::path& folder) {
   return !way.empty() && *way.begin() != "..";
 }
 
-// The file, if it is a scenario: of a folder's files those that cannot be read or are too large are
-// somebody else's.
+// The file, if it is a scenario: of a folder's files those that are none or too large are somebody
+// else's. One that cannot be read may be a scenario, which must be heard of.
 std::optional<ScenarioFile> asScenario(const fs::path& file) {
+  std::error_code unknown;
+  const auto size = fs::file_size(file, unknown);
+  if (!unknown && size > kMaxScenario) return std::nullopt;
   try {
     ScenarioFile read = readScenarioFile(file);
     if (isScenario(read)) return read;
-  } catch (const InputError&) {
+  } catch (const InputError& error) {
+    return ScenarioFile{file, "", error.problem()};
   }
   return std::nullopt;
+}
+
+// A file, or what cannot be told from one: a link that leads back to itself, a closed folder's.
+// Links that lead nowhere are none: editors mark files with them.
+bool mayBeFile(const fs::directory_entry& entry) {
+  std::error_code error;
+  const bool file = entry.is_regular_file(error);
+  return file || (error && error != std::errc::no_such_file_or_directory);
 }
 
 std::vector<ScenarioFile> scenariosBelow(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry :
        fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied)) {
-    if (entry.is_regular_file() && isYaml(entry.path())) files.push_back(entry.path());
+    if (isYaml(entry.path()) && mayBeFile(entry)) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   std::vector<ScenarioFile> found;
@@ -63,10 +76,11 @@ std::vector<ScenarioFile> scenariosBelow(const fs::path& folder) {
 std::vector<ScenarioFile> findScenarios(const std::vector<fs::path>& paths) {
   std::vector<ScenarioFile> found;
   for (const fs::path& path : paths) {
-    if (path != "-" && !fs::exists(path)) {
+    std::error_code error;
+    if (path != "-" && !fs::exists(path, error)) {
       throw InputError(path.string(), 0, "is not there", "a scenario, or a folder that holds some");
     }
-    if (fs::is_directory(path)) {
+    if (fs::is_directory(path, error)) {
       for (ScenarioFile& file : scenariosBelow(path)) found.push_back(std::move(file));
       continue;
     }

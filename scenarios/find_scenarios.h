@@ -9,7 +9,8 @@
 
 namespace amble {
 
-/// Scenarios at the paths, each read once: files as they are, folders with all below them, by name.
+/// Scenarios at the paths, each read once: files as they are, folders with all below them, by name,
+/// and with those YAML files that cannot be read.
 /// @throws InputError for a path that is not there, a file that is no scenario, or where nothing is
 /// found.
 std::vector<ScenarioFile> findScenarios(const std::vector<std::filesystem::path>& paths);

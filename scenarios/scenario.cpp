@@ -11,7 +11,7 @@
 namespace amble {
 namespace {
 
-constexpr FileKind kScenarioKind = {"a scenario (YAML)", size_t{1} << 20};
+constexpr FileKind kScenarioKind = {"a scenario (YAML)", kMaxScenario};
 // Of a coordinate: beyond it the squares of lengths have no digits left for micrometres, and
 // contacts are told wrongly [m].
 constexpr double kFarthest = 1e5;
@@ -175,6 +175,8 @@ std::string statusName(PlanStatus status) {
 }
 
 Scenario readScenario(const ScenarioFile& file) {
+  if (!file.unread.empty())
+    throw InputError(file.file.string(), 0, file.unread, "a file that can be read");
   const YamlNode root = parseYaml(file.text, file.file.string());
   root.requireKeys(
       {"scene", "character", "start", "goal", "via", "bounds", "walk", "planner", "expect"});

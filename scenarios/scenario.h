@@ -90,12 +90,16 @@ struct Scenario {
 struct ScenarioFile {
   std::filesystem::path file;
   std::string text;
+  std::string unread = {};  ///< why a file of a folder could not be read; "" where it was
 };
+
+/// Larger files are no scenarios.
+inline constexpr size_t kMaxScenario = size_t{1} << 20;  // [bytes]
 
 /// @param file  `-` is standard input. @throws InputError if it cannot be read or is too large.
 ScenarioFile readScenarioFile(const std::filesystem::path& file);
 
-/// @throws InputError as DESIGN.md, section 5, asks.
+/// @throws InputError as DESIGN.md, section 5, asks, and for a file that is unread.
 Scenario readScenario(const ScenarioFile& file);
 /// Both at once.
 Scenario readScenario(const std::filesystem::path& file);

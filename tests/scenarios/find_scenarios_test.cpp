@@ -44,6 +44,20 @@ TEST_F(FindScenarios, ASlipDoesNotHideAScenarioAndSomebodyElsesFileIsPassedOver)
   EXPECT_EQ(found[0].file.filename(), "slip.yaml");
 }
 
+TEST_F(FindScenarios, WhatCannotBeReadIsHeardOfAndHidesNothing) {
+  write("a.yaml", kScenario);
+  fs::create_symlink("loop.yaml", folder_ / "loop.yaml");
+  fs::create_symlink("nowhere.yaml", folder_ / ".#mark.yaml");  // as editors do
+  fs::create_directory(folder_ / "folder.yaml");
+  const std::vector<ScenarioFile> found = findScenarios({folder_});
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].unread, "");
+  EXPECT_EQ(found[1].file.filename(), "loop.yaml");
+  const std::string error = inputError([&] { readScenario(found[1]); });
+  EXPECT_TRUE(holds(error, "loop.yaml: cannot be opened: ")) << error;
+  EXPECT_TRUE(holds(inputError([&] { findScenarios({folder_ / "loop.yaml"}); }), "is not there"));
+}
+
 TEST_F(FindScenarios, AScenarioThatIsNamedMayBeAPipeAndNotTooLarge) {
   const fs::path pipe = folder_ / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
