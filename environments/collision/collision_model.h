@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -68,6 +69,8 @@ class CollisionScratch {
   std::vector<bool> placed;
 };
 
+inline constexpr SolePhases kStanding = {SolePhase::kPlanted, SolePhase::kPlanted};
+
 /// A body in a scene, and what it may touch.
 struct CollisionModel {
   CollisionModel(const Scene& scene_in, const SceneGround& ground_in, const Skeleton& skeleton_in,
@@ -122,15 +125,32 @@ struct CollisionModel {
     return Capsule{top, top + missing * Eigen::Vector3d::UnitZ(), head.radius};
   }
 
-  /// The first part from `begin` on of the standing body there that touches something.
-  std::optional<Contact> nextContact(int begin, CollisionScratch& scratch) const {
-    constexpr SolePhases standing = {SolePhase::kPlanted, SolePhase::kPlanted};
+  /// The first part of the standing body there that touches something.
+  std::optional<Contact> firstContact(CollisionScratch& scratch) const {
     const std::span<const Capsule> placed(&scratch.capsule(0, 0), static_cast<size_t>(parts()));
-    for (int part = begin; part < parts(); ++part) {
-      const int object = touchedAt(placed, part, standing, scratch);
+    for (int part = 0; part < parts(); ++part) {
+      const int object = touchedAt(placed, part, kStanding, scratch);
       if (object >= 0) return Contact{0, 0.0, part, object, 0.0};
     }
     return std::nullopt;
+  }
+
+  /// Every object that a part of the standing body there touches, over the head too where it is
+  /// upright: each once.
+  std::vector<int> allTouched(int part, CollisionScratch& scratch) const {
+    const std::span<const Capsule> placed(&scratch.capsule(0, 0), static_cast<size_t>(parts()));
+    const double depth = allowedDepth(part, kStanding, kStanding);
+    std::set<int> objects;
+    const auto add = [&](const Capsule& capsule) {
+      int object = -1;
+      while ((object = layers.touchedObstacle(capsule, depth, *scratch.exact, object)) >= 0)
+        objects.insert(object);
+      object = layers.ground().touched(capsule, depth, *scratch.exact);
+      if (object >= 0) objects.insert(object);
+    };
+    add(placed[part]);
+    if (const auto over = part == body.head ? crown(placed) : std::nullopt) add(*over);
+    return {objects.begin(), objects.end()};
   }
 
   /// What the part of a placed body touches, or -1; over the head as far as it is upright.
@@ -141,8 +161,7 @@ struct CollisionModel {
   }
   int touchedCrown(std::span<const Capsule> placed, CollisionScratch& scratch) const {
     const auto over = crown(placed);
-    return over ? touched(*over, body.head, {SolePhase::kPlanted, SolePhase::kPlanted}, scratch)
-                : -1;
+    return over ? touched(*over, body.head, kStanding, scratch) : -1;
   }
 
   /// What the part touches, the ground included, or -1.

@@ -36,15 +36,15 @@ std::optional<Contact> CollisionWorld::check(const PoseArray& poses,
 
 std::optional<Contact> CollisionWorld::checkPose(PoseView pose, CollisionScratch& scratch) const {
   model_->placeAlone(pose, scratch);
-  return model_->nextContact(0, scratch);
+  return model_->firstContact(scratch);
 }
 
 std::vector<Contact> CollisionWorld::contacts(PoseView pose, CollisionScratch& scratch) const {
   std::vector<Contact> all;
   model_->placeAlone(pose, scratch);
-  for (auto next = model_->nextContact(0, scratch); next;) {
-    all.push_back(*next);
-    next = model_->nextContact(next->part + 1, scratch);
+  for (int part = 0; part < model_->parts(); ++part) {
+    for (const int object : model_->allTouched(part, scratch))
+      all.push_back({0, 0.0, part, object, 0.0});
   }
   return all;
 }

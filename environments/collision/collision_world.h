@@ -61,8 +61,8 @@ class CollisionWorld {
   /// A standing body at one pose (both feet planted).
   std::optional<Contact> checkPose(PoseView pose, CollisionScratch& scratch) const;
 
-  /// Every part of a standing body (both feet planted) that touches something, each with the first
-  /// object, by number, that it touches.
+  /// Every part of a standing body (both feet planted) that touches something, with each object
+  /// that it touches; of ground, with one.
   std::vector<Contact> contacts(PoseView pose, CollisionScratch& scratch) const;
 
   /// The object, ground apart, that a capsule in World touches or lies in, or -1.

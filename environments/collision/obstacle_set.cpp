@@ -148,10 +148,12 @@ ObstacleSet::ObstacleSet(ObstacleSet&&) noexcept = default;
 
 const Eigen::AlignedBox3d& ObstacleSet::bounds() const { return impl_->bounds; }
 
-int ObstacleSet::touched(const Capsule& capsule, Scratch& scratch) const {
+int ObstacleSet::touched(const Capsule& capsule, Scratch& scratch, int after) const {
   impl_->tree.find(capsule.bounds(), scratch.near);
-  for (const int i : scratch.near)
-    if (impl_->pieces[i].touches(capsule)) return impl_->pieces[i].object;
+  for (const int i : scratch.near) {
+    const Piece& piece = impl_->pieces[i];
+    if (piece.object > after && piece.touches(capsule)) return piece.object;
+  }
   return -1;
 }
 

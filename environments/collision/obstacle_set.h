@@ -46,8 +46,9 @@ class ObstacleSet {
 
   /// Of all obstacles [m]; empty for none.
   const Eigen::AlignedBox3d& bounds() const;
-  /// The first object, by number, that the capsule touches or lies in; -1 for none.
-  int touched(const Capsule& capsule, Scratch& scratch) const;
+  /// The first object, by number, that the capsule touches or lies in, of those behind number
+  /// `after`; -1 for none.
+  int touched(const Capsule& capsule, Scratch& scratch, int after = -1) const;
 
   struct Nearest {
     double distance = 0.0;  ///< [m], 0 where it touches or lies inside

@@ -132,14 +132,14 @@ Eigen::AlignedBox3d SceneLayers::boundsOf(const ObstacleSet& a, const ObstacleSe
 }
 
 int SceneLayers::touchedObstacle(const Capsule& capsule, double depth,
-                                 ObstacleSet::Scratch& scratch) const {
+                                 ObstacleSet::Scratch& scratch, int after) const {
   if (field_.isFree(capsule)) return -1;
-  const int object = obstacles_.touched(capsule, scratch);
+  const int object = obstacles_.touched(capsule, scratch, after);
   if (banks_.bounds().isEmpty()) return object;
   Capsule lifted = capsule;
   lifted.from.z() += depth;
   lifted.to.z() += depth;
-  const int bank = banks_.touched(lifted, scratch);
+  const int bank = banks_.touched(lifted, scratch, after);
   return object < 0 || (bank >= 0 && bank < object) ? bank : object;
 }
 

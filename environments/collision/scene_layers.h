@@ -22,7 +22,9 @@ class SceneLayers {
 
   /// An object that the capsule touches or lies in, the ground left out; -1 for none.
   /// @param depth  by which it may sink into banks from above: that of the ground [m, >= 0]
-  int touchedObstacle(const Capsule& capsule, double depth, ObstacleSet::Scratch& scratch) const;
+  /// @param after  objects of no larger number are left out
+  int touchedObstacle(const Capsule& capsule, double depth, ObstacleSet::Scratch& scratch,
+                      int after = -1) const;
   /// The obstacle or bank nearer than `limit`, if there is one [m]. Banks are left out for soles,
   /// which stand on what they are part of.
   ObstacleSet::Nearest nearestObstacle(const Capsule& capsule, double limit, bool is_sole,

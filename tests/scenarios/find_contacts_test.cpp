@@ -56,6 +56,25 @@ TEST_F(FindContacts, EveryPartThatTouchesAtATimeIsTold) {
                              [](const auto& a, const auto& b) { return a.start < b.start; }));
 }
 
+TEST_F(FindContacts, APartThatIsInTwoObjectsIsToldWithBoth) {
+  const std::string bar = "  - {name: bar, box: {size: [0.2, 3, 0.2]}, at: [4.4, 1.5, 1.0]}\n";
+  const std::string slab = "  - {name: slab, box: {size: [0.3, 3, 1.0]}, at: [4.4, 1.5, 0.9]}\n";
+  const auto with = [&](const std::string& name, const std::string& things) {
+    std::vector<std::pair<std::string, std::pair<double, double>>> spans;
+    for (const ContactSpan& span : contactsIn(kScene + things)) {
+      if (span.object == name) spans.push_back({span.part, {span.start, span.end}});
+    }
+    std::sort(spans.begin(), spans.end());
+    return spans;
+  };
+  for (const std::string name : {"bar", "slab"}) {
+    const auto alone = with(name, name == "bar" ? bar : slab);
+    EXPECT_FALSE(alone.empty());
+    EXPECT_EQ(with(name, bar + slab), alone) << "whatever else is there";
+    EXPECT_EQ(with(name, slab + bar), alone);
+  }
+}
+
 TEST_F(FindContacts, EachFrameTellsWhatAPoseAloneTells) {
   const std::string text =
       std::string(kScene) + "  - {name: bar, box: {size: [0.1, 3, 0.4]}, at: [4.4, 1.5, 1.2]}\n";
