@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "animation/body/reference_pose.h"
-#include "animation/body/rest_feet.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/library/motion_library_writer.h"
 #include "animation/preparation/motion_library_add.h"
@@ -116,18 +115,6 @@ int run(const Options& options) {
   return kExitDone;
 }
 
-// Whether a foot leaves the ground with its toes first, as none does that walks forwards.
-bool liftsToesFirst(const MotionLibrary& library) {
-  constexpr double kToesUp = -15.0 * kDegree;
-  for (const Motion& motion : library.motions) {
-    if (motion.kind != MotionKind::kWalk) continue;
-    for (const FootCycle& foot : motion.cycle.feet) {
-      if (foot.pitch[FootCycle::kStanceSamples] < kToesUp) return true;
-    }
-  }
-  return false;
-}
-
 // Standing on level ground: what of the body is in it.
 std::string sunkText(const MotionLibrary& library) {
   const FlatGround ground;
@@ -153,15 +140,6 @@ void sayWritten(const MotionLibrary& library, const std::filesystem::path& file)
   if (const MotionLack lack = whatItLacks(library); !lack.problem.empty()) {
     say(stderr, "warning: {}: {}: nobody walks with it yet; add {}\n", file.string(), lack.problem,
         lack.expected);
-    return;
-  }
-  const double drop = restFootDrop(library.skeleton, library.roles);
-  if (drop > kHangingFoot && liftsToesFirst(library)) {
-    say(stderr,
-        "warning: {}: in its rig's rest pose the feet hang down, toes {:.0f} degrees below "
-        "level, and their soles are read wrongly: few walks will be found; expected a rig "
-        "whose feet are flat there\n",
-        file.string(), drop / kDegree);
     return;
   }
   if (const std::string sunk = sunkText(library); !sunk.empty()) {

@@ -46,6 +46,19 @@ Eigen::Quaterniond restToHeading(const Skeleton& skeleton, const JointRoles& rol
   return Eigen::Quaterniond(headingAxes(up, forward).transpose()).normalized();
 }
 
+Eigen::Quaterniond restToPelvisHeading(const Skeleton& skeleton, const JointRoles& roles) {
+  const Eigen::Vector3d up = restUp(skeleton, roles);
+  const auto hip = [&](Side side) -> Eigen::Vector3d {  // in the rest pose, from the hips
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    for (int j = roles.legs[side].up_leg; j > 0; j = skeleton.joint(j).parent) {
+      p += skeleton.joint(j).offset;
+    }
+    return p;
+  };
+  const Eigen::Vector3d forward = (hip(kLeft) - hip(kRight)).cross(up);
+  return Eigen::Quaterniond(headingAxes(up, forward).transpose()).normalized();
+}
+
 FootShape makeFootShape(const Skeleton& skeleton, const JointRoles& roles, Side side,
                         double stature) {
   const Eigen::Vector3d up = restUp(skeleton, roles);

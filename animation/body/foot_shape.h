@@ -48,6 +48,8 @@ FootShape makeFootShape(const Skeleton& skeleton, const JointRoles& roles, Side 
 /// Rest pose's frame in the heading frame (x forward, y left, z up): forward is where the feet
 /// point.
 Eigen::Quaterniond restToHeading(const Skeleton& skeleton, const JointRoles& roles);
+/// The same where forward is across the line of the hip joints, wherever the feet point.
+Eigen::Quaterniond restToPelvisHeading(const Skeleton& skeleton, const JointRoles& roles);
 
 /// The sole frame in World, of a foot that heads so and stands on a plane with this normal [need
 /// not be a unit vector, z > 0]: turned about the vertical, then tilted on the shortest way.

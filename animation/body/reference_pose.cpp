@@ -55,6 +55,8 @@ bool isUpright(const Skeleton& skeleton, const JointRoles& roles, const Referenc
   return roles.head < 0 || height(roles.head) - height(roles.hips) > kUprightTrunk * leg;
 }
 
+}  // namespace
+
 ReferencePose meanPose(const Clip& clip, const JointRoles& roles) {
   const int joints = clip.skeleton.size();
   std::vector<RotationMean> mean(joints), standing(joints);
@@ -80,8 +82,6 @@ ReferencePose meanPose(const Clip& clip, const JointRoles& roles) {
   }
   return pose;
 }
-
-}  // namespace
 
 ReferencePose referenceOf(const Clip& clip, const JointRoles& roles) {
   const ReferencePose rest = restPose(clip.skeleton, roles);

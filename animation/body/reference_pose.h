@@ -15,6 +15,9 @@ struct ReferencePose {
   std::vector<Eigen::Quaterniond> q_HJ;  ///< of each joint in the heading frame
 };
 
+/// The mean pose of a clip, feet and toes from the times at which they stand, where there are such.
+/// @pre clip in World
+ReferencePose meanPose(const Clip& clip, const JointRoles& roles);
 /// The rig's rest pose where somebody stands in it; else (rigs whose joints all point along their
 /// bones) the mean pose of the clip, feet from the times at which they stand. @pre clip in World
 ReferencePose referenceOf(const Clip& clip, const JointRoles& roles);

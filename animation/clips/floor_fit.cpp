@@ -13,9 +13,6 @@
 namespace amble {
 namespace {
 
-// Slower than this, in leg lengths a second, a foot stands. Walking feet swing at four; found by
-// trial.
-constexpr double kStandingSpeed = 0.3;
 // Weight that holds the tilt towards level, as so many metres of spread squared: less than 0.2 m
 // across says nothing.
 constexpr double kLevelSpread = 0.2;
@@ -34,14 +31,11 @@ std::vector<Eigen::Vector3d> standingAnkles(const FootPaths& paths,
   for (const Side side : {kLeft, kRight}) {
     const Eigen::MatrixXd& path = paths[side];
     Eigen::Index last = -2;  // the frame in which it last stood
-    const double slow = kStandingSpeed * legs[side] * 2.0 * frame_time, limit = slow * slow;
     for (Eigen::Index i = 1; i + 1 < path.rows(); ++i) {
-      const auto way = path.row(i + 1) - path.row(i - 1);
-      if (way.head<3>().squaredNorm() < limit && way.tail<3>().squaredNorm() < limit) {
-        standing.emplace_back(path.row(i).head<3>().transpose());
-        plants += i != last + 1;
-        last = i;
-      }
+      if (!stands(path, i, legs[side], frame_time)) continue;
+      standing.emplace_back(path.row(i).head<3>().transpose());
+      plants += i != last + 1;
+      last = i;
     }
   }
   return standing;

@@ -29,6 +29,13 @@ FootPaths footPaths(const Clip& clip, const JointRoles& roles) {
   return paths;
 }
 
+bool stands(const Eigen::MatrixXd& path, Eigen::Index frame, double leg, double frame_time) {
+  constexpr double kStandingSpeed = 0.3;  // [leg lengths a second]
+  const double slow = kStandingSpeed * leg * 2.0 * frame_time, limit = slow * slow;
+  const auto way = path.row(frame + 1) - path.row(frame - 1);
+  return way.head<3>().squaredNorm() < limit && way.tail<3>().squaredNorm() < limit;
+}
+
 std::array<double, 2> legLengths(const Clip& clip, const JointRoles& roles) {
   return {roles.legLength(clip.skeleton, kLeft), roles.legLength(clip.skeleton, kRight)};
 }

@@ -16,6 +16,10 @@ using FootPaths = std::array<Eigen::MatrixXd, 2>;
 /// One forward kinematics a frame.
 FootPaths footPaths(const Clip& clip, const JointRoles& roles);
 
+/// Whether ankle and toe are slower than 0.3 leg lengths a second about a frame: walking feet swing
+/// at four; found by trial. @pre a frame before and one after; leg's length [m], frame time [s]
+bool stands(const Eigen::MatrixXd& path, Eigen::Index frame, double leg, double frame_time);
+
 /// Leg lengths by Side [m].
 std::array<double, 2> legLengths(const Clip& clip, const JointRoles& roles);
 

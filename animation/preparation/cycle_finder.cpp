@@ -14,7 +14,7 @@ namespace amble {
 namespace {
 
 constexpr double kShortestPeriod = 0.7;  // of two steps of a walk [s]
-constexpr double kLongestPeriod = 1.8;   // [s]
+constexpr double kLongestPeriod = 2.1;   // of those who creep or drag themselves along [s]
 
 // What walks like the most cyclic stretch; by trial on lab walks, whose steps differ by 5 %.
 constexpr double kSlowestWalk = 0.2;           // [m/s]

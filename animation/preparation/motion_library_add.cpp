@@ -10,6 +10,7 @@
 #include "animation/clips/level_capture.h"
 #include "animation/clips/loop_clip.h"
 #include "animation/clips/mirror_clip.h"
+#include "animation/clips/rest_feet_flat.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/library/statures.h"
 #include "animation/preparation/mirror_cycle.h"
@@ -232,6 +233,9 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   MotionRequest request = asked;
   LevelCapture capture = readLevelCapture(request.file, request.read);
   addToes(capture.motion.clip, capture.motion.roles, file);
+  if (restFeetFlat(capture.motion.clip, capture.motion.roles)) {
+    capture.motion.clip = levelled(capture.motion.clip, capture.motion.roles);
+  }
   capture.motion.clip.skeleton = withBvhNames(capture.motion.clip.skeleton);
   if (library.skeleton.size() == 0) adoptSkeleton(library, capture, file);
   const bool is_stand = request.name == "stand" && request.kind == MotionKind::kPosture;

@@ -75,6 +75,42 @@ TEST(AddMotion, OneWalkOfAnySubjectMakesALibraryThatWalks) {
   }
 }
 
+// Their rig's feet hang in its rest pose and its arms are twisted there by up to half a turn; the
+// walks are slow, gangly, marching, limping.
+TEST(AddMotion, ALoopOfARigWhoseFeetHangMakesALibraryThatWalksOnItsSoles) {
+  AMBLE_NEEDS_CAPTURES();
+  for (const char* const clip :
+       {"120_17", "120_19", "137_12", "137_18", "137_33", "142_05", "142_11", "142_12"}) {
+    SCOPED_TRACE(clip);
+    MotionLibrary library;
+    addMotion(library, walkOf(std::string("cmu_style_loops/") + clip + "_EDIT_LOOP.bvh"));
+    const FlatGround ground;
+    const WalkSynthesizer synthesizer(library, ground,
+                                      {.speed = library.motions.back().cycle.speed});
+    Stance from, to;
+    to.position.x() = 4.0;
+    const RootPath path({makeBezier(from.position.head<2>(), 0.0, to.position.head<2>(), 0.0)});
+    AnimationBuffer walk;
+    ASSERT_EQ(synthesizer.walk(from, to, path, true, walk).refused, WalkRule::kNone);
+    std::vector<JointFrame> joints(library.skeleton.size());
+    const std::array<FootShape, 2> feet = library.feet();
+    double lowest = 0.0, toes = 0.0;
+    for (int i = 0; i < walk.size(); ++i) {
+      forwardKinematics(library.skeleton, walk.poses[i], joints);
+      for (const Side side : {kLeft, kRight}) {
+        const JointFrame& foot = joints[library.roles.legs[side].foot];
+        const SoleEnds ends = soleEnds(feet[side], foot.p_WJ, foot.q_WJ);
+        const Joint& toe = library.skeleton.joint(library.roles.legs[side].toe);
+        const Eigen::Vector3d tip = joints[library.roles.legs[side].toe] * toe.end_sites[0];
+        lowest = std::min({lowest, ends.heel.z(), ends.ball.z()});
+        toes = std::min(toes, tip.z() - feet[side].radius);
+      }
+    }
+    EXPECT_GT(lowest, -0.001);
+    EXPECT_GT(toes, -0.005);
+  }
+}
+
 TEST(AddMotion, AMovementChangesItsChainsOnly) {
   const MotionLibrary library = openMotionLibrary("default");
   ASSERT_NE(library.find("carry"), nullptr);
