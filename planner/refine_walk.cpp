@@ -24,6 +24,8 @@ constexpr double kGain = 0.05;     // [s]
 // more to gain.
 constexpr int kMostRounds = 12;
 constexpr int kIdleRounds = 3;
+// Pass 1: nodes farther apart than this are not joined: what could be is by the roadmap [m].
+constexpr double kFarthestShortcut = 20.0;
 // Pass 2: how far from the node to the line between its neighbours, and headings off that line's.
 constexpr std::array<double, 5> kPulls = {0.5, 0.25, 0.0, 0.75, 1.0};
 constexpr std::array<double, 5> kTurns = {0.0, 20 * kDegree, -20 * kDegree, 40 * kDegree,
@@ -160,11 +162,8 @@ Answer Refiner::judge(const Proposal& proposal, SteeringScratch& scratch) const 
     if (!steering_.place(way.back().stance)) return answer;
   }
   way.push_back(node(proposal.last));
-  double old_duration = 0.0, old_bend = 0.0, duration = 0.0, new_bend = 0.0;
-  for (int i = proposal.first; i < proposal.last; ++i) {
-    old_duration += path_.edges[i].cost();
-    old_bend += bend(path_.edges[i]);
-  }
+  double old_duration = 0.0, duration = 0.0;
+  for (int i = proposal.first; i < proposal.last; ++i) old_duration += path_.edges[i].cost();
   std::vector<WalkEdge> edges;
   for (size_t i = 0; i + 1 < way.size(); ++i) {
     if (duration + leastDuration(way, i) > old_duration + kRounding) return answer;
@@ -172,11 +171,13 @@ Answer Refiner::judge(const Proposal& proposal, SteeringScratch& scratch) const 
     answer.count.add(result);
     if (!result.edge) return answer;
     duration += result.edge->cost();
-    new_bend += bend(*result.edge);
     if (i + 2 < way.size()) way[i + 1].stance = result.edge->to;
     edges.push_back(*result.edge);
   }
-  const double gain = old_duration - duration + kBendCost * (old_bend - new_bend);
+  double straightened = 0.0;
+  for (int i = proposal.first; i < proposal.last; ++i) straightened += bend(path_.edges[i]);
+  for (const WalkEdge& edge : edges) straightened -= bend(edge);
+  const double gain = old_duration - duration + kBendCost * straightened;
   if (duration <= old_duration + kRounding && gain >= kGain) answer.edges = std::move(edges);
   return answer;
 }
@@ -222,8 +223,11 @@ void Refiner::shortcuts() {
   do {
     proposals.clear();
     for (int span = last(); span >= 2; --span) {
-      for (int first = 0; first + span <= last(); ++first)
-        proposals.push_back({first, first + span, {}});
+      for (int first = 0; first + span <= last(); ++first) {
+        const Stance from = node(first).stance, to = node(first + span).stance;
+        if ((at(from) - at(to)).norm() <= kFarthestShortcut)
+          proposals.push_back({first, first + span, {}});
+      }
     }
   } while (firstThatHelps(proposals) >= 0);
 }

@@ -56,7 +56,7 @@ std::string whyNot(const PlanOutcome& outcome) {
   std::string text = describe(*outcome.why);
   long long all = 0;
   for (const auto& [rule, count] : outcome.refusals) all += count;
-  if (all > 1) {
+  if (all > 1 && !outcome.proved) {
     text += " (" + std::to_string(outcome.why->count) + " of " + std::to_string(all) + " refusals)";
   }
   return text;

@@ -10,8 +10,10 @@
 namespace amble {
 namespace {
 
-constexpr int kNearCells = 6;        // to each side, where a place is looked for
-constexpr double kSameFloor = 0.5;   // what is said and what is there differ by less [m]
+constexpr int kNearCells = 6;       // to each side, where a place is looked for
+constexpr double kSameFloor = 0.5;  // what is said and what is there differ by less [m]
+// Cells begin beside round numbers: walls stand on these, and would be in two cells [m].
+constexpr double kBesideRound = 1e-6;
 constexpr double kLeastGain = 1e-4;  // smaller improvements of a distance are not passed on [m]
 constexpr int kStopEvery = 1 << 12;  // triangles, rows or places between looks at the clock
 // Cells around one without ground whose places see what is over it.
@@ -42,16 +44,18 @@ void ClearanceMap::layPlaces(const SceneGround& ground, const Eigen::AlignedBox2
   const Eigen::AlignedBox2d region = all.intersection(bounds);
   if (region.isEmpty()) return;
   while (region.volume() / (cell_ * cell_) > kMostCells) cell_ *= 2.0;
-  min_ = region.min();
-  count_ = (region.sizes() / cell_).array().ceil().cast<int>().max(1);
+  min_ = region.min().array() - kBesideRound - cell_;
+  count_ = (region.sizes() / cell_).array().ceil().cast<int>().max(1) + 2;
   start_ = {0};
   for (int row = 0; row < count_.y(); ++row) {
     stop.check();
     for (int column = 0; column < count_.x(); ++column) {
+      const bool is_rim =
+          row == 0 || column == 0 || row + 1 == count_.y() || column + 1 == count_.x();
       const Eigen::Vector2i square =
           squares.squareAt(min_ + cell_ * Eigen::Vector2d(column + 0.5, row + 0.5));
       for (const GroundCells::Span& span : squares.spans(square.x(), square.y())) {
-        if (!span.ground) continue;
+        if (!span.ground || is_rim) continue;
         cell_of_.push_back(row * count_.x() + column);
         height_.push_back(static_cast<float>(span.height));
       }
@@ -61,9 +65,7 @@ void ClearanceMap::layPlaces(const SceneGround& ground, const Eigen::AlignedBox2
 }
 
 int ClearanceMap::beside(int place, int dx, int dy) const {
-  const int x = cell_of_[place] % count_.x() + dx, y = cell_of_[place] / count_.x() + dy;
-  if (x < 0 || y < 0 || x >= count_.x() || y >= count_.y()) return -1;
-  const int cell = y * count_.x() + x;
+  const int cell = cell_of_[place] + dy * count_.x() + dx;
   int best = -1;
   float least = static_cast<float>(step_);
   for (int i = start_[cell]; i < start_[cell + 1]; ++i) {
@@ -97,16 +99,21 @@ int ClearanceMap::placeAt(const Eigen::Vector3d& p) const {
   return best;
 }
 
-double ClearanceMap::spareFrom(int place, const Source& source) const {
-  const int dx = cell_of_[place] % count_.x() - source.cell % count_.x();
-  const int dy = cell_of_[place] / count_.x() - source.cell / count_.x();
-  const double distance = std::max(0.0, cell_ * (std::hypot(dx, dy) - 0.5));
-  if (distance > kFarthest) return kFarthest;
+ClearanceMap::Source ClearanceMap::cellsTo(int place, int cell, int band) const {
+  const int dx = cell_of_[place] % count_.x() - cell % count_.x();
+  const int dy = cell_of_[place] / count_.x() - cell / count_.x();
+  return {static_cast<std::int16_t>(dx), static_cast<std::int16_t>(dy),
+          static_cast<std::int16_t>(band)};
+}
+
+double ClearanceMap::spareFrom(const Source& source) const {
+  const double dx = source.dx, dy = source.dy;
+  const double distance = std::max(0.0, cell_ * (std::sqrt(dx * dx + dy * dy) - 0.5));
   return distance - (source.band < 0 ? body_.feet : body_.bands[source.band].half_breadth);
 }
 
 void ClearanceMap::see(int place, const Source& source) {
-  const double spare = spareFrom(place, source);
+  const double spare = spareFrom(source);
   if (spare > spare_[place] - kLeastGain) return;
   spare_[place] = static_cast<float>(spare);
   source_[place] = source;
@@ -118,7 +125,7 @@ void ClearanceMap::markEdges() {
   for (int place = 0; place < size(); ++place) {
     if (beside(place, 1, 0) < 0 || beside(place, -1, 0) < 0 || beside(place, 0, 1) < 0 ||
         beside(place, 0, -1) < 0)
-      see(place, {cell_of_[place], kFeet});
+      see(place, {});
   }
 }
 
@@ -169,7 +176,7 @@ void ClearanceMap::markColumn(const Eigen::Vector2i& at, double low, double high
         for (int band = 0; band < static_cast<int>(body_.bands.size()); ++band) {
           if (low < height_[place] + body_.bands[band].high &&
               high > height_[place] + body_.bands[band].low)
-            see(place, {own, band});
+            see(place, cellsTo(place, own, band));
         }
       }
     }
@@ -185,7 +192,9 @@ void ClearanceMap::spread(const StopRequest& stop) {
       for (int dx = -1; dx <= 1; ++dx) {
         if (dx == 0 && dy == 0) continue;
         const int other = beside(place, dx, dy);
-        if (other >= 0) see(other, source);
+        if (other < 0) continue;
+        see(other, {static_cast<std::int16_t>(source.dx + dx),
+                    static_cast<std::int16_t>(source.dy + dy), source.band});
       }
     }
   }

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <vector>
 
 #include "environments/ground/scene_ground.h"
@@ -60,10 +61,10 @@ class ClearanceMap {
   int placeAt(const Eigen::Vector3d& p) const;
 
  private:
-  // What a place's spare room is measured to.
+  // What a place's spare room is measured to: so many cells away.
   struct Source {
-    int cell = -1;
-    int band = kFeet;  // of the body
+    std::int16_t dx = 0, dy = 0;
+    std::int16_t band = kFeet;  // of the body
   };
   static constexpr int kFeet = -1;
 
@@ -74,12 +75,13 @@ class ClearanceMap {
   void markTriangle(const Triangle3& t);
   void markColumn(const Eigen::Vector2i& at, double low, double high);
   void spread(const StopRequest& stop);
-  double spareFrom(int place, const Source& source) const;
+  double spareFrom(const Source& source) const;
+  Source cellsTo(int place, int cell, int band) const;
   void see(int place, const Source& source);
 
   Breadth body_;
   Eigen::Vector2d min_{0, 0};
-  Eigen::Vector2i count_{0, 0};
+  Eigen::Vector2i count_{0, 0};  // cells; those at the rim have no places
   double cell_ = kCell;
   double step_ = 0.0;           // highest [m]
   std::vector<int> start_;      // of each cell's places, lowest first; x fastest; and the end

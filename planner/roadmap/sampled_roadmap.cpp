@@ -298,9 +298,11 @@ bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
   const auto guide = steering_.guide(place(from), place(to), bounds);
   if (const auto known = askMap(guide.get(), from, to, limits, *scratches[0])) return *known;
   if (const auto narrow = guide ? guide->narrowest() : std::nullopt) {
-    const Eigen::Vector2d at = narrow->head<2>();
-    const Eigen::AlignedBox2d region = grown({at, at}, kAroundNarrow);
-    return grow(from, to, sampler_.within(region), limits.max_failures, limits, scratches);
+    const Eigen::Vector2d at = narrow->at.head<2>();
+    const StanceSampler around = sampler_.within(grown({at, at}, kAroundNarrow));
+    if (grow(from, to, around, limits.max_failures, limits, scratches)) return true;
+    if (!narrow->may_pass || limits.stopped()) return false;
+    resetEffort();
   }
   for (double margin = kFirstMargin;; margin *= 2.0) {
     const Eigen::AlignedBox2d region = grown(ends, margin);

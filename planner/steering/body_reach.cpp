@@ -9,8 +9,6 @@
 namespace amble {
 namespace {
 
-// Of ankles over the height that feet are lifted over, at most [m].
-constexpr double kAnkle = 0.2;
 constexpr double kMostSquares = 16e6;  // of a flood; larger ones are not begun
 // Of a ball's radius, half a square's diagonal.
 constexpr double kOfRadius = 0.4;

@@ -30,8 +30,10 @@ namespace amble {
 
 class BodyReach {
  public:
-  static constexpr double kSway = 0.02;     ///< [m]
-  static constexpr double kBeyond = 0.12;   ///< [m]
+  static constexpr double kSway = 0.02;    ///< [m]
+  static constexpr double kBeyond = 0.12;  ///< [m]
+  /// Of ankles over the height that feet are lifted over, at most [m].
+  static constexpr double kAnkle = 0.2;
   static constexpr double kLargest = 0.05;  ///< square [m]
 
   /// Of a body on a walk; knows nothing where the walk has no frames. @pre body outlives it

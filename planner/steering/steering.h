@@ -75,9 +75,13 @@ class WayGuide {
   virtual std::optional<std::vector<Stance>> next() = 0;
   /// The next way is to lead elsewhere than here, where steering refused [m, World].
   virtual void avoid(const Eigen::Vector3d& at) = 0;
-  /// The narrowest place of the widest way, where there is hardly room for the body, or none; none,
-  /// too, where there is no way or room everywhere [m, World].
-  virtual std::optional<Eigen::Vector3d> narrowest() const = 0;
+  struct Narrow {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< [m, World]
+    bool may_pass = false;                         ///< next() has led, or may lead, through it
+  };
+  /// The narrowest place of the widest way, if there is hardly room for the body, or none; nothing
+  /// where there is no way, or room everywhere.
+  virtual std::optional<Narrow> narrowest() const = 0;
 };
 
 struct SteerResult {

@@ -17,7 +17,7 @@ constexpr double kTightest = -0.1;
 constexpr double kComfort = 0.25;
 constexpr double kUnease = 1.0;
 constexpr double kSqueeze = 4.0;
-constexpr double kRefused = 3.0;       // the same near a place where steering refused...
+constexpr double kRefused = 4.0;       // the same near a place where steering refused...
 constexpr double kRefusedNear = 0.4;   // ...within so much [m]
 constexpr double kClimb = 2.0;         // metres of way that a metre up or down is worth
 constexpr double kFarthest = 10.0;     // from one corner to the next [m]
@@ -84,8 +84,9 @@ std::vector<int> WayFinder::cheapest() const {
   return way;
 }
 
-// Whether a straight line from place to place has so much room beside it everywhere.
-bool WayFinder::isClear(int from, int to, double least) const {
+// Whether a straight line from place to place has so much room beside it everywhere, and leads by
+// no place of a higher penalty.
+bool WayFinder::isClear(int from, int to, double least, float most) const {
   const Eigen::Vector2d a = map_->at(from).head<2>(), b = map_->at(to).head<2>();
   const double cell = map_->cell();
   const int count = static_cast<int>(std::ceil((b - a).norm() / cell));
@@ -95,7 +96,7 @@ bool WayFinder::isClear(int from, int to, double least) const {
     const int dx = static_cast<int>(std::lround(off.x())),
               dy = static_cast<int>(std::lround(off.y()));
     if (dx != 0 || dy != 0) place = map_->beside(place, dx, dy);
-    if (place < 0 || map_->spare(place) < least) return false;
+    if (place < 0 || map_->spare(place) < least || penalty_[place] > most) return false;
   }
   return place == to;
 }
@@ -121,10 +122,12 @@ std::vector<int> WayFinder::corners(const std::vector<int>& way) const {
   const int shortest = static_cast<int>(std::ceil(shortest_ / map_->cell()));
   for (int here = 0; here < last;) {
     double narrowest = kRoomInSight;
+    float worst = penalty_[way[here]];
     int seen = here;
     for (int next = here + 1; next <= std::min(last, here + farthest); ++next) {
       narrowest = std::min(narrowest, map_->spare(way[next]));
-      if (isClear(way[here], way[next], narrowest - 0.5 * map_->cell())) seen = next;
+      worst = std::max(worst, penalty_[way[next]]);
+      if (isClear(way[here], way[next], narrowest - 0.5 * map_->cell(), worst)) seen = next;
     }
     if (seen == last) break;
     int best = -1;
@@ -159,29 +162,38 @@ std::optional<std::vector<Stance>> WayFinder::next() {
   return stances;
 }
 
-// The widest way is a tree's: of all places that are reached the roomiest goes on first, and the
-// least room until the goal is reached is that of the way to it.
-std::optional<Eigen::Vector3d> WayFinder::narrowest() const {
-  if (from_ < 0 || to_ < 0) return std::nullopt;
-  std::vector<bool> seen(map_->size(), false);
+// From end to end by the widest way: of all places that are reached the roomiest goes on first.
+std::vector<int> WayFinder::widest() const {
+  if (from_ < 0 || to_ < 0) return {};
+  std::vector<int> before(map_->size(), -1);
   std::priority_queue<std::pair<float, int>> open;
-  open.emplace(map_->spare(from_), from_);
-  seen[from_] = true;
-  int narrowest = from_;
-  while (!open.empty()) {
+  open.emplace(0.0f, from_);
+  before[from_] = from_;
+  while (!open.empty() && before[to_] < 0) {
     const int place = open.top().second;
     open.pop();
-    if (map_->spare(place) < map_->spare(narrowest) || narrowest == from_) narrowest = place;
-    if (place == to_) break;
     for (const auto& [dx, dy] : kAround) {
       const int other = map_->beside(place, dx, dy);
-      if (other < 0 || seen[other]) continue;
-      seen[other] = true;
-      open.emplace(map_->spare(other), other);
+      if (other < 0 || before[other] >= 0) continue;
+      before[other] = place;
+      open.emplace(static_cast<float>(map_->spare(other)), other);
     }
   }
-  if (!seen[to_] || map_->spare(narrowest) > kRoomInSight) return std::nullopt;
-  return map_->at(narrowest);
+  std::vector<int> way;
+  if (before[to_] < 0) return way;
+  for (int place = to_; place != from_; place = before[place]) way.push_back(place);
+  way.push_back(from_);
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+std::optional<WayGuide::Narrow> WayFinder::narrowest() const {
+  const std::vector<int> way = widest();
+  if (way.empty()) return std::nullopt;
+  const int narrow = *std::min_element(
+      way.begin(), way.end(), [&](int a, int b) { return map_->spare(a) < map_->spare(b); });
+  if (map_->spare(narrow) > kRoomInSight) return std::nullopt;
+  return Narrow{map_->at(narrow), map_->spare(narrow) >= kTightest};
 }
 
 void WayFinder::avoid(const Eigen::Vector3d& at) {

@@ -24,12 +24,13 @@ class WayFinder : public WayGuide {
 
   std::optional<std::vector<Stance>> next() override;
   void avoid(const Eigen::Vector3d& at) override;
-  std::optional<Eigen::Vector3d> narrowest() const override;
+  std::optional<Narrow> narrowest() const override;
 
  private:
   std::vector<int> cheapest() const;
+  std::vector<int> widest() const;
   double factor(int place) const;
-  bool isClear(int from, int to, double least) const;
+  bool isClear(int from, int to, double least, float most) const;
   bool isLevel(int place) const;
   std::vector<int> corners(const std::vector<int>& way) const;
 

@@ -319,6 +319,39 @@ TEST(CollisionWorld, ClearanceIsTheDistanceOfTheNearestPart) {
   EXPECT_EQ(none.distance, 0.4);
 }
 
+// Of three frames that are looked at, of nine, the parts that are nearest to the wall are 0.41, 0.31
+// and 0.21 m away, soles apart.
+TEST(CollisionWorld, NearnessIsWhatIsMissingOfTheLimitFrameByFrame) {
+  TestWorld world({floorSlab(), makeObject("wall", Box{{0.1, 9, 2.5}}, {1.05, 0, 1.25})});
+  const auto clearanceAt = [&](double x) {
+    double least = HUGE_VAL;
+    const PoseArray poses = motionOf(world.walker, {standingAt(world.walker, {x, 0, 0})});
+    std::vector<JointFrame> joints(world.walker.skeleton.size());
+    const size_t parts = world.walker.body.parts.size();
+    std::vector<Eigen::Vector3d> from(parts), to(parts);
+    forwardKinematics(world.walker.skeleton, poses[0], joints);
+    placeBody(world.walker.body, joints, from, to);
+    for (size_t i = 0; i < parts; ++i) {
+      const BodyPart& part = world.walker.body.parts[i];
+      if (part.sole < 0)
+        least = std::min(least, 1.0 - std::max(from[i].x(), to[i].x()) - part.radius);
+    }
+    return least;
+  };
+  std::vector<Pose> frames;
+  double expected = 0.0;
+  constexpr double kLimit = 0.7;
+  for (int i = 0; i < 9; ++i) {
+    const double x = 0.05 * i;
+    frames.push_back(standingAt(world.walker, {x, 0, 0}));
+    if (i % 4 == 0) expected += 4.0 * std::max(0.0, 1.0 - clearanceAt(x) / kLimit);
+  }
+  const PoseArray poses = motionOf(world.walker, frames);
+  EXPECT_GT(expected, 1.0);
+  EXPECT_NEAR(world.world.nearness(poses, kLimit, *world.scratch), expected, 1e-6);
+  EXPECT_EQ(world.world.nearness(poses, 0.1, *world.scratch), 0.0);
+}
+
 TEST(CollisionWorld, ClearanceLeavesOutTheGround) {
   TestWorld world({floorSlab()});
   const PoseArray poses = motionOf(world.walker, {standingAt(world.walker, {0, 0, 0})});

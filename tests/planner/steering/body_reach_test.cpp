@@ -1,0 +1,145 @@
+#include "planner/steering/body_reach.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "base/rotation.h"
+#include "base/sample_stream.h"
+#include "planner/steering/walk_steering.h"
+#include "tests/planner/furnished_room.h"
+
+namespace amble {
+namespace {
+
+const Eigen::Vector3d kWest(0.8, 2, 0), kEast(5.2, 2, 0);
+bool never() { return false; }
+
+// A room of 6 x 4 m with walls around, and more in it.
+Scene roomWith(const std::vector<SceneObject>& things) {
+  Scene scene = furnishedScene();
+  scene.objects.resize(5);  // the floor and four walls
+  scene.objects.insert(scene.objects.end(), things.begin(), things.end());
+  return scene;
+}
+
+std::optional<SteeringFailure> shutOff(const FurnishedRoom& room, const Eigen::Vector3d& from,
+                                       const Eigen::Vector3d& to) {
+  const WalkSteering steering(room.synthesizer, room.world, room.ground);
+  return steering.shutOff(from, to, never, *steering.makeScratch());
+}
+
+struct Named {
+  std::string part, object;
+  Eigen::Vector3d at;
+};
+std::optional<Named> shutOffBy(const std::vector<SceneObject>& things) {
+  const FurnishedRoom room(roomWith(things));
+  const auto failure = shutOff(room, kWest, kEast);
+  if (!failure) return std::nullopt;
+  EXPECT_EQ(failure->rule, WalkRule::kDisconnected);
+  return Named{room.body.parts.at(failure->part).name, room.scene.objects.at(failure->object).name,
+               failure->at};
+}
+
+TEST(BodyReach, AWallFromSideToSideShutsOffAndOneWithADoorDoesNot) {
+  const auto named = shutOffBy({boxObject("wall", {0.1, 4.0, 2.5}, {3, 2, 1.25})});
+  ASSERT_TRUE(named.has_value());
+  EXPECT_EQ(named->object, "wall");
+  EXPECT_NEAR(named->at.x(), 3.0, 0.1);
+  EXPECT_NEAR(named->at.y(), 2.0, 0.3);  // where it is least out of the way
+  EXPECT_FALSE(shutOffBy({boxObject("wall", {0.1, 3.1, 2.5}, {3, 1.55, 1.25})}).has_value());
+}
+
+TEST(BodyReach, ABeamShutsOffWhoIsTaller) {
+  const double stature = furnishedRoom().synthesizer.stature();
+  const auto beam = [](double under) {
+    return std::vector{boxObject("beam", {0.2, 4.0, 0.2}, {3, 2, under + 0.1})};
+  };
+  const auto named = shutOffBy(beam(stature - 0.05));
+  ASSERT_TRUE(named.has_value());
+  EXPECT_EQ(named->part, "head");
+  EXPECT_FALSE(shutOffBy(beam(stature + 0.01)).has_value());
+}
+
+TEST(BodyReach, ALogShutsOffWhoDoesNotLiftTheLegSoHigh) {
+  const auto log = [](double height) {
+    return std::vector{boxObject("log", {0.4, 4.0, height}, {3, 2, 0.5 * height})};
+  };
+  const auto named = shutOffBy(log(0.6));
+  ASSERT_TRUE(named.has_value());
+  EXPECT_TRUE(named->part == "left shank" || named->part == "right shank") << named->part;
+  EXPECT_FALSE(shutOffBy(log(0.24)).has_value());
+}
+
+// The theorem: what is walked is not shut off, whatever stands in the room.
+TEST(BodyReach, NoWalkThatIsFoundWasShutOff) {
+  SampleStream stream(3, 0);
+  int walked = 0;
+  for (int i = 0; i < 12; ++i) {
+    std::vector<SceneObject> things;
+    for (int k = 0; k < 7; ++k) {
+      const Eigen::Vector3d size(stream.uniform(0.1, 1.5), stream.uniform(0.1, 1.5),
+                                 stream.uniform(0.1, 2.0));
+      const double under = stream.uniform() < 0.3 ? stream.uniform(0.5, 1.9) : 0.0;
+      things.push_back(
+          boxObject("thing", size,
+                    {stream.uniform(0.5, 5.5), stream.uniform(0.3, 3.7), under + 0.5 * size.z()}));
+    }
+    const FurnishedRoom room(roomWith(things));
+    const WalkSteering steering(room.synthesizer, room.world, room.ground);
+    const auto scratch = steering.makeScratch();
+    for (int k = 0; k < 40; ++k) {
+      Waypoint from, to;
+      for (Waypoint* end : {&from, &to}) {
+        end->stance.position << stream.uniform(0.3, 5.7), stream.uniform(0.3, 3.7), 0.0;
+        end->stance.heading = stream.uniform(-kPi, kPi);
+        end->stance.standing = stream.uniform() < 0.6;
+      }
+      if (!steering.steer(from, to, *scratch).edge) continue;
+      ++walked;
+      EXPECT_FALSE(
+          steering.shutOff(from.stance.position, to.stance.position, never, *scratch).has_value());
+    }
+  }
+  EXPECT_GE(walked, 20);
+}
+
+// Legs that step over the highest thing that they may: no ankle comes to where a leg's ball is.
+TEST(BodyReach, NoAnkleIsLiftedToTheHeightThatLegsCross) {
+  const double highest = furnishedRoom().ground.settings().limits.highestStep();
+  const FurnishedRoom room(
+      roomWith({boxObject("log", {0.15, 4.0, highest - 0.01}, {3, 2, 0.5 * (highest - 0.01)})}));
+  const WalkSteering steering(room.synthesizer, room.world, room.ground);
+  const auto scratch = steering.makeScratch();
+  AnimationBuffer buffer;
+  std::vector<JointFrame> joints(room.synthesizer.skeleton().size());
+  double lifted = 0.0;
+  for (double x = 0.6; x < 1.4; x += 0.1) {
+    Waypoint from, to;
+    from.stance.position << x, 2, 0;
+    to.stance.position = kEast;
+    const auto result = steering.steer(from, to, *scratch);
+    if (!result.edge) continue;
+    steering.animate(*result.edge, buffer);
+    for (int frame = 0; frame < buffer.size(); ++frame) {
+      forwardKinematics(room.synthesizer.skeleton(), buffer.poses[frame], joints);
+      for (const Side side : {kLeft, kRight})
+        lifted = std::max(lifted, joints[room.synthesizer.roles().legs[side].foot].p_WJ.z());
+    }
+  }
+  EXPECT_GT(lifted, highest);  // somebody stepped over it
+  EXPECT_LT(lifted, highest + BodyReach::kAnkle);
+}
+
+TEST(BodyReach, WhoIsStoppedKnowsNothing) {
+  const FurnishedRoom room(roomWith({boxObject("wall", {0.1, 4.0, 2.5}, {3, 2, 1.25})}));
+  const WalkSteering steering(room.synthesizer, room.world, room.ground);
+  EXPECT_FALSE(steering
+                   .shutOff(
+                       kWest, kEast, [] { return true; }, *steering.makeScratch())
+                   .has_value());
+}
+
+}  // namespace
+}  // namespace amble
