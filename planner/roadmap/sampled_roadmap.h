@@ -6,6 +6,12 @@
 /// against the roadmap that those before it left, which asks steering only what has become new. So
 /// the roadmap depends on seed and indices, not on threads.
 ///
+/// First come the ways that steering's guide knows, if it knows any: the places of each become
+/// nodes, and where an edge between them is refused the guide is told. If none of them is walked it
+/// is asked for a proof that nothing leads there, which ends the search, and then for the narrowest
+/// place of the widest way: samples are drawn around that before others, and where not even the
+/// guide finds a way through it there are no others.
+///
 /// Large maps are looked at from the near to the far: start and goal are asked about first, then
 /// the passages and samples of a region around both, which widens when most of it is covered. Where
 /// the bounds are no wider than the first region it is all of them.

@@ -47,6 +47,9 @@ TEST(PlanWalk, RefusesRequestsThatCannotBeMeant) {
   request = requestIn(furnishedRoom());
   request.limits.threads = 0;
   EXPECT_THROW(planWalk(request), std::invalid_argument);
+  request = requestIn(furnishedRoom());
+  request.comfort = -0.01;
+  EXPECT_THROW(planWalk(request), std::invalid_argument);
 }
 
 TEST(PlanWalk, WalkEndsAtTheGoalAndTouchesNothing) {
@@ -69,6 +72,24 @@ TEST(PlanWalk, WalkEndsAtTheGoalAndTouchesNothing) {
     EXPECT_LT(walk.poses.rotations(last)[0].angularDistance(asked.poses.rotations(0)[0]),
               0.5 * kDegree);
   }
+}
+
+TEST(PlanWalk, WithComfortWalksKeepAwayFromThings) {
+  const FurnishedRoom& room = furnishedRoom();
+  const CollisionScratchPtr scratch = room.world.makeScratch();
+  double with = 0.0, without = 0.0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    PlanRequest request = requestIn(room);
+    request.limits.seed = seed;
+    for (const auto& [comfort, nearness] : {std::pair{0.15, &with}, std::pair{0.0, &without}}) {
+      request.comfort = comfort;
+      const PlanOutcome outcome = planWalk(request);
+      ASSERT_EQ(outcome.status, PlanStatus::kSolved);
+      *nearness += room.world.nearness(outcome.walk.buffer.poses, 0.15, *scratch);
+    }
+  }
+  EXPECT_GT(without, 0.0);
+  EXPECT_LT(with, 0.7 * without);
 }
 
 TEST(PlanWalk, SameSeedGivesTheSameFramesAtAnyNumberOfThreads) {
@@ -99,19 +120,34 @@ TEST(PlanWalk, BlockedEndsAreNamed) {
   EXPECT_EQ(goal.why->object, "wall");
 }
 
-TEST(PlanWalk, SealedPassageIsNoWalkAndNamesWhatSealsIt) {
+TEST(PlanWalk, ThatASealedPassageLeavesNoWalkIsProvedAndSaysByWhat) {
   Scene scene = furnishedScene();
   scene.objects.push_back(boxObject("door", {0.1, 0.9, 2.5}, {3, 3.55, 1.25}));
+  const FurnishedRoom room(scene);
+  const PlanOutcome outcome = planWalk(requestIn(room));
+  EXPECT_EQ(outcome.status, PlanStatus::kNoWalk);
+  EXPECT_TRUE(outcome.proved);
+  EXPECT_EQ(outcome.samples, 0);
+  ASSERT_TRUE(outcome.why.has_value());
+  EXPECT_EQ(outcome.why->rule, WalkRule::kDisconnected);
+  EXPECT_TRUE(outcome.why->object == "wall" || outcome.why->object == "door")
+      << outcome.why->object;
+}
+
+// A gap that is open, but for nobody: samples say so.
+TEST(PlanWalk, ThatNoWalkIsFoundThroughANarrowGapIsNoProof) {
+  Scene scene = furnishedScene();
+  scene.objects.push_back(boxObject("door", {0.1, 0.5, 2.5}, {3, 3.35, 1.25}));
   const FurnishedRoom room(scene);
   PlanRequest request = requestIn(room);
   request.limits.max_failures = 25;
   const PlanOutcome outcome = planWalk(request);
   EXPECT_EQ(outcome.status, PlanStatus::kNoWalk);
+  EXPECT_FALSE(outcome.proved);
   EXPECT_FALSE(outcome.time_limit_hit);
-  ASSERT_TRUE(outcome.why.has_value());
-  EXPECT_TRUE(outcome.why->object == "wall" || outcome.why->object == "door")
-      << outcome.why->object;
   EXPECT_DOUBLE_EQ(outcome.coverage, 1.0 - 1.0 / 25);
+  ASSERT_TRUE(outcome.why.has_value());
+  EXPECT_EQ(outcome.why->rule, WalkRule::kContact);
 }
 
 TEST(PlanWalk, ViaPointsArePassed) {

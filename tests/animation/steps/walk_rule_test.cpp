@@ -9,7 +9,7 @@ namespace {
 
 TEST(WalkRule, EveryRuleHasANameOfItsOwn) {
   std::set<std::string_view> names;
-  for (int i = 0; i <= static_cast<int>(WalkRule::kStepHeight); ++i) {
+  for (int i = 0; i <= kWalkRules - 1; ++i) {
     const std::string_view name = walkRuleName(static_cast<WalkRule>(i));
     EXPECT_TRUE(names.insert(name).second) << name;
     EXPECT_EQ(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), std::string_view::npos);

@@ -58,6 +58,113 @@ TEST(SampledRoadmap, FarWaysRoundAreFoundAsTheRegionWidens) {
   }
 }
 
+/// Two rooms, and somebody who knows ways from one to the other, or what shuts them off.
+class GuidedRooms : public DiscSteering {
+ public:
+  std::vector<std::vector<Stance>> ways;
+  std::optional<WayGuide::Narrow> narrow;
+  std::optional<SteeringFailure> barrier;
+  mutable std::vector<Eigen::Vector3d> avoided;
+
+  std::unique_ptr<WayGuide> guide(const Eigen::Vector3d&, const Eigen::Vector3d&,
+                                  const Eigen::AlignedBox2d&) const override {
+    return std::make_unique<Guide>(*this);
+  }
+  std::optional<SteeringFailure> shutOff(const Eigen::Vector3d&, const Eigen::Vector3d&,
+                                         const std::function<bool()>&,
+                                         SteeringScratch&) const override {
+    return barrier;
+  }
+
+ private:
+  class Guide : public WayGuide {
+   public:
+    explicit Guide(const GuidedRooms& rooms) : rooms_(rooms) {}
+    std::optional<std::vector<Stance>> next() override {
+      if (next_ == rooms_.ways.size()) return std::nullopt;
+      return rooms_.ways[next_++];
+    }
+    void avoid(const Eigen::Vector3d& at) override { rooms_.avoided.push_back(at); }
+    std::optional<Narrow> narrowest() const override { return rooms_.narrow; }
+
+   private:
+    const GuidedRooms& rooms_;
+    size_t next_ = 0;
+  };
+};
+
+struct Ends {
+  int from, to;
+};
+Ends insertEnds(VisibilityRoadmap& roadmap) {
+  return {roadmap.insert(standing(1, 1), true, true), roadmap.insert(standing(7, 1), true, true)};
+}
+
+TEST(SampledRoadmap, AWayThatTheMapKnowsIsTakenBeforeAnySample) {
+  GuidedRooms steering;
+  twoRooms(steering, 0.8);  // through the gap about y = 4.5
+  steering.ways = {{standing(3, 4.5).stance, standing(5, 4.5).stance}};
+  VisibilityRoadmap roadmap({steering, kRoom});
+  const Ends ends = insertEnds(roadmap);
+  EXPECT_TRUE(roadmap.connect(ends.from, ends.to, limitsOf(1)));
+  EXPECT_EQ(roadmap.samples(), 0);
+  EXPECT_EQ(roadmap.roadmap().size(), 4);
+}
+
+TEST(SampledRoadmap, TheMapIsToldWhereAWayWasRefused) {
+  GuidedRooms steering;
+  twoRooms(steering, 0.8);
+  steering.ways = {{standing(2, 2).stance, standing(6, 2).stance},  // through the wall
+                   {standing(4, 1).stance},                         // in it
+                   {standing(3, 4.5).stance, standing(5, 4.5).stance}};
+  VisibilityRoadmap roadmap({steering, kRoom});
+  const Ends ends = insertEnds(roadmap);
+  EXPECT_TRUE(roadmap.connect(ends.from, ends.to, limitsOf(1)));
+  EXPECT_EQ(roadmap.samples(), 0);
+  ASSERT_GE(steering.avoided.size(), 2u);
+  EXPECT_EQ(steering.avoided[1], standing(4, 1).stance.position);
+}
+
+TEST(SampledRoadmap, WhatIsShutOffIsNotSearched) {
+  GuidedRooms steering;
+  twoRooms(steering, 0.0);
+  steering.barrier = SteeringFailure{WalkRule::kDisconnected, 2, 1};
+  VisibilityRoadmap roadmap({steering, kRoom});
+  const Ends ends = insertEnds(roadmap);
+  EXPECT_FALSE(roadmap.connect(ends.from, ends.to, limitsOf(1)));
+  EXPECT_EQ(roadmap.samples(), 0);
+  ASSERT_TRUE(roadmap.shutOff().has_value());
+  EXPECT_EQ(roadmap.shutOff()->part, 2);
+  EXPECT_EQ(roadmap.steering().refusals.at(WalkRule::kDisconnected), 1);
+  roadmap.clear();
+  EXPECT_FALSE(roadmap.shutOff().has_value());
+}
+
+TEST(SampledRoadmap, AboutANarrowPlaceThatMayNotBePassedSamplesAreDrawnAndNowhereElse) {
+  GuidedRooms steering;
+  steering.boxes = {box(29, -1, 31, 61)};
+  steering.narrow = WayGuide::Narrow{{30, 30, 0}, false};
+  VisibilityRoadmap roadmap({steering, box(0, 0, 60, 60)});
+  const int from = roadmap.insert(standing(5, 30), true, true),
+            to = roadmap.insert(standing(55, 30), true, true);
+  EXPECT_FALSE(roadmap.connect(from, to, limitsOf(1, 20)));
+  EXPECT_GE(roadmap.samples(), 20);
+  for (const RoadmapNode& node : roadmap.roadmap().nodes()) {
+    const Eigen::Vector2d p = node.at.stance.position.head<2>();
+    if (p == Eigen::Vector2d(5, 30) || p == Eigen::Vector2d(55, 30)) continue;
+    EXPECT_LE((p - Eigen::Vector2d(30, 30)).cwiseAbs().maxCoeff(), 2.5) << p.transpose();
+  }
+}
+
+TEST(SampledRoadmap, WhereAWayMayPassAllIsSearchedAfterTheNarrowPlace) {
+  GuidedRooms steering;
+  twoRooms(steering, 0.8);
+  steering.narrow = WayGuide::Narrow{{1, 5, 0}, true};  // where nothing leads on
+  VisibilityRoadmap roadmap({steering, kRoom});
+  const Ends ends = insertEnds(roadmap);
+  EXPECT_TRUE(roadmap.connect(ends.from, ends.to, limitsOf(1)));
+}
+
 TEST(SampledRoadmap, ASearchEndsWhereTheWholeMapIsCovered) {
   DiscSteering steering;
   steering.boxes = {box(99, -1, 101, 201)};
