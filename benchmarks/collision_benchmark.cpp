@@ -100,7 +100,7 @@ ObstacleSet obstaclesOf(const RunResult& result, const benchmark::State& state) 
     if (object.role == Role::kIgnore || problem.ground.isGround(static_cast<int>(i))) continue;
     const bool is_mesh = std::holds_alternative<TriangleMesh>(object.shape);
     obstacles.push_back({static_cast<int>(i), object.shape, object.X_WO,
-                         is_mesh ? worldMesh(object) : TriangleMesh{}});
+                         is_mesh ? closedPart(worldMesh(object)) : TriangleMesh{}});
   }
   return ObstacleSet(obstacles, {}, static_cast<Checker>(state.range(0)));
 }

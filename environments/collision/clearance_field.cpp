@@ -141,7 +141,7 @@ void markSurface(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<ui
 
 // Voxels in a row without a surface between them are on one side of it: one test for all.
 void fillSolid(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<uint8_t>& occupied) {
-  const Parity solid(obstacle.solid);
+  const Parity solid = Parity::ofClosed(obstacle.solid);
   if (solid.empty()) return;
   const VoxelRange range(grid, solid.bounds());
   for (int k = range.low.z(); k <= range.high.z(); ++k) {

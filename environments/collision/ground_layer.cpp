@@ -96,7 +96,7 @@ GroundLayer::GroundLayer(std::vector<Obstacle> surfaces, const StopRequest& stop
       normals_.push_back((b - a).cross(c - a).normalized());
       objects_.push_back(surface.object);
     }
-    solids_.push_back({surface.object, Parity(surface.solid)});
+    solids_.push_back({surface.object, Parity::ofClosed(surface.solid)});
   }
   grid_ = TriangleGrid(std::move(triangles));
   for (const Obstacle& surface : surfaces)

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "environments/collision/box_tree.h"
 #include "environments/collision/fcl_surface.h"
 #include "environments/collision/segment_distance.h"
 #include "environments/collision/triangle_tree.h"
+#include "environments/scene/box_tree.h"
 #include "environments/scene/parity.h"
 
 namespace amble {
@@ -74,7 +74,7 @@ struct Piece {
 Piece meshPiece(const Obstacle& obstacle, const TriangleMesh& mesh, const TriangleMesh& solid,
                 Checker checker) {
   const TriangleMesh here = placed(mesh, obstacle.X_WO);
-  Piece piece{obstacle.object, nullptr, Parity(solid), boundsOf(here)};
+  Piece piece{obstacle.object, nullptr, Parity::ofClosed(solid), boundsOf(here)};
   if (!piece.solid.empty()) piece.bounds.extend(piece.solid.bounds());
   if (here.triangles.empty()) return piece;
   piece.surface = checker == Checker::kFcl ? makeFclSurface(here, Eigen::Isometry3d::Identity())

@@ -23,7 +23,7 @@ struct Obstacle {
   int object = 0;  ///< of the scene; obstacles are given in ascending order of it
   Shape shape;
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
-  /// World; its closed components are solid. Empty for primitives, which are anyway.
+  /// World; closed, by parity what is solid. Empty for primitives, which are anyway.
   TriangleMesh solid;
 };
 

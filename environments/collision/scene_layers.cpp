@@ -48,11 +48,16 @@ bool isBelowGround(const Triangle3& t, const SceneGround& ground) {
   });
 }
 
-void append(TriangleMesh& to, const TriangleMesh& from) {
-  const int base = static_cast<int>(to.vertices.size());
-  to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
-  for (const std::array<int, 3>& t : from.triangles)
-    to.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+// What bounds the inside of an object: its closed pieces that are not another's hollow, and of
+// others those that are its own.
+TriangleMesh solidOf(int object, const ScenePieces& pieces) {
+  TriangleMesh solid;
+  for (const ScenePiece& piece : pieces.ofObject(object))
+    if (piece.closed && piece.solid_of == object) appendMesh(solid, piece.mesh);
+  const auto [begin, end] = pieces.hollows.equal_range(object);
+  for (auto hollow = begin; hollow != end; ++hollow)
+    appendMesh(solid, pieces.pieces[hollow->second].mesh);
+  return solid;
 }
 
 }  // namespace
@@ -61,6 +66,7 @@ struct SceneLayers::Split {
   std::vector<Obstacle> obstacles, banks, ground;
 
   Split(const Scene& scene, const SceneGround& scene_ground, const StopRequest& stop) {
+    const ScenePieces& pieces = scene_ground.pieces();
     for (size_t i = 0; i < scene.objects.size(); ++i) {
       stop.check();
       const SceneObject& object = scene.objects[i];
@@ -72,7 +78,7 @@ struct SceneLayers::Split {
       }
       const bool is_mesh = std::holds_alternative<TriangleMesh>(object.shape);
       obstacles.push_back(
-          {index, object.shape, object.X_WO, is_mesh ? worldMesh(object) : TriangleMesh{}});
+          {index, object.shape, object.X_WO, is_mesh ? solidOf(index, pieces) : TriangleMesh{}});
     }
   }
 
@@ -80,7 +86,7 @@ struct SceneLayers::Split {
   // is taken from; and pieces that have no ground. Inside is by parity over all of them: the ground
   // layer tells.
   void splitGround(int index, const SceneGround& ground_of) {
-    TriangleMesh low, bank, solid, rest;
+    TriangleMesh low, bank, rest;
     for (const ScenePiece& piece : ground_of.pieces().ofObject(index)) {
       std::vector<bool> is_low;
       bool has_ground = false;
@@ -91,19 +97,18 @@ struct SceneLayers::Split {
         is_low.push_back(is_ground ||
                          isBelowGround(ground_of.pieces().triangles()[number], ground_of));
       }
-      if (piece.closed) append(solid, piece.mesh);
       if (!has_ground) {
-        append(rest, piece.mesh);
+        appendMesh(rest, piece.mesh);
         continue;
       }
       TriangleMesh below{piece.mesh.vertices, {}}, above{piece.mesh.vertices, {}};
       for (size_t t = 0; t < is_low.size(); ++t)
         (is_low[t] ? below : above).triangles.push_back(piece.mesh.triangles[t]);
-      append(low, below);
-      if (!above.triangles.empty()) append(bank, above);
+      appendMesh(low, below);
+      if (!above.triangles.empty()) appendMesh(bank, above);
     }
     const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
-    this->ground.push_back({index, cleanMesh(low), here, solid});
+    this->ground.push_back({index, cleanMesh(low), here, solidOf(index, ground_of.pieces())});
     if (!bank.triangles.empty()) banks.push_back({index, cleanMesh(bank), here, {}});
     if (!rest.triangles.empty()) obstacles.push_back({index, cleanMesh(rest), here, {}});
   }

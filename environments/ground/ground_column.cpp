@@ -60,7 +60,7 @@ void GroundColumn::collect() {
 // The line enters or leaves a closed piece. Of an object it may be in solids, and in hollows of
 // them.
 void GroundColumn::cross(int piece) {
-  const int object = pieces_.pieces[piece].object;
+  const int object = pieces_.pieces[piece].solid_of;
   inside_[piece] = !inside_[piece];
   const bool adds = inside_[piece] != pieces_.pieces[piece].hollow;
   const int before = depth_[object];

@@ -42,18 +42,36 @@ std::optional<double> crossing(const std::array<Eigen::Vector3d, 3>& t, const Ei
 
 }  // namespace
 
-Parity::Parity(const TriangleMesh& mesh) {
-  Eigen::AlignedBox2d extent;
-  for (const MeshComponent& piece : splitComponents(mesh)) {
-    if (!piece.closed) continue;
-    for (const Eigen::Vector3d& v : piece.mesh.vertices) bounds_.extend(v);
-    for (const std::array<int, 3>& t : piece.mesh.triangles) {
-      corners_.push_back({sheared(piece.mesh.vertices[t[0]]), sheared(piece.mesh.vertices[t[1]]),
-                          sheared(piece.mesh.vertices[t[2]])});
-      for (const Eigen::Vector3d& c : corners_.back()) extent.extend(Eigen::Vector2d(c.head<2>()));
-    }
+void appendMesh(TriangleMesh& to, const TriangleMesh& from) {
+  const int base = static_cast<int>(to.vertices.size());
+  to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+  for (const std::array<int, 3>& t : from.triangles)
+    to.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+}
+
+TriangleMesh closedPart(const TriangleMesh& mesh) {
+  TriangleMesh closed;
+  for (const MeshComponent& piece : splitComponents(mesh))
+    if (piece.closed) appendMesh(closed, piece.mesh);
+  return closed;
+}
+
+Parity Parity::ofClosed(const TriangleMesh& mesh) {
+  Parity solid;
+  solid.corners_.reserve(mesh.triangles.size());
+  for (const std::array<int, 3>& t : mesh.triangles) {
+    for (const int v : t) solid.bounds_.extend(mesh.vertices[v]);
+    solid.corners_.push_back(
+        {sheared(mesh.vertices[t[0]]), sheared(mesh.vertices[t[1]]), sheared(mesh.vertices[t[2]])});
   }
-  if (corners_.empty()) return;
+  if (!solid.empty()) solid.sortIntoCells();
+  return solid;
+}
+
+void Parity::sortIntoCells() {
+  Eigen::AlignedBox2d extent;
+  for (const std::array<Eigen::Vector3d, 3>& corners : corners_)
+    for (const Eigen::Vector3d& c : corners) extent.extend(Eigen::Vector2d(c.head<2>()));
   min_ = extent.min();
   const int side =
       std::clamp(static_cast<int>(std::sqrt(static_cast<double>(corners_.size()))), 1, kMostCells);

@@ -14,10 +14,17 @@
 
 namespace amble {
 
+/// Adds the triangles of a mesh to another.
+void appendMesh(TriangleMesh& to, const TriangleMesh& from);
+/// A mesh's closed components.
+TriangleMesh closedPart(const TriangleMesh& mesh);
+
 class Parity {
  public:
   Parity() = default;
-  explicit Parity(const TriangleMesh& mesh);
+  explicit Parity(const TriangleMesh& mesh) : Parity(ofClosed(closedPart(mesh))) {}
+  /// Of a mesh whose components are known to be closed, which costs less. @pre they are
+  static Parity ofClosed(const TriangleMesh& mesh);
 
   /// Whether the mesh has a closed component.
   bool empty() const { return corners_.empty(); }
@@ -32,6 +39,7 @@ class Parity {
   void addCrossings(const Eigen::Vector3d& p, std::vector<double>& heights) const;
 
  private:
+  void sortIntoCells();
   template <typename Visit>
   void visitCrossings(const Eigen::Vector3d& p, Visit visit) const;
   Eigen::Vector2i cellOf(double u, double v) const;

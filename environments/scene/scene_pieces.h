@@ -2,6 +2,7 @@
 /// obstacles are made of, about 130 bytes each.
 #pragma once
 
+#include <map>
 #include <span>
 #include <vector>
 
@@ -16,14 +17,16 @@ struct ScenePiece {
   int object = 0;  ///< of the scene
   TriangleMesh mesh;
   bool closed = false;
-  bool hollow = false;  ///< closed, and all of it in the solid of the others of its object
+  bool hollow = false;  ///< closed, and all of it in the solid of others: see hollows.h
+  int solid_of = 0;     ///< object whose inside it bounds: its own, or that whose hollow it is
   int first = 0;        ///< its triangles have the numbers first .. first + mesh.triangles.size()
 };
 
 struct ScenePieces {
-  std::vector<ScenePiece> pieces;  ///< in ascending order of their objects; the ignored left out
-  TriangleGrid grid;               ///< of the triangles of all pieces, in their order
-  std::vector<int> piece_of;       ///< of each triangle
+  std::vector<ScenePiece> pieces;   ///< in ascending order of their objects; the ignored left out
+  TriangleGrid grid;                ///< of the triangles of all pieces, in their order
+  std::vector<int> piece_of;        ///< of each triangle
+  std::multimap<int, int> hollows;  ///< of objects: pieces of others that are hollows of theirs
 
   const std::vector<Triangle3>& triangles() const { return grid.triangles(); }
   const ScenePiece& pieceOf(int triangle) const { return pieces[piece_of[triangle]]; }

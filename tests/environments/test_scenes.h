@@ -6,6 +6,7 @@
 
 #include "environments/body/capsule.h"
 #include "environments/collision/obstacle_set.h"
+#include "environments/scene/parity.h"
 #include "environments/scene/scene.h"
 #include "tests/environments/test_meshes.h"
 
@@ -43,7 +44,7 @@ inline std::vector<SceneObject> stairs(int treads, double rise, double going) {
 
 inline Obstacle obstacleOf(const SceneObject& object, int index) {
   const bool is_mesh = std::holds_alternative<TriangleMesh>(object.shape);
-  return {index, object.shape, object.X_WO, is_mesh ? worldMesh(object) : TriangleMesh{}};
+  return {index, object.shape, object.X_WO, is_mesh ? closedPart(worldMesh(object)) : TriangleMesh{}};
 }
 
 inline Capsule randomCapsule(std::mt19937_64& generator, const Eigen::AlignedBox3d& box,

@@ -65,6 +65,43 @@ TEST(SceneLayers, GiveTheAnswersOfFclInARoomOfOneMesh) {
                     20000);
 }
 
+// The shells of a room, as one mesh and as two, with things in it and beside it.
+TEST(SceneLayers, TouchWhatTheyDoWhetherShellsAreOneObjectOrTwo) {
+  const TriangleMesh outer = makeBox({6.4, 5.4, 3.0}), inner = makeBox({6.0, 5.0, 2.6});
+  const auto object = [](const TriangleMesh& mesh) {
+    return makeObject("shell", mesh, {0, 0, 1.3});
+  };
+  const std::vector<SceneObject> things = {
+      makeObject("yard", Box{{20, 20, 0.1}}, {0, 0, -0.25}),
+      makeObject("chest", makeBox({1, 1.4, 0.8}), {-1, -1, 0.4}),
+      makeObject("lamp", Sphere{0.3}, {1, 1, 2.0})};
+  const auto with = [&](std::vector<SceneObject> shells) {
+    shells.insert(shells.end(), things.begin(), things.end());
+    return sceneOf(shells);
+  };
+  const Scene one = with({object(joined(outer, inner))}),
+              two = with({object(outer), object(inner)});
+  const SceneGround one_ground(one), two_ground(two);
+  const SceneLayers one_layers(one, one_ground), two_layers(two, two_ground);
+  const auto scratch = ObstacleSet::makeScratch();
+  const auto touches = [&](const SceneLayers& layers, const Capsule& capsule) {
+    return layers.touchedObstacle(capsule, 0.0, *scratch) >= 0 ||
+           layers.ground().touched(capsule, 0.0, *scratch) >= 0;
+  };
+  std::mt19937_64 generator(6);
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(-3.6, -3.0, -0.15), Eigen::Vector3d(3.6, 3.0, 2.9));
+  int touching = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const Capsule capsule = randomCapsule(generator, box, 0.3);
+    const bool expected = touches(one_layers, capsule);
+    ASSERT_EQ(touches(two_layers, capsule), expected)
+        << capsule.from.transpose() << " to " << capsule.to.transpose() << " " << capsule.radius;
+    touching += expected;
+  }
+  EXPECT_GT(touching, 5000);
+  EXPECT_LT(touching, 15000);
+}
+
 TEST(SceneLayers, GiveTheAnswersOfFclInARealFlat) {
   const std::filesystem::path mesh =
       std::filesystem::path(AMBLE_SHARED) / "scenes/apartment/apartment.obj";

@@ -104,11 +104,13 @@ TEST(GroundCells, GroundGoesOnLevelUnderFurnitureAcrossPlainTiles) {
 }
 
 TEST(GroundCells, TheFloorOfAHollowRoomIsGround) {
-  // An outer and an inner shell in one mesh, as solidified cubes are; wound alike or not.
-  TriangleMesh inner = makeBox({6, 4, 2.5});
-  for (const TriangleMesh& shell : {inner, turned(inner)}) {
-    const Scene scene =
-        sceneOf({makeObject("room", joined(makeBox({6.2, 4.2, 2.7}), shell), {0, 0, 0})});
+  // An outer and an inner shell, in one mesh, as solidified cubes are, or as two objects; wound
+  // alike or not.
+  const TriangleMesh inner = makeBox({6, 4, 2.5}), outer = makeBox({6.2, 4.2, 2.7});
+  const auto of = [](const TriangleMesh& mesh) { return makeObject("shell", mesh, {0, 0, 0}); };
+  for (const Scene& scene :
+       {sceneOf({of(joined(outer, inner))}), sceneOf({of(joined(outer, turned(inner)))}),
+        sceneOf({of(outer), of(inner)}), sceneOf({of(turned(inner)), of(outer)})}) {
     const SceneGround ground(scene);
     const std::vector<double> heights = groundAt(ground.cells(), 1.0, 1.0);
     ASSERT_EQ(heights.size(), 2u);  // and the roof

@@ -64,12 +64,6 @@ TEST(ScenePieces, AShellInAShellIsAHollowAndWhatIsInThatIsNone) {
   for (size_t i = 0; i < 4; ++i) EXPECT_EQ(all.pieces[i].hollow, i % 2 == 1) << i;
 }
 
-TEST(ScenePieces, ShellsOfDifferentObjectsAreNoHollows) {
-  const ScenePieces all = splitScene(sceneOf({makeObject("outer", makeBox({4, 4, 4}), {0, 0, 0}),
-                                              makeObject("inner", makeBox({3, 3, 3}), {0, 0, 0})}));
-  for (const ScenePiece& piece : all.pieces) EXPECT_FALSE(piece.hollow);
-}
-
 TEST(ScenePieces, OfAnObjectAreFoundByItsNumber) {
   Scene scene =
       sceneOf({floorSlab(), makeObject("nothing", makeBox({1, 1, 1}), {0, 0, 0}, Role::kIgnore),

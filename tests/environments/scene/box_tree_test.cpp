@@ -1,4 +1,4 @@
-#include "environments/collision/box_tree.h"
+#include "environments/scene/box_tree.h"
 
 #include <gtest/gtest.h>
 
