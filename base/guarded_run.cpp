@@ -1,6 +1,7 @@
 #include "base/guarded_run.h"
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -86,6 +87,16 @@ GuardEnd endOf(int status) {
   return sign == SIGXCPU || sign == SIGALRM ? GuardEnd::kTime : GuardEnd::kBroken;
 }
 
+// Importers ask for the same tens of megabytes for each file, and what the system gives anew it
+// clears anew: what is freed stays for the next.
+void keepFreedMemory() {
+#if defined(__GLIBC__)
+  constexpr int kLargest = 32 << 20;  // that glibc lets be kept [bytes]
+  mallopt(M_MMAP_THRESHOLD, kLargest);
+  mallopt(M_TRIM_THRESHOLD, 4 * kLargest);
+#endif
+}
+
 [[noreturn]] void runCopy(const std::function<std::string()>& work, const GuardLimits& limits,
                           int to) {
   for (const int sign :
@@ -100,6 +111,7 @@ GuardEnd endOf(int status) {
     bound(RLIMIT_AS, space + limits.memory);
   }
   alarm(static_cast<unsigned>(kPatience * limits.cpu_time));
+  keepFreedMemory();
   std::set_new_handler([] { _exit(kExitMemory); });
   try {
     _exit(writeAll(to, work()) ? 0 : 1);

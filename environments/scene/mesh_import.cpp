@@ -204,7 +204,8 @@ std::string meshEnding(const std::filesystem::path& file) {
 }
 
 bool isMeshEnding(const std::string& ending) {
-  return !ending.empty() && Assimp::Importer().IsExtensionSupported(ending);
+  static const Assimp::Importer importer;
+  return !ending.empty() && importer.IsExtensionSupported(ending);
 }
 
 MeshFile importMesh(const std::filesystem::path& file) {

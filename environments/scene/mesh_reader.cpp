@@ -1,5 +1,7 @@
 #include "environments/scene/mesh_reader.h"
 
+#include <algorithm>
+
 #include "base/byte_pack.h"
 #include "base/error.h"
 #include "environments/scene/mesh_header.h"
@@ -29,44 +31,49 @@ void visitMesh(Pack& pack, Mesh& mesh) {
     for (auto& v : t) pack(v);
 }
 
-std::string packed(Answer answer) {
-  Packer pack;
+template <typename Pack>
+void visitAnswer(Pack& pack, Answer& answer) {
   pack(answer.problem);
   pack(answer.expected);
   pack(answer.mesh.has_axes);
   pack(answer.mesh.others);
-  pack(answer.mesh.parts.size());
+  size_t count = answer.mesh.parts.size();
+  pack(count);
+  answer.mesh.parts.resize(count);
   for (MeshPart& part : answer.mesh.parts) {
     pack(part.names);
     visitMesh(pack, part.mesh);
   }
-  return pack.bytes();
 }
 
-Answer unpacked(const std::string& bytes) {
-  Unpacker unpack(bytes);
-  Answer answer;
-  unpack(answer.problem);
-  unpack(answer.expected);
-  unpack(answer.mesh.has_axes);
-  unpack(answer.mesh.others);
-  answer.mesh.parts.resize(unpack.takeCount());
-  for (MeshPart& part : answer.mesh.parts) {
-    unpack(part.names);
-    visitMesh(unpack, part.mesh);
-  }
-  return answer;
-}
-
-std::string readPacked(const std::filesystem::path& file) {
-  Answer answer;
+Answer readUnguarded(const std::filesystem::path& file) {
   try {
     checkMeshHeader(file);
-    answer.mesh = importMesh(file);
+    return {importMesh(file), {}, {}};
   } catch (const InputError& error) {
-    answer = {{}, error.problem(), error.expected()};
+    return {{}, error.problem(), error.expected()};
   }
-  return packed(std::move(answer));
+}
+
+// The answers of all, in their order.
+GuardedAnswer readTogether(const std::vector<std::filesystem::path>& files,
+                           const GuardLimits& limits) {
+  return runGuarded(
+      [&] {
+        Packer pack;
+        for (const std::filesystem::path& file : files) {
+          Answer answer = readUnguarded(file);
+          visitAnswer(pack, answer);
+        }
+        return pack.bytes();
+      },
+      limits);
+}
+
+bool isSmallMesh(const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(file, error) && isMeshEnding(meshEnding(file)) &&
+         std::filesystem::file_size(file, error) <= kSmallMesh && !error;
 }
 
 // What can be said without opening the file. Returns its size [bytes].
@@ -92,14 +99,37 @@ MeshFile readMesh(const std::filesystem::path& file, size_t memory,
                   const std::function<bool()>& stopped) {
   const size_t size = requireMeshFile(file);
   const GuardLimits limits{memory, kLeastTime + kTimeOfMiB * static_cast<int>(size >> 20), stopped};
-  const GuardedAnswer guarded = runGuarded([&] { return readPacked(file); }, limits);
+  const GuardedAnswer guarded = readTogether({file}, limits);
   if (!guarded.done())
     throw InputError(file.string(), 0, "cannot be read: " + guarded.why(limits),
                      guarded.end == GuardEnd::kMemory ? std::string(kMoreMemory)
                                                       : std::string("a mesh as ") + kMeshFormats);
-  Answer answer = unpacked(guarded.bytes);
+  Unpacker unpack(guarded.bytes);
+  Answer answer;
+  visitAnswer(unpack, answer);
   if (!answer.problem.empty()) throw InputError(file.string(), 0, answer.problem, answer.expected);
   return std::move(answer.mesh);
+}
+
+std::map<std::filesystem::path, MeshFile> readSmallMeshes(
+    const std::vector<std::filesystem::path>& files, size_t memory,
+    const std::function<bool()>& stopped) {
+  std::vector<std::filesystem::path> small;
+  for (const std::filesystem::path& file : files)
+    if (isSmallMesh(file)) small.push_back(file);
+  std::sort(small.begin(), small.end());
+  small.erase(std::unique(small.begin(), small.end()), small.end());
+  std::map<std::filesystem::path, MeshFile> meshes;
+  if (small.size() < 2) return meshes;
+  const GuardedAnswer guarded = readTogether(small, {memory, kLeastTime, stopped});
+  if (!guarded.done()) return meshes;
+  Unpacker unpack(guarded.bytes);
+  for (const std::filesystem::path& file : small) {
+    Answer answer;
+    visitAnswer(unpack, answer);
+    if (answer.problem.empty()) meshes.emplace(file, std::move(answer.mesh));
+  }
+  return meshes;
 }
 
 }  // namespace amble

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -42,5 +43,15 @@ inline constexpr FileKind kMeshFile = {"a mesh", size_t{512} << 20};
 /// more time than its size explains.
 MeshFile readMesh(const std::filesystem::path& file, size_t memory = GuardLimits{}.memory,
                   const std::function<bool()>& stopped = {});
+
+/// Files up to this size are read together [bytes].
+inline constexpr size_t kSmallMesh = size_t{1} << 20;
+
+/// What readMesh gives of those that are small, read in one process: to start one for each costs
+/// more than to read it. What cannot be read is left out, and so are all where one breaks the
+/// process or is beyond its limits: readMesh says what is wrong with it.
+std::map<std::filesystem::path, MeshFile> readSmallMeshes(
+    const std::vector<std::filesystem::path>& files, size_t memory = GuardLimits{}.memory,
+    const std::function<bool()>& stopped = {});
 
 }  // namespace amble

@@ -58,12 +58,29 @@ class SceneReader {
     scene_.inputs.push_back(file_);
     scene_.name = root.has("name") ? root.at("name").asString() : file_.stem().string();
     const YamlNode objects = root.at("objects");
+    readAhead(objects);
     for (const YamlNode& item : objects.items()) readObject(item);
     checkSize(objects);
     return std::move(scene_);
   }
 
  private:
+  // Small meshes together; what is wrong with one is said where its object is read.
+  void readAhead(const YamlNode& objects) {
+    std::vector<std::filesystem::path> files;
+    for (const YamlNode& item : objects.items()) {
+      if (!item.isMap()) continue;
+      const YamlNode mesh = item["mesh"];
+      if (mesh && mesh.isScalar() && !mesh.isNull()) files.push_back(mesh.asPath());
+    }
+    ahead_ = readSmallMeshes(files, limits_.memory, stopped());
+    limits_.stop.check();
+  }
+
+  std::function<bool()> stopped() const {
+    return [this] { return limits_.stop.asked(); };
+  }
+
   void readObject(const YamlNode& node) {
     limits_.stop.check();
     node.requireKeys({"name", "box", "mesh", "cylinder", "sphere", "capsule", "up", "scale", "at",
@@ -210,12 +227,15 @@ class SceneReader {
     if (!std::filesystem::exists(path, error))
       node.fail("no such file: " + path.string(), "a mesh beside the scene file");
     scene_.inputs.push_back(path);
-    const auto stopped = [this] { return limits_.stop.asked(); };
+    const MeshFile& file = meshes_.emplace(path, takeMesh(path)).first->second;
+    scene_.inputs.insert(scene_.inputs.end(), file.others.begin(), file.others.end());
+    return file;
+  }
+
+  MeshFile takeMesh(const std::filesystem::path& path) {
+    if (auto ready = ahead_.extract(path)) return std::move(ready.mapped());
     try {
-      const MeshFile& file =
-          meshes_.emplace(path, readMesh(path, limits_.memory, stopped)).first->second;
-      scene_.inputs.insert(scene_.inputs.end(), file.others.begin(), file.others.end());
-      return file;
+      return readMesh(path, limits_.memory, stopped());
     } catch (const InputError&) {
       limits_.stop.check();
       throw;
@@ -253,7 +273,8 @@ class SceneReader {
   const LoadLimits& limits_;
   Scene scene_;
   std::map<std::string, int> line_of_;  // of objects by name
-  std::map<std::filesystem::path, MeshFile> meshes_;
+  std::map<std::filesystem::path, MeshFile> ahead_,
+      meshes_;  // read and not yet asked for; the rest
   Eigen::AlignedBox3d bounds_;
   double widest_ = -1.0;  // largest coordinate of the object that reaches farthest [m]
   YamlNode widest_node_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "environments/scene/scene.h"
 #include "test_paths.h"
 #include "tests/environments/test_files.h"
 #include "tests/environments/test_meshes.h"
@@ -328,6 +329,59 @@ TEST(ReadMesh, WhatTakesTooMuchMemorySaysHowToLetIt) {
   EXPECT_NE(error.find("more than 32 MB of memory"), std::string::npos) << error;
   EXPECT_NE(error.find("--memory"), std::string::npos) << error;
   EXPECT_EQ(errorOf([&] { readMesh(file); }), "");
+}
+
+const std::string kFlat = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+TEST(ReadSmallMeshes, GiveWhatEachAloneGives) {
+  const TestFolder folder;
+  const std::vector<std::filesystem::path> files = {
+      folder.write("a.obj", kFlat), folder.write("b.obj", "o two\n" + kFlat),
+      folder.write("ramp.dae", collada("0.01", "Z_UP"))};
+  const auto together = readSmallMeshes(files);
+  ASSERT_EQ(together.size(), files.size());
+  for (const std::filesystem::path& file : files) {
+    const MeshFile alone = readMesh(file);
+    const MeshFile& found = together.at(file);
+    EXPECT_EQ(found.has_axes, alone.has_axes);
+    ASSERT_EQ(found.parts.size(), alone.parts.size());
+    EXPECT_EQ(found.parts[0].names, alone.parts[0].names);
+    EXPECT_EQ(found.parts[0].mesh.vertices, alone.parts[0].mesh.vertices);
+    EXPECT_EQ(found.parts[0].mesh.triangles, alone.parts[0].mesh.triangles);
+  }
+}
+
+TEST(ReadSmallMeshes, LeaveOutWhatCannotBeRead) {
+  const TestFolder folder;
+  const auto good = folder.write("good.obj", kFlat), other = folder.write("other.obj", kFlat);
+  const auto broken = folder.write("broken.obj", "this is\nno mesh\n");
+  const auto together = readSmallMeshes(
+      {folder.write("chair.txt", "chair"), broken, good, other, "/nowhere/chair.obj", good});
+  ASSERT_EQ(together.size(), 2u);
+  EXPECT_TRUE(together.contains(good) && together.contains(other));
+}
+
+// Nodes so deep that Assimp's parser runs out of stack.
+TEST(ReadSmallMeshes, WhereOneBreaksTheReaderTheOthersAreReadAlone) {
+  const TestFolder folder;
+  std::string deep = collada("1", "Z_UP");
+  const size_t at = deep.find("<node ");
+  std::string down, up;
+  for (int k = 0; k < 60000; ++k) {
+    down += "<node>";
+    up += "</node>";
+  }
+  deep.insert(deep.find("</visual_scene>", at), up);
+  deep.insert(at, down);
+  folder.write("deep.dae", deep);
+  folder.write("a.obj", kFlat);
+  EXPECT_TRUE(readSmallMeshes({folder.path() / "a.obj", folder.path() / "deep.dae"}).empty());
+  const auto scene = folder.write("s.yaml",
+                                  "objects:\n  - {name: a, mesh: a.obj, up: z}\n"
+                                  "  - {name: deep, mesh: deep.dae}\n");
+  const std::string error = errorOf([&] { readScene(scene); });
+  EXPECT_NE(error.find("deep.dae: cannot be read: it breaks its reader"), std::string::npos)
+      << error;
 }
 
 }  // namespace
