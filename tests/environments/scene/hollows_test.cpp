@@ -61,6 +61,7 @@ TEST(Hollows, ATableInAHouseThatIsOneBlockStaysSolid) {
   const SceneObject house = shell("house", {9, 9, 3});
   EXPECT_EQ(hollowsOf({house, shell("table", {1.6, 0.9, 0.75})}), (Found{-1, -1}));
   EXPECT_EQ(hollowsOf({house, shell("low", {4, 4, 0.9})}), (Found{-1, -1}));
+  EXPECT_EQ(hollowsOf({house, shell("cupboard", {1.5, 0.6, 2})}), (Found{-1, -1}));
 }
 
 TEST(Hollows, PrimitivesAreSolidWhateverIsAroundThemAndWithinThem) {
