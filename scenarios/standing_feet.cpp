@@ -13,9 +13,17 @@
 namespace amble {
 namespace {
 
-constexpr double kTrim = 0.15;  // of a plant, at each end
+constexpr double kTrim = 0.15;  // of a plant, or the usual one if that is longer, at each end
 // Ground that is farther from a planted sole is not what it stands on [m].
 constexpr double kFootReach = 0.1;
+
+double usualPlant(const FootPlants& plants) {
+  std::vector<double> frames;
+  for (const Side side : {kLeft, kRight})
+    for (const FootPlant& plant : plants.plants[side])
+      frames.push_back(plant.last - plant.first + 1);
+  return frames.empty() ? 0.0 : median(std::move(frames));
+}
 
 // First and last frame of each stay on the ground within [first, last].
 std::vector<std::pair<int, int>> staysOf(const SoleTracks& soles, Side side, int first, int last,
@@ -77,11 +85,14 @@ StandingFeet measureStandingFeet(const SoleTracks& soles, const FootPlants& plan
   StandingFeet feet;
   double slides = 0.0;
   int frames = 0, hovering = 0;
+  // That the clip begins or ends within a plant makes it shorter, not its landing better known.
+  const double usual = usualPlant(plants);
   for (const Side side : {kLeft, kRight}) {
     for (const FootPlant& plant : plants.plants[side]) {
-      const int trim = static_cast<int>(std::lround(kTrim * (plant.last - plant.first + 1)));
+      const int own = plant.last - plant.first + 1;
+      const auto wanted = std::lround(kTrim * std::max(usual, static_cast<double>(own)));
+      const int trim = std::min(static_cast<int>(wanted), (own - 1) / 2);
       const int first = plant.first + trim, last = plant.last - trim;
-      if (first > last) continue;
       const double slide = slideOf(soles, side, first, last, kShortestGap / frame_time);
       const double hover = hoverOf(soles, side, first, last);
       feet.skate_max = std::max(feet.skate_max, slide);

@@ -17,9 +17,9 @@ FootPlants plantsOver(const Clip& clip, const JointRoles& roles, const Ground& g
 /// Ground that is farther below a sole is not looked for [m].
 inline constexpr double kMostHover = 1.0;
 
-/// 15 % of each plant is left out at both ends (QUALITY.md): when exactly a foot lands is not
-/// known. Where a foot leaves the ground within a plant for longer than kShortestGap it is put down
-/// anew, and each stay slides for itself.
+/// 15 % of each plant, or of a usual one where it is shorter, is left out at both ends
+/// (QUALITY.md): when exactly a foot lands is not known. Where a foot leaves the ground within a
+/// plant for longer than kShortestGap it is put down anew, and each stay slides for itself.
 StandingFeet measureStandingFeet(const SoleTracks& soles, const FootPlants& plants,
                                  double frame_time);
 

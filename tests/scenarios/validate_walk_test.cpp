@@ -73,6 +73,12 @@ TEST_F(ValidateWalk, OurOwnWalkTouchesNothingAndHasTheReportsClearance) {
   EXPECT_GE(found.feet.plants, 6);
 }
 
+TEST_F(ValidateWalk, OurOwnWalkSlidesAsItsReportSaysThoughPlantsAreFoundAnew) {
+  const WalkValidation found = validate();
+  EXPECT_NEAR(found.feet.skate_max, result_->report.foot_skate_max, 0.001);
+  EXPECT_LE(found.feet.skate_max, 0.002) << "the bar of QUALITY.md";
+}
+
 TEST_F(ValidateWalk, OurOwnWalkStandsOnTheGround) {
   const WalkValidation found = validate();
   EXPECT_FALSE(found.hovers());
