@@ -1,5 +1,7 @@
 #include "environments/ground/ground_warnings.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -38,19 +40,35 @@ double areaFacingDown(const ScenePiece& piece, const SceneGround& ground) {
   return area;
 }
 
-// Steps of a flight that rise by more are refused, at any going (from 0.25 m on where that is less
-// than the 0.37 m that people's feet and knees need there): knee and thigh meet the next step
-// but one. By trial: 0.30 m over 0.37 m is climbed, 0.32 m is not [m].
-constexpr double kFlightRise = 0.3;
+// Steps of a flight that rise by more are refused: knee and thigh meet the next step but one, or
+// the leg is too short. By trial, of flights of four steps: {going, rise} [m].
+constexpr std::array<std::array<double, 2>, 7> kClimbed = {{{0.28, 0.24},
+                                                            {0.31, 0.275},
+                                                            {0.34, 0.285},
+                                                            {0.37, 0.32},
+                                                            {0.41, 0.34},
+                                                            {0.52, 0.34},
+                                                            {0.60, 0.385}}};
 constexpr double kStepGap = 0.3;  // between a place and the next step [m]
 constexpr double kTread = 0.8;    // longer ones are landings [m]
+
+// The highest rise of a flight that is climbed [m].
+double climbedRise(double going) {
+  if (going <= kClimbed.front()[0]) return kClimbed.front()[1];
+  for (size_t i = 1; i < kClimbed.size(); ++i) {
+    const auto& [g0, r0] = kClimbed[i - 1];
+    const auto& [g1, r1] = kClimbed[i];
+    if (going <= g1) return r0 + (r1 - r0) * (going - g0) / (g1 - g0);
+  }
+  return kClimbed.back()[1];
+}
 
 struct Step {
   Eigen::Vector2i square;
   double height;  // [m, World]
 };
 
-// The next step up from a place that is too high for a flight, no farther than `reach` [m].
+// The next step up from a place that may be too high for a flight, no farther than `reach` [m].
 std::optional<Step> highStep(const GroundCells& cells, const Step& from, const Eigen::Vector2i& way,
                              double reach, double max_climb) {
   Step next = from;
@@ -59,7 +77,7 @@ std::optional<Step> highStep(const GroundCells& cells, const Step& from, const E
     for (const GroundCells::Span& span : cells.spans(next.square.x(), next.square.y())) {
       const double rise = span.height - from.height;
       if (!span.standable || rise < GroundCells::kLevel || rise > max_climb) continue;
-      if (rise <= kFlightRise + 1e-6) return std::nullopt;
+      if (rise <= climbedRise(0.0)) return std::nullopt;
       next.height = span.height;
       return next;
     }
@@ -67,41 +85,94 @@ std::optional<Step> highStep(const GroundCells& cells, const Step& from, const E
   return std::nullopt;
 }
 
-// The highest of the steps of flights, and where it is.
-std::optional<Step> steepestFlight(const GroundCells& cells, double max_climb, double& highest) {
-  std::optional<Step> found;
+// How far from p, along a way, ground of a height begins [m]; none within `reach`.
+std::optional<double> beginOf(const SceneGround& ground, const Eigen::Vector2d& p, double height,
+                              const Eigen::Vector2d& way, double reach) {
+  constexpr double kFine = 0.002;  // [m]
+  for (double d = 0.0; d <= reach; d += kFine) {
+    const Eigen::Vector2d at = p + d * way;
+    if (ground.surface(at.x(), at.y(), height, GroundCells::kLevel)) return d;
+  }
+  return std::nullopt;
+}
+
+// From riser to riser of two steps that were met along a way, square to them [m]; none where their
+// edges are not straight and parallel, as at the corners of a flight.
+std::optional<double> goingOf(const SceneGround& ground, const Eigen::Vector2d& p, const Step& one,
+                              const Step& two, const Eigen::Vector2d& way) {
+  constexpr double kAside = 0.1;      // [m]
+  constexpr double kStraight = 0.01;  // [m]
+  constexpr double kFar = kStepGap + kTread + kAside;
+  std::array<std::array<double, 3>, 2> begin{};  // of each riser: to the right, ahead, to the left
+  for (int riser = 0; riser < 2; ++riser) {
+    for (int side = -1; side <= 1; ++side) {
+      const Eigen::Vector2d from = p + side * kAside * Eigen::Vector2d(-way.y(), way.x());
+      const auto at = beginOf(ground, from, riser == 0 ? one.height : two.height, way, kFar);
+      if (!at) return std::nullopt;
+      begin[riser][side + 1] = *at;
+    }
+  }
+  const double skew = begin[0][2] - begin[0][1];
+  for (const auto& [right, ahead, left] : begin) {
+    if (std::abs(ahead - right - skew) > kStraight || std::abs(left - ahead - skew) > kStraight)
+      return std::nullopt;
+  }
+  return (begin[1][1] - begin[0][1]) * kAside / std::hypot(kAside, skew);
+}
+
+struct Flight {
+  Eigen::Vector3d at;
+  double rise, going, climbed;  // [m]
+};
+
+// What begins at a place, if it is too steep to be climbed.
+std::optional<Flight> steepFlight(const SceneGround& ground, const Step& from,
+                                  const Eigen::Vector2i& way) {
+  const GroundCells& cells = ground.cells();
+  const double max_climb = ground.settings().limits.max_climb;
+  const auto one = highStep(cells, from, way, kStepGap, max_climb);
+  const auto two = one ? highStep(cells, *one, way, kTread, max_climb) : std::nullopt;
+  if (!two) return std::nullopt;
+  const Eigen::Vector2d p = cells.middle(from.square.x(), from.square.y());
+  const auto going = goingOf(ground, p, *one, *two, way.cast<double>());
+  if (!going) return std::nullopt;
+  const double rise = std::min(one->height - from.height, two->height - one->height);
+  const double climbed = climbedRise(*going);
+  if (rise <= climbed + 1e-6) return std::nullopt;
+  return Flight{{p.x(), p.y(), from.height}, rise, *going, climbed};
+}
+
+// That which is most too steep.
+std::optional<Flight> steepestFlight(const SceneGround& ground) {
+  const GroundCells& cells = ground.cells();
+  std::optional<Flight> steepest;
   for (int row = 0; row < cells.rows(); ++row) {
     for (int column = 0; column < cells.columns(); ++column) {
       if (cells.isPlainAround(column, row)) continue;
       for (const GroundCells::Span& span : cells.spans(column, row)) {
         if (!span.standable) continue;
-        const Step from{{column, row}, span.height};
         for (const Eigen::Vector2i& way : {Eigen::Vector2i(1, 0), Eigen::Vector2i(-1, 0),
                                            Eigen::Vector2i(0, 1), Eigen::Vector2i(0, -1)}) {
-          const auto one = highStep(cells, from, way, kStepGap, max_climb);
-          const auto two = one ? highStep(cells, *one, way, kTread, max_climb) : std::nullopt;
-          if (!two || one->height - from.height <= highest) continue;
-          highest = one->height - from.height;
-          found = from;
+          const auto flight = steepFlight(ground, {{column, row}, span.height}, way);
+          const auto over = [](const Flight& f) { return f.rise - f.climbed; };
+          if (flight && (!steepest || over(*flight) > over(*steepest) + 1e-6)) steepest = flight;
         }
       }
     }
   }
-  return found;
+  return steepest;
 }
 
 std::optional<std::string> flightWarning(const SceneGround& ground) {
-  const double max_climb = ground.settings().limits.max_climb;
-  if (max_climb <= kFlightRise) return std::nullopt;
-  double rise = 0.0;
-  const auto step = steepestFlight(ground.cells(), max_climb, rise);
-  if (!step) return std::nullopt;
-  const Eigen::Vector2d at = ground.cells().middle(step->square.x(), step->square.y());
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "steps near (%.1f, %.1f, %.1f) rise by %.2f m one after another: flights of more "
-                "than %.2f m a step are rarely climbed, whatever max_climb is",
-                at.x(), at.y(), step->height, rise, kFlightRise);
+  if (ground.settings().limits.max_climb <= climbedRise(0.0)) return std::nullopt;
+  const auto flight = steepestFlight(ground);
+  if (!flight) return std::nullopt;
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "steps near (%.1f, %.1f, %.1f) rise by %.2f m over %.2f m one after another: flights "
+      "of more than %.2f m a step there are rarely climbed, whatever max_climb is",
+      flight->at.x(), flight->at.y(), flight->at.z(), flight->rise, flight->going, flight->climbed);
   return text;
 }
 
