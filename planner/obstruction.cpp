@@ -40,14 +40,33 @@ std::string placeText(const Eigen::Vector3d& p) {
 
 // How much there is, and what would do.
 std::string measureText(const Obstruction& why) {
+  const bool rises = why.rule == WalkRule::kStepHeight || why.rule == WalkRule::kReach;
   const char* what = why.free                                 ? " away"
-                     : why.rule == WalkRule::kStepHeight      ? " high"
+                     : rises                                  ? " high"
                      : why.other.empty() && !why.part.empty() ? " high"
                                                               : " wide";
   std::string text = ", " + metres(*why.width) + what;
   const bool most = why.needed && *why.needed < *why.width;
   if (why.needed) text += (most && !why.free ? ", at most " : ", needed ") + metres(*why.needed);
   return text;
+}
+
+// What a rule means, where nothing was touched: its name alone says little.
+const char* meaningOf(WalkRule rule) {
+  switch (rule) {
+    case WalkRule::kNoCurve:
+      return " (too near, or too sharp a turn, to walk)";
+    case WalkRule::kStepLength:
+      return " (no whole number of steps fits)";
+    case WalkRule::kTurnRate:
+      return " (a sharper turn than the library's walks)";
+    case WalkRule::kReach:
+      return " (a leg is too short)";
+    case WalkRule::kFoothold:
+      return " (no room for a whole sole)";
+    default:
+      return "";
+  }
 }
 
 Eigen::Vector3d unit(double heading) { return {std::cos(heading), std::sin(heading), 0.0}; }
@@ -125,6 +144,27 @@ class PlaceProbe {
     why.needed = highest;
   }
 
+  // The highest step between two stances, which a leg did not reach: where it is, and how high.
+  void measureRise(Obstruction& why) const {
+    constexpr double kLeast = 0.05;  // a lower one is none [m]
+    const SceneGround& ground = *request_.ground;
+    const Eigen::Vector3d begin = why.at, way = why.body - why.at;
+    const int count = static_cast<int>(way.head<2>().norm() / kGroundStep);
+    std::optional<double> last;
+    double z = begin.z(), highest = kLeast;
+    for (int i = 0; i <= count; ++i) {
+      const Eigen::Vector3d p = begin + way * i / std::max(1, count);
+      const auto here = ground.height(p.x(), p.y(), z, ground.settings().limits.highestStep());
+      if (here && last && std::abs(*here - *last) > highest) {
+        highest = std::abs(*here - *last);
+        why.at << p.x(), p.y(), std::min(*here, *last);
+        why.width = highest;
+      }
+      last = here;
+      if (here) z = *here;
+    }
+  }
+
   // Where the ground between two stances does not let a walk through.
   void measureGround(Obstruction& why) const {
     const SceneGround& ground = *request_.ground;
@@ -154,6 +194,9 @@ class PlaceProbe {
     std::optional<std::pair<Side, Side>> best;
     for (const double ahead : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5}) {
       const Eigen::Vector3d p = refusal.body + ahead * unit(refusal.heading);
+      // Inside of what has ground on it both sides are its own.
+      const double step = request_.ground->settings().limits.highestStep();
+      if (!request_.ground->stand(p.x(), p.y(), p.z(), step)) break;
       const auto left = along(p, refusal.heading + 0.5 * kPi, kLowestProbe);
       const auto right = along(p, refusal.heading - 0.5 * kPi, kLowestProbe);
       if (!left || !right) continue;
@@ -242,7 +285,9 @@ class PlaceProbe {
 };
 
 // The nearest place where the body stands as asked, by any heading where any will do.
-std::optional<Eigen::Vector3d> nearestFree(const Waypoint& end, const Steering& steering) {
+// @param rise  higher, or lower, is another floor [m]
+std::optional<Eigen::Vector3d> nearestFree(const Waypoint& end, double rise,
+                                           const Steering& steering) {
   constexpr double kSpacing = 0.02;  // between rings [m]
   constexpr int kHeadings = 8;
   const SteeringScratchPtr scratch = steering.makeScratch();
@@ -252,7 +297,9 @@ std::optional<Eigen::Vector3d> nearestFree(const Waypoint& end, const Steering& 
         Stance stance = end.stance;
         stance.position += r * unit(2.0 * kPi * i / kProbeDirections);
         stance.heading += 2.0 * kPi * k / kHeadings;
-        if (!steering.stand(stance, *scratch)) return stance.position;
+        const bool stands = !steering.stand(stance, *scratch);
+        if (stands && std::abs(stance.position.z() - end.stance.position.z()) <= rise)
+          return stance.position;
       }
     }
   }
@@ -319,6 +366,8 @@ std::optional<Obstruction> whatStoodInTheWay(const std::vector<SteeringFailure>&
   const PlaceProbe probe(request);
   if (why->rule == WalkRule::kContact)
     probe.measurePassage(refusals, *why);
+  else if (why->rule == WalkRule::kReach)
+    probe.measureRise(*why);
   else
     probe.measureGround(*why);
   return why;
@@ -328,10 +377,14 @@ Obstruction whatBlocks(const SteeringFailure& failure, const Waypoint& end,
                        const PlanRequest& request, const Steering& steering) {
   Obstruction why = *mostOften({failure}, request.world->scene(), request.world->body());
   const PlaceProbe probe(request);
-  const auto near = probe.nearest(end.stance.position);
+  const double step = request.ground->settings().limits.highestStep();
+  const Eigen::Vector3d& place = end.stance.position;
+  // In a thing with ground on it only its sides would be felt, from within.
+  const bool open = request.ground->stand(place.x(), place.y(), place.z(), step).has_value();
+  const auto near = open ? probe.nearest(place) : std::nullopt;
   if (near && why.object.empty()) why.object = near->object;
   if (near && near->object == why.object) why.width = near->distance;
-  why.free = nearestFree(end, steering);
+  why.free = nearestFree(end, step, steering);
   if (!why.free || !why.width) return why;
   const auto there = probe.nearest(*why.free);
   why.needed = std::max(*why.width, there ? there->distance : kFarthestProbe);
@@ -361,11 +414,17 @@ Obstruction whatTheGroundLacks(const GroundGap& gap, const PlanRequest& request)
 }
 
 std::string describe(const Obstruction& why) {
-  std::string text(walkRuleName(why.rule));
+  std::string text = why.via ? "via[" + std::to_string(*why.via) + "] is blocked: " : "";
+  text += walkRuleName(why.rule);
+  text += meaningOf(why.rule);
   if (!why.part.empty()) text += ": " + why.part + " and " + why.object;
   if (why.part.empty() && !why.object.empty()) text += ": " + why.object;
-  if (!why.other.empty()) text += ", between it and " + why.other;
+  if (!why.other.empty())
+    text += ", between " + (why.other == why.object ? "its sides" : "it and " + why.other);
   text += " at " + placeText(why.at);
+  const double way = (why.body - why.at).norm();
+  if (why.part.empty() && !why.width && way > 0.0)
+    text += ", on the way to " + placeText(why.body) + ", " + metres(way);
   if (why.gap > 0.0) text += ", " + metres(why.gap, 3) + " apart";
   if (why.width) text += measureText(why);
   if (why.free) text += "; the nearest place that would do is " + placeText(*why.free);

@@ -63,6 +63,7 @@ struct Obstruction {
   /// have to be [m, >= 0].
   std::optional<double> width, needed;
   std::optional<Eigen::Vector3d> free;  ///< of a blocked end: the nearest place that would do
+  std::optional<int> via;               ///< of a blocked via point: which [>= 0]
   /// Where it happened: the part that touched, or where a walk was to begin [m, World].
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   /// The ground under the body there, and its heading; of what did not touch, where the walk was to
@@ -93,7 +94,7 @@ struct RoadmapPicture {
 
 struct PlanTimes {
   double roadmap = 0.0;  ///< growing it, or a tree [s]
-  double search = 0.0;   ///< the shortest walk on it, as edges
+  double search = 0.0;   ///< whether ground leads there; the shortest walk on it, as edges
   double refine = 0.0;   ///< refinement, animation and the last check
 };
 

@@ -56,6 +56,7 @@ class Plan {
  private:
   static PlanRequest widened(PlanRequest request);
   std::optional<SteeringFailure> settle(const PlanEnd& end, double likely_heading, Waypoint& at);
+  bool isCovered(const Stance& end) const;
   bool settleEnds();
   std::optional<std::vector<WalkEdge>> walkLeg(LegPlanner& planner, const Waypoint& from,
                                                const Waypoint& to);
@@ -91,11 +92,20 @@ std::optional<SteeringFailure> Plan::settle(const PlanEnd& end, double likely_he
   for (int i = 0; i < (end.heading ? 1 : kHeadings); ++i) {
     at.stance.heading =
         end.heading ? *end.heading : wrapAngle(likely_heading + 2.0 * kPi * i / kHeadings);
-    const auto failure = steering_.stand(at.stance, *scratch_);
+    const auto failure = isCovered(at.stance) ? steering_.standHere(at.stance, *scratch_)
+                                              : steering_.stand(at.stance, *scratch_);
     if (!failure) return std::nullopt;
     if (!first) first = failure;
   }
   return first;
+}
+
+// Whether the ground that the end is on lies in something on which there is other ground, as a
+// large bed: it stays there, and is blocked by that.
+bool Plan::isCovered(const Stance& end) const {
+  Stance placed = end;
+  return steering_.place(placed) &&
+         placed.position.z() > end.position.z() + request_.ground->settings().limits.highestStep();
 }
 
 void Plan::refuse(PlanStatus status, Obstruction why) {
@@ -134,6 +144,7 @@ bool Plan::settleEnds() {
              : i == last ? PlanStatus::kGoalBlocked
                          : PlanStatus::kNoWalk,
              whatBlocks(*failure, stops_[i], request_, steering_));
+      if (i > 0 && i < last) outcome_.why->via = static_cast<int>(i) - 1;
       outcome_.proved = true;
       return false;
     }
@@ -212,7 +223,10 @@ void Plan::finish(EdgePath path) {
 }
 
 PlanOutcome Plan::run() {
-  if (settleEnds() && groundLeads()) {
+  const Stopwatch watch;
+  const bool may_be = settleEnds() && groundLeads();
+  outcome_.times.search = watch.seconds();
+  if (may_be) {
     if (auto path = walkAllLegs()) finish(std::move(*path));
   }
   return std::move(outcome_);

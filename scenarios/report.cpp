@@ -101,6 +101,7 @@ Json obstructionJson(const Obstruction& why) {
                {"at", vector(why.at)},           {"width", measured(why.width)},
                {"needed", measured(why.needed)}};
   if (why.free) json["free"] = vector(*why.free);
+  if (why.via) json["via"] = *why.via;
   return json;
 }
 

@@ -141,7 +141,8 @@ std::optional<SurfacePoint> SceneGround::stand(double x, double y, double z, dou
   return over(*nearest);
 }
 
-std::vector<double> SceneGround::floors(double x, double y) const {
+// Heights of all ground there, lowest first; where there is none, of what could be.
+std::vector<double> SceneGround::levels(double x, double y) const {
   std::vector<double> ground, any;
   const auto collect = [&](const TriangleGrid& grid, int t, std::vector<double>& out) {
     if (const auto z = heightOver(grid.triangles()[t], x, y)) out.push_back(*z);
@@ -154,6 +155,11 @@ std::vector<double> SceneGround::floors(double x, double y) const {
   }
   std::vector<double>& heights = ground.empty() ? any : ground;
   std::sort(heights.begin(), heights.end());
+  return heights;
+}
+
+// Of heights, lowest first, those over which is room, one of each level.
+std::vector<double> SceneGround::uncovered(const std::vector<double>& heights) const {
   std::vector<double> floors;
   for (size_t i = 0; i < heights.size(); ++i) {
     // Covered by other ground: what lies under a kerb or a low stair is no floor.
@@ -164,6 +170,10 @@ std::vector<double> SceneGround::floors(double x, double y) const {
     floors.push_back(heights[i]);
   }
   return floors;
+}
+
+std::vector<double> SceneGround::floors(double x, double y) const {
+  return uncovered(levels(x, y));
 }
 
 // What of the cells a floor is part of: of the ground nearest to p in the squares about it; -1 for
@@ -190,18 +200,18 @@ int SceneGround::floorOf(const Eigen::Vector3d& p) const {
 }
 
 std::vector<double> SceneGround::mainFloors(double x, double y) const {
-  const std::vector<double> all = floors(x, y);
+  const std::vector<double> all = levels(x, y);
   std::vector<int> floor_of;
   int largest = -1;
   for (const double height : all) {
     floor_of.push_back(floorOf({x, y, height}));
     if (cells().area(floor_of.back()) > cells().area(largest)) largest = floor_of.back();
   }
-  if (largest < 0) return all;
+  if (largest < 0) return uncovered(all);
   std::vector<double> main;
   for (size_t i = 0; i < all.size(); ++i)
     if (floor_of[i] == largest) main.push_back(all[i]);
-  return main;
+  return uncovered(main);
 }
 
 }  // namespace amble

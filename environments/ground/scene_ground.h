@@ -44,8 +44,9 @@ class SceneGround : public Ground {
   /// put there [m].
   std::vector<double> floors(double x, double y) const;
 
-  /// Those of the floors at (x, y) that a place without a height means: of all that steps join the
-  /// largest that has a floor there, and of that each storey, lowest first [m].
+  /// The floors at (x, y) that a place without a height means: of all that steps join the largest
+  /// that has ground there, be it covered by a smaller one, and of that each storey, lowest first
+  /// [m]. Below a bed that is as large as a floor it is the room's: nobody climbs there.
   std::vector<double> mainFloors(double x, double y) const;
 
   /// The ground where somebody stands who is said to be at a height: that of the nearest floor, or
@@ -72,6 +73,8 @@ class SceneGround : public Ground {
 
  private:
   int floorOf(const Eigen::Vector3d& p) const;
+  std::vector<double> levels(double x, double y) const;
+  std::vector<double> uncovered(const std::vector<double>& heights) const;
 
   struct Parts;
 

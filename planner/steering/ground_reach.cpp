@@ -59,7 +59,7 @@ class Reach {
   }
   bool isInner(const Spot& spot) const;
   bool isFlat(const Spot& spot) const;
-  bool leads(const Spot& a, const Spot& b) const;
+  bool leads(const Spot& a, std::optional<bool>& a_is_flat, const Spot& b) const;
   int numberOf(int floor) {
     return numbers_.emplace(floor, static_cast<int>(numbers_.size())).first->second;
   }
@@ -111,7 +111,8 @@ bool Reach::isFlat(const Spot& spot) const {
 
 // A step from a to b: its height is what the mean of the slopes under both feet does not explain
 // (stepHeight of steps/foot_state.h), each as steep as ground may be unless it is flat there.
-bool Reach::leads(const Spot& a, const Spot& b) const {
+// @param a_is_flat  kept for the next question about a: to find it is what takes time
+bool Reach::leads(const Spot& a, std::optional<bool>& a_is_flat, const Spot& b) const {
   const double way = cells_.cell() * (b.square - a.square).cast<double>().norm();
   if (way > reach_) return false;
   const double rise = std::abs(b.height - a.height) - limits_.highestStep() - kLevel;
@@ -119,7 +120,9 @@ bool Reach::leads(const Spot& a, const Spot& b) const {
   // Each foot may be anywhere over its square.
   const double steepest = 0.5 * std::tan(limits_.max_slope) * (way + 3.0 * cells_.cell());
   if (rise > 2.0 * steepest) return false;
-  return rise <= steepest * ((isFlat(a) ? 0 : 1) + (isFlat(b) ? 0 : 1));
+  if (!a_is_flat) a_is_flat = isFlat(a);
+  if (*a_is_flat) return rise <= steepest && !isFlat(b);
+  return rise <= steepest || !isFlat(b);
 }
 
 // Whether the same floor goes on all around, with nothing over or under it: what is reached from
@@ -148,10 +151,11 @@ void Reach::joinFloors() {
   sets_ = UnionFind(static_cast<int>(numbers_.size()));
   const int far = static_cast<int>(std::ceil(reach_ / cells_.cell()));
   for (const Spot& spot : edges_) {
+    std::optional<bool> is_flat;
     for (int j = -far; j <= far; ++j) {
       for (int i = -far; i <= far; ++i) {
         eachOver(spot.square + Eigen::Vector2i(i, j), [&](const Spot& other) {
-          if (other.floor == spot.floor || !leads(spot, other)) return;
+          if (other.floor == spot.floor || !leads(spot, is_flat, other)) return;
           sets_.join(numberOf(spot.floor), numberOf(other.floor));
         });
       }

@@ -154,9 +154,12 @@ std::vector<Way> waysBetween(const Waypoint& from, const Waypoint& to) {
 }
 
 // Where one may turn, or step aside, from the one to the other: standing, on one level.
-bool onOneFloor(const Waypoint& from, const Waypoint& to) {
+bool isLevel(const Waypoint& from, const Waypoint& to) {
   const double rise = to.stance.position.z() - from.stance.position.z();
-  return std::abs(rise) < SceneGround::kLevel && from.stance.standing && to.stance.standing;
+  return std::abs(rise) < SceneGround::kLevel;
+}
+bool onOneFloor(const Waypoint& from, const Waypoint& to) {
+  return isLevel(from, to) && from.stance.standing && to.stance.standing;
 }
 
 // Turning on the spot from one heading to the other, or by small steps beside it, where there is no
@@ -168,6 +171,7 @@ WalkEdge makeTurn(const Waypoint& from, const Waypoint& to) {
   if (from.any_heading) edge.from.heading = edge.to.heading;
   if (to.any_heading) edge.to.heading = edge.from.heading;
   edge.turn_first = turn(edge.from.heading, edge.to.heading);
+  if (!edge.to.standing && to.any_leading) edge.to.leading = edge.from.leading;
   edge.length = (edge.to.position - edge.from.position).head<2>().norm();
   return edge;
 }
@@ -193,6 +197,14 @@ ClearanceMap::Breadth breadthByHeight(const StraightWalk& walk, const WalkSynthe
       all.bands.push_back({heights[i], heights[i + 1], reach(heights[i], heights[i + 1])});
   }
   return all;
+}
+
+// Whether who walks at the one is at the other as well, without a step.
+bool isThere(const Waypoint& from, const Waypoint& to) {
+  const WalkEdge edge = makeTurn(from, to);
+  return isLevel(from, to) && !from.stance.standing && !to.stance.standing &&
+         std::abs(edge.turn_first) <= kSameHeading &&
+         (to.any_leading || to.stance.leading == from.stance.leading);
 }
 
 }  // namespace
@@ -275,6 +287,11 @@ bool WalkSteering::place(Stance& stance) const {
 
 std::optional<SteeringFailure> WalkSteering::stand(Stance& stance, SteeringScratch& scratch) const {
   if (!place(stance)) return failure(WalkRule::kNoGround, stance, stance);
+  return standHere(stance, scratch);
+}
+
+std::optional<SteeringFailure> WalkSteering::standHere(const Stance& stance,
+                                                       SteeringScratch& scratch) const {
   WalkScratch& own = walkScratch(scratch);
   const WalkResult result = synthesizer_.stand(stance, own.buffer);
   if (result.refused != WalkRule::kNone) return failure(result.refused, stance, stance);
@@ -398,7 +415,7 @@ SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to,
   };
   const Eigen::Vector3d line = to.stance.position - from.stance.position;
   if (line.head<2>().norm() < kSamePlace) {
-    if (onOneFloor(from, to)) passes(makeTurn(from, to));
+    if (onOneFloor(from, to) || isThere(from, to)) passes(makeTurn(from, to));
     return all;
   }
   for (const Way& way : waysBetween(from, to)) {

@@ -39,6 +39,8 @@ class WalkSteering : public Steering {
 
   SteeringScratchPtr makeScratch() const override;
   std::optional<SteeringFailure> stand(Stance& stance, SteeringScratch& scratch) const override;
+  /// The same where the stance is, be it below what the ground is there.
+  std::optional<SteeringFailure> standHere(const Stance& stance, SteeringScratch& scratch) const;
   bool place(Stance& stance) const override;
   SteerResult steer(const Waypoint& from, const Waypoint& to,
                     SteeringScratch& scratch) const override;

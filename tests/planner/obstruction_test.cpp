@@ -116,6 +116,53 @@ TEST(Obstruction, ARuleOfTheGroundNamesThePlaceAndTheHeight) {
   EXPECT_EQ(*why->needed, 0.25);
 }
 
+TEST(Obstruction, ALegThatIsTooShortSaysWhereTheStepIsAndHowHigh) {
+  Scene scene = furnishedScene();
+  scene.objects.push_back(boxObject("plinth", {2.4, 0.9, 0.2}, {4.2, 3.55, 0.1}));
+  const FurnishedRoom room(scene);
+  SteeringFailure refusal{WalkRule::kReach};
+  refusal.at = {1.5, 3.55, 0};
+  refusal.body = {4.5, 3.55, 0.2};
+  const auto why = whatStoodInTheWay({refusal}, requestIn(room));
+  ASSERT_TRUE(why && why->width);
+  EXPECT_NEAR(why->at.x(), 3.0, 0.03);
+  EXPECT_NEAR(*why->width, 0.2, 1e-6);
+  const std::string line = describe(*why);
+  EXPECT_TRUE(holds(line, "reach (a leg is too short) at (3.0") && holds(line, "0.20 m high"))
+      << line;
+}
+
+TEST(Obstruction, WhatNothingTouchedSaysFromWhereToWhereAndHowFar) {
+  SteeringFailure refusal{WalkRule::kNoCurve};
+  refusal.at = {1.0, 1.0, 0};
+  refusal.body = {1.3, 1.4, 0};
+  const auto why = whatStoodInTheWay({refusal}, requestIn(furnishedRoom()));
+  ASSERT_TRUE(why.has_value());
+  const std::string line = describe(*why);
+  EXPECT_TRUE(holds(line, "on the way to (1.30, 1.40, 0.00), 0.50 m")) << line;
+}
+
+TEST(Obstruction, InsideOfWhatIsWalkedOnIsNoPassage) {
+  // Walks that lead into a bed with ground on it: its own sides are no two things to walk between.
+  Scene scene;
+  scene.objects = {boxObject("floor", {12, 8, 0.1}, {6, 4, -0.05}),
+                   boxObject("bed", {2.5, 2.5, 0.5}, {6, 4, 0.25})};
+  const FurnishedRoom room(scene);
+  std::vector<SteeringFailure> refusals;
+  for (const double heading : {20.0, 35.0, 50.0, 65.0}) {
+    SteeringFailure refusal = contact(2, 1, {4.9, 3.1, 0.36});
+    refusal.body.x() = 4.7;
+    refusal.body.y() = 3.0;
+    refusal.heading = heading * kDegree;
+    refusals.push_back(refusal);
+  }
+  const auto why = whatStoodInTheWay(refusals, requestIn(room));
+  ASSERT_TRUE(why.has_value());
+  EXPECT_EQ(why->object, "bed");
+  EXPECT_EQ(why->other, "") << describe(*why);
+  EXPECT_FALSE(why->width.has_value());
+}
+
 TEST(Obstruction, WhereTheGroundEndsItsGapIsMeasured) {
   Scene scene;
   scene.objects = {boxObject("west", {3, 6, 0.1}, {1.5, 3, -0.05}),

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/rotation.h"
+#include "planner/obstruction.h"
 #include "planner/steering/walk_steering.h"
 #include "tests/planner/furnished_room.h"
 
@@ -120,6 +121,18 @@ TEST(PlanWalk, BlockedEndsAreNamed) {
   EXPECT_EQ(goal.why->object, "wall");
 }
 
+TEST(PlanWalk, ABlockedViaPointIsNamedByItsNumber) {
+  PlanRequest request = requestIn(furnishedRoom());
+  request.via = {{1.2, 2.8, 0}, {4.5, 1.2, 0}};
+  const PlanOutcome outcome = planWalk(request);
+  EXPECT_EQ(outcome.status, PlanStatus::kNoWalk);
+  EXPECT_TRUE(outcome.proved);
+  ASSERT_TRUE(outcome.why.has_value());
+  EXPECT_EQ(outcome.why->object, "table");
+  EXPECT_EQ(outcome.why->via, 1);
+  EXPECT_EQ(describe(*outcome.why).find("via[1]"), 0u) << describe(*outcome.why);
+}
+
 TEST(PlanWalk, ThatASealedPassageLeavesNoWalkIsProvedAndSaysByWhat) {
   Scene scene = furnishedScene();
   scene.objects.push_back(boxObject("door", {0.1, 0.9, 2.5}, {3, 3.55, 1.25}));
@@ -190,6 +203,20 @@ TEST(PlanWalk, GoalAtTheStartIsAWalkThatStands) {
   const PlanOutcome outcome = planWalk(request);
   EXPECT_EQ(outcome.status, PlanStatus::kSolved);
   EXPECT_EQ(outcome.walk.buffer.size(), 1);
+}
+
+TEST(PlanWalk, WhoWalksWhereHeIsToWalkIsThereWithoutAStep) {
+  PlanRequest request = requestIn(furnishedRoom());
+  request.start.standing = request.goal.standing = false;
+  request.goal.position = request.start.position;
+  for (const bool any : {false, true}) {
+    request.goal.heading = any ? std::optional<double>() : request.start.heading;
+    const PlanOutcome outcome = planWalk(request);
+    ASSERT_EQ(outcome.status, PlanStatus::kSolved);
+    EXPECT_EQ(outcome.walk.buffer.size(), 1);
+    EXPECT_EQ(outcome.walk.path.length(), 0.0);
+    EXPECT_EQ(outcome.walk.buffer.states[0].standing, 0.0) << "in the middle of a step";
+  }
 }
 
 TEST(PlanWalk, GoalsNearerThanAShortWalkAreTwoSmallSteps) {

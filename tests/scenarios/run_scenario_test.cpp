@@ -177,6 +177,26 @@ TEST_F(RunScenario, AGoalInAThingIsBlockedAndWhyNamesIt) {
   EXPECT_TRUE(holds(result.report.why, "pillar")) << result.report.why;
 }
 
+TEST_F(RunScenario, AnEndInABedIsBlockedByItHoweverLargeTheBedIs) {
+  for (const std::string side : {"1.6", "2.5"}) {
+    write("bed.yaml",
+          "name: bedroom\nobjects:\n"
+          "  - {name: floor, box: {size: [9, 6, 0.1]}, at: [4.5, 3, -0.05]}\n"
+          "  - {name: bed, box: {size: [" +
+              side + ", " + side + ", 0.5]}, at: [6.5, 3, 0.25]}\n");
+    const RunResult goal = run("scene: bed.yaml\nstart: {at: [1, 3]}\ngoal: {at: [6.5, 3]}\n");
+    EXPECT_EQ(goal.report.status, PlanStatus::kGoalBlocked) << side;
+    const RunResult start = run("scene: bed.yaml\nstart: {at: [6.5, 3]}\ngoal: {at: [1, 3]}\n");
+    EXPECT_EQ(start.report.status, PlanStatus::kStartBlocked) << side;
+    for (const RunResult* result : {&goal, &start}) {
+      EXPECT_TRUE(holds(result->report.why, "and bed at (")) << result->report.why;
+      EXPECT_LT(result->outcome.why->width.value_or(0.0), 0.1) << "it is in it";
+      ASSERT_TRUE(result->outcome.why && result->outcome.why->free);
+      EXPECT_NEAR(result->outcome.why->free->z(), 0.0, 1e-9) << "not on the bed";
+    }
+  }
+}
+
 TEST_F(RunScenario, BehindAWallThereIsNoWalkAndWhyNamesTheWall) {
   write("scene.yaml", std::string(kScene) +
                           "  - {name: divider, box: {size: [0.1, 3, 2.5]}, at: [3, 1.5, 1.25]}\n");

@@ -226,6 +226,17 @@ TEST(MainFloors, AreOfWhatCanBeWalkedToNotOfACupboardsTop) {
     EXPECT_EQ(ground.mainFloors(place.at.x(), place.at.y()), std::vector<double>{0.0});
 }
 
+TEST(MainFloors, BelowABedAsLargeAsAFloorAreOfTheRoomHoweverLargeItIs) {
+  for (const double side : {1.6, 2.0, 2.5, 4.0}) {
+    const SceneGround ground(
+        sceneOf({floorSlab(), makeObject("bed", Box{{side, side, 0.5}}, {0, 0, 0.25})}));
+    EXPECT_EQ(ground.mainFloors(0, 0), std::vector<double>{0.0}) << side;
+  }
+  // Who can climb it stands on it.
+  const SceneGround low(sceneOf({floorSlab(), makeObject("stage", Box{{4, 4, 0.2}}, {0, 0, 0.1})}));
+  EXPECT_EQ(low.mainFloors(0, 0), std::vector<double>{0.2});
+}
+
 TEST(MainFloors, OfStoreysThatStepsJoinAreListed) {
   std::vector<SceneObject> objects = stairs(15, 0.2, 0.3);
   objects.push_back(floorSlab());
