@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <vector>
 
 #include "tests/app/program.h"
 
@@ -38,6 +39,12 @@ class Options : public InRoom {
       if (longer != word.npos && !word.ends_with("--help")) names.insert(word.substr(longer));
     }
     return names;
+  }
+  /// The same of a table in parts.
+  void expectAll(const std::string& command, const std::vector<Uses>& parts) const {
+    Uses all;
+    for (const Uses& part : parts) all.insert(part.begin(), part.end());
+    expectEach(command, all);
   }
   void expectEach(const std::string& command, const Uses& uses) const {
     std::set<std::string> used;
