@@ -4,7 +4,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include "animation/captures/bvh.h"
+#include "animation/captures/motion_reader.h"
 #include "animation/clips/floor_fit.h"
+#include "animation/clips/mirror_clip.h"
 #include "animation/quality/walk_quality.h"
 #include "base/rotation.h"
 #include "tests/animation/captures.h"
@@ -189,6 +191,51 @@ TEST(GaitMeasuresOfCaptures, SpeedAndStepsOfSteadyWalksAreThoseOfTheManifest) {
 
 /// QUALITY.md's figures for real clips, medians over a set of walks: our definitions give them
 /// back.
+TEST(GaitMeasuresOfCaptures, OfAMirrorImageAreThoseOfTheOtherFootAndTheOtherTurn) {
+  AMBLE_NEEDS_CAPTURES();
+  for (const Capture& capture : captures()) {
+    if (capture.path != "accad_female1/Female1_B03_Walk1.bvh" &&
+        capture.path != "accad_female1/Female1_B09_WalkTurnLeft90.bvh")
+      continue;
+    JointRoles roles;
+    const Clip clip = levelled(capture, roles), image = mirrorClip(clip, roles);
+    const FootPlants plants = detectPlants(clip, roles);
+    FootPlants mirrored = plants;
+    std::swap(mirrored.plants[kLeft], mirrored.plants[kRight]);
+    const GaitMeasures a = measureGait(clip, roles, plants);
+    const GaitMeasures b = measureGait(image, roles, mirrored);
+    // The rig's left and right differ by millimetres.
+    EXPECT_NEAR(b.speed, a.speed, 0.005);
+    EXPECT_NEAR(b.turn_rate, -a.turn_rate, 0.02);
+    EXPECT_NEAR(b.step_length, a.step_length, 0.01);
+    EXPECT_NEAR(b.step_width, a.step_width, 0.01);
+    EXPECT_NEAR(b.double_support, a.double_support, 1e-9);
+    EXPECT_NEAR(b.cadence, a.cadence, 1e-9);
+    ASSERT_EQ(b.steps.size(), a.steps.size());
+    for (size_t i = 0; i < a.steps.size(); ++i) EXPECT_EQ(b.steps[i].side, other(a.steps[i].side));
+  }
+}
+
+TEST(GaitMeasuresOfCaptures, WhichWayAWalkFacesIsNothingToThem) {
+  AMBLE_NEEDS_CAPTURES();
+  const auto file = sharedFolder() / "mocap/accad_female1/Female1_B09_WalkTurnLeft90.bvh";
+  std::optional<GaitMeasures> first;
+  for (const double facing : {0.0, 1.1, -2.7}) {
+    const CapturedMotion motion = readMotion(file, {.facing = facing});
+    const GaitMeasures gait =
+        measureGait(motion.clip, motion.roles, detectPlants(motion.clip, motion.roles));
+    if (!first) first = gait;
+    EXPECT_NEAR(gait.speed, first->speed, 1e-6);
+    EXPECT_NEAR(gait.turn_rate, first->turn_rate, 1e-6);
+    // Where a foot stood is a median, by axis.
+    EXPECT_NEAR(gait.step_length, first->step_length, 5e-4);
+    EXPECT_NEAR(gait.step_width, first->step_width, 5e-4);
+    EXPECT_NEAR(gait.lift, first->lift, 5e-4);
+    EXPECT_NEAR(gait.toe_skate, first->toe_skate, 1e-6);
+    EXPECT_EQ(gait.steps.size(), first->steps.size());
+  }
+}
+
 TEST(GaitMeasuresOfCaptures, AreQualitysFiguresForRealClips) {
   AMBLE_NEEDS_CAPTURES();
   std::vector<double> skate, drift, root, pop, support;

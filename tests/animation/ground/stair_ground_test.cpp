@@ -35,5 +35,27 @@ TEST(StairGround, TheSameFlightWalkedTheOtherWayIsTheSameGround) {
   }
 }
 
+// From its nosing to the next: as long as the going, level, a rise over the one before.
+TEST(StairGround, EveryTreadIsAsLongAsTheGoingWhicheverWayTheFlightLies) {
+  for (const double rise : {0.17, -0.21}) {
+    for (const double heading : {0.0, 0.7, kPi, -2.0}) {
+      const Stairs stairs{
+          .rise = rise, .going = 0.29, .count = 6, .start = 1.3, .heading = heading};
+      const StairGround ground(stairs);
+      const Eigen::Vector2d way(std::cos(heading), std::sin(heading)), aside(-way.y(), way.x());
+      for (int tread = 0; tread <= stairs.count; ++tread) {
+        const double begin = stairs.start + (tread - 1) * stairs.going;
+        for (const double along : {0.01, 0.5, 0.99}) {
+          const Eigen::Vector2d p = (begin + along * stairs.going) * way + 3.0 * aside;
+          const auto here = ground.surface(p.x(), p.y(), 0.0, 2.0);
+          ASSERT_TRUE(here.has_value());
+          EXPECT_NEAR(here->height, tread * rise, 1e-12) << tread << " " << along;
+          EXPECT_EQ(here->normal, Eigen::Vector3d::UnitZ());
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace amble

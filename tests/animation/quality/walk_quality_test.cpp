@@ -63,9 +63,15 @@ TEST(QualityAnchors, ScaleFollowsFroude) {
 class JudgeWalk : public testing::Test {
  protected:
   JudgeWalk() : library_(openMotionLibrary("default")), synthesizer_(library_, ground_, {}) {
+    walkFrom({0, 0, 0}, 0.0);
+  }
+  void walkFrom(const Eigen::Vector3d& place, double heading) {
     Stance from, to;
-    to.position = {6.0, 0.0, 0.0};
-    const RootPath path({makeBezier(from.position.head<2>(), 0.0, to.position.head<2>(), 0.0)});
+    from.position = place;
+    to.position = place + 6.0 * Eigen::Vector3d(std::cos(heading), std::sin(heading), 0.0);
+    from.heading = to.heading = heading;
+    const RootPath path(
+        {makeBezier(from.position.head<2>(), heading, to.position.head<2>(), heading)});
     EXPECT_EQ(synthesizer_.walk(from, to, path, true, walk_).refused, WalkRule::kNone);
     clip_ = {"walk", synthesizer_.skeleton(), walk_.frame_time, walk_.poses, {}};
   }
@@ -116,6 +122,41 @@ TEST_F(JudgeWalk, AWalkFasterThanItsPlanIsNotWhatWasAsked) {
   for (int i = 0; i < clip_.frames(); ++i) clip_.poses.p_WR(i).x() *= 1.2;
   EXPECT_NEAR(line("speed, achieved against asked").value, 0.2, 0.03);
   EXPECT_FALSE(line("speed, achieved against asked").holds());
+}
+
+TEST_F(JudgeWalk, WhereAWalkIsAndWhichWayItFacesIsNothingToItsQuality) {
+  const auto here = judged();
+  walkFrom({-40.0, 7.5, 0.0}, 2.5);
+  const auto there = judged();
+  ASSERT_EQ(there.size(), here.size());
+  for (size_t i = 0; i < here.size(); ++i) {
+    EXPECT_EQ(there[i].measure, here[i].measure);
+    EXPECT_NEAR(there[i].value, here[i].value, 1e-6 * std::max(1.0, std::abs(here[i].value)))
+        << here[i].measure;
+    EXPECT_NEAR(there[i].bar, here[i].bar, 1e-6 * std::max(1.0, here[i].bar)) << here[i].measure;
+  }
+}
+
+TEST_F(JudgeWalk, AJointThatFlipsOverForAFrameIsAPopAndAJerk) {
+  const int arm = synthesizer_.roles().arms[kLeft].arm;
+  Eigen::Quaterniond& q = clip_.poses.rotations(clip_.frames() / 2)[arm];
+  q = q * Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX());
+  EXPECT_FALSE(line("pops").holds());
+}
+
+TEST_F(JudgeWalk, AKneeThatBendsBackwardsIsSeenForAsLongAsItDoes) {
+  EXPECT_EQ(line("knee backwards").value, 0.0);
+  const int knee = synthesizer_.roles().legs[kRight].leg;
+  Eigen::AngleAxisd most(0.0, Eigen::Vector3d::UnitX());
+  for (int i = 0; i < clip_.frames(); ++i) {
+    const Eigen::AngleAxisd bend(clip_.poses.rotations(i)[knee]);
+    if (bend.angle() > most.angle()) most = bend;
+  }
+  const int tenth = clip_.frames() / 10;
+  for (int i = 0; i < tenth; ++i)
+    clip_.poses.rotations(i)[knee] = Eigen::AngleAxisd(-0.6, most.axis());
+  EXPECT_NEAR(line("knee backwards").value, 0.1, 0.01);
+  EXPECT_FALSE(line("knee backwards").holds());
 }
 
 TEST_F(JudgeWalk, ASunkenFrameIsPenetration) {

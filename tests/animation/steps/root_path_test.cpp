@@ -56,6 +56,23 @@ TEST(RootPath, ArcLengthIsThatOfAFinePolyline) {
   }
 }
 
+TEST(RootPath, WalkedTheOtherWayIsAsLongAndBendsTheOtherWay) {
+  Generator generator(31);
+  for (int k = 0; k < 50; ++k) {
+    const Bezier there = randomBezier(generator, {1.0, -2.0}, nullptr);
+    const Bezier back = there.rowwise().reverse();
+    const RootPath a({there}), b({back});
+    ASSERT_NEAR(a.length(), b.length(), 1e-6 * a.length());
+    for (const double share : {0.1, 0.35, 0.5, 0.8}) {
+      const RootPath::Sample here = a.at(share * a.length()),
+                             same = b.at((1.0 - share) * b.length());
+      EXPECT_LT((here.position - same.position).norm(), 1e-5);
+      EXPECT_NEAR(std::cos(here.heading - same.heading), -1.0, 1e-6);
+      EXPECT_NEAR(here.curvature, -same.curvature, 1e-3 * std::max(1.0, std::abs(here.curvature)));
+    }
+  }
+}
+
 TEST(RootPath, EndsAreTheControlPointsAndHeadingsThatWereGiven) {
   Generator generator(32);
   for (int i = 0; i < 30; ++i) {
