@@ -11,12 +11,6 @@
 #pragma once
 
 #include <algorithm>
-#include <span>
-#include <vector>
-
-#include "animation/body/pose.h"
-#include "animation/body/skeleton.h"
-#include "environments/body/body.h"
 
 namespace amble {
 
@@ -35,33 +29,6 @@ struct PartMotion {
   double near(double chord) const { return std::min(0.5 * path, 0.5 * chord + bend) + kRounding; }
 
   static constexpr double kRounding = 1e-9;  ///< [m]
-};
-
-class MotionBound {
- public:
-  MotionBound(const Skeleton& skeleton, const Body& body);
-
-  /// What is known of a joint on the way from the root, over one interval.
-  struct Turned {
-    double angle;   ///< theta_1 + ... + theta_j of the joints down to this one [rad]
-    double path;    ///< of its origin, at most [m]
-    double second;  ///< A of its origin [m]
-  };
-  /// Fills `motions`, one a part. `turned` is scratch, one a joint.
-  void compute(PoseView a, PoseView b, std::span<PartMotion> motions,
-               std::span<Turned> turned) const;
-
- private:
-  struct Part {
-    int joint;
-    double length;  // from its joint's origin to the farther end of its axis [m]
-  };
-  struct Link {
-    int parent;
-    double offset;  // length of the joint's [m]
-  };
-  std::vector<Link> links_;  // by joint
-  std::vector<Part> parts_;
 };
 
 }  // namespace amble

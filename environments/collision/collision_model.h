@@ -10,7 +10,7 @@
 
 #include "animation/body/pose.h"
 #include "environments/body/body.h"
-#include "environments/body/motion_bound.h"
+#include "environments/body/body_track.h"
 #include "environments/collision/contact.h"
 #include "environments/collision/scene_layers.h"
 
@@ -27,10 +27,10 @@ class CollisionScratch {
   CollisionScratch(int joint_count, int part_count)
       : parts(part_count),
         joints(joint_count),
-        turned(joint_count),
         from(part_count),
         to(part_count),
-        exact(ObstacleSet::makeScratch()) {
+        exact(ObstacleSet::makeScratch()),
+        lanes(static_cast<size_t>(joint_count) * kLaneScratch) {
     middle.rotations.resize(joint_count);
   }
 
@@ -40,31 +40,34 @@ class CollisionScratch {
     if (capsules.size() < cells) capsules.resize(cells);
     if (free_around.size() < cells) free_around.resize(cells);
     placed.assign(frames, false);
-    if (all_motions.size() < cells) all_motions.resize(cells);
-    if (nears.size() < cells) nears.resize(cells);
+    if (motions.nears.size() < cells) {
+      motions.bounds.resize(cells);
+      motions.nears.resize(cells);
+    }
   }
   Capsule& capsule(int frame, int part) {
     return capsules[static_cast<size_t>(frame) * parts + part];
   }
-  PartMotion& motion(int frame, int part) {
-    return all_motions[static_cast<size_t>(frame) * parts + part];
+  const PartMotion& motion(int frame, int part) const {
+    return motions.bounds[static_cast<size_t>(frame) * parts + part];
   }
-  double& near(int frame, int part) { return nears[static_cast<size_t>(frame) * parts + part]; }
+  double near(int frame, int part) const {
+    return motions.nears[static_cast<size_t>(frame) * parts + part];
+  }
   FreeAround& freeAround(int frame, int part) {
     return free_around[static_cast<size_t>(frame) * parts + part];
   }
 
   int parts;
   std::vector<JointFrame> joints;
-  std::vector<MotionBound::Turned> turned;
   std::vector<Eigen::Vector3d> from, to;
   ObstacleSet::ScratchPtr exact;
   Pose middle;
-  // [frame][part]: places, where `placed`; motion to the next frame and PartMotion::near of it [m];
-  // of what the part was proved free as far as it moves in the intervals beside the frame.
+  BodyTrack::Scratch lanes;
+  // [frame][part]: places, where `placed`; motion to the next frame; of what the part was proved
+  // free as far as it moves in the intervals beside the frame.
   std::vector<Capsule> capsules;
-  std::vector<PartMotion> all_motions;
-  std::vector<double> nears;
+  BodyTrack::Motions motions;
   std::vector<FreeAround> free_around;
   std::vector<bool> placed;
 };
@@ -79,13 +82,13 @@ struct CollisionModel {
       : scene(scene_in),
         skeleton(skeleton_in),
         body(body_in),
-        bound(skeleton_in, body_in),
+        track(skeleton_in, body_in),
         layers(scene_in, ground_in, stop, checker) {}
 
   const Scene& scene;
   Skeleton skeleton;
   Body body;
-  MotionBound bound;
+  BodyTrack track;
   SceneLayers layers;
 
   int parts() const { return static_cast<int>(body.parts.size()); }

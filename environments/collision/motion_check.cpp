@@ -1,6 +1,7 @@
 #include "environments/collision/motion_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace amble {
@@ -12,18 +13,30 @@ double chordOf(const Capsule& a, const Capsule& b) {
 
 }  // namespace
 
-void MotionCheck::place(int frame) {
-  if (scratch_.placed[frame]) return;
-  world_.place(poses_[frame], scratch_,
-               {&scratch_.capsule(frame, 0), static_cast<size_t>(world_.parts())});
-  scratch_.placed[frame] = true;
+// Those of frames [first, last) that are not placed yet, every `step`th.
+void MotionCheck::place(int first, int last, int step) {
+  std::array<int, kAhead + 1> missing;
+  int count = 0;
+  const auto flush = [&] {
+    world_.track.place(poses_, {missing.data(), static_cast<size_t>(count)}, scratch_.capsules,
+                       scratch_.lanes);
+    count = 0;
+  };
+  for (int frame = first; frame < std::min(last, poses_.size()); frame += step) {
+    if (scratch_.placed[frame]) continue;
+    scratch_.placed[frame] = true;
+    missing[count++] = frame;
+    if (count == static_cast<int>(missing.size())) flush();
+  }
+  flush();
 }
 
 std::optional<Contact> MotionCheck::coarse() {
   for (size_t level = 0; level < kStrides.size(); ++level) {
-    for (int frame = 0; frame < poses_.size(); frame += kStrides[level]) {
+    const int stride = kStrides[level];
+    for (int frame = 0; frame < poses_.size(); frame += stride) {
       if (level > 0 && frame % kStrides[level - 1] == 0) continue;
-      place(frame);
+      place(frame, frame + 4 * stride, stride);
       for (int part = 0; part < world_.parts(); ++part) {
         const int object = world_.touchedAt(placed(frame), part, soles_[frame], scratch_);
         if (object >= 0) return Contact{frame, 0.0, part, object, 0.0};
@@ -36,8 +49,7 @@ std::optional<Contact> MotionCheck::coarse() {
 std::optional<Contact> MotionCheck::all(bool any) {
   const int frames = poses_.size();
   for (int frame = 0; frame < frames; ++frame) {
-    place(frame);
-    if (frame + 1 < frames) measureInterval(frame);
+    if (frame % kAhead == 0) prepare(frame);
     const std::optional<Contact> here = checkFrame(frame);
     if (any && here) return here;
     // What happens before this frame comes first, unless it is the same contact, whose beginning it
@@ -51,15 +63,10 @@ std::optional<Contact> MotionCheck::all(bool any) {
   return std::nullopt;
 }
 
-void MotionCheck::measureInterval(int frame) {
-  place(frame + 1);
-  const size_t parts = static_cast<size_t>(world_.parts());
-  world_.bound.compute(poses_[frame], poses_[frame + 1], {&scratch_.motion(frame, 0), parts},
-                       scratch_.turned);
-  for (int part = 0; part < world_.parts(); ++part) {
-    const double chord = chordOf(scratch_.capsule(frame, part), scratch_.capsule(frame + 1, part));
-    scratch_.near(frame, part) = scratch_.motion(frame, part).near(chord);
-  }
+void MotionCheck::prepare(int frame) {
+  const int last = std::min(frame + kAhead, poses_.size() - 1);
+  place(frame, last + 1, 1);
+  world_.track.measure(poses_, frame, last, scratch_.capsules, scratch_.motions, scratch_.lanes);
 }
 
 // Leaves in freeAround of what a part is free as far as it moves in the intervals beside the frame.

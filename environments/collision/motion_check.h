@@ -43,11 +43,14 @@ class MotionCheck {
     double depth;  // allowed in the ground [m]
   };
 
-  void place(int frame);
+  // Frames that are placed and measured at once, ahead of the one that is asked for.
+  static constexpr int kAhead = 16;
+
+  void place(int first, int last, int step);
   std::span<const Capsule> placed(int frame) const {
     return {&scratch_.capsule(frame, 0), static_cast<size_t>(world_.parts())};
   }
-  void measureInterval(int frame);
+  void prepare(int frame);
   std::optional<Contact> checkFrame(int frame);
   std::optional<Contact> checkInterval(int frame);
   bool groundIsFree(const Task& task, const Capsule& a, const Capsule& b, const PartMotion& motion,

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
+#include "environments/body/body_track.h"
 #include "tests/environments/test_walker.h"
 
 namespace amble {
@@ -39,11 +41,17 @@ Pose moved(const Pose& pose, double angle, double way, std::mt19937_64& generato
 }
 
 std::vector<PartMotion> motionsOf(const TestWalker& walker, const Pose& a, const Pose& b) {
-  const MotionBound bound(walker.skeleton, walker.body);
-  std::vector<PartMotion> motions(walker.body.parts.size());
-  std::vector<MotionBound::Turned> turned(walker.skeleton.size());
-  bound.compute(a, b, motions, turned);
-  return motions;
+  PoseArray poses(walker.skeleton.size());
+  poses.append(a);
+  poses.append(b);
+  const BodyTrack track(walker.skeleton, walker.body);
+  BodyTrack::Scratch scratch = track.makeScratch();
+  const size_t parts = walker.body.parts.size();
+  std::vector<Capsule> capsules(2 * parts);
+  BodyTrack::Motions motions{std::vector<PartMotion>(parts), std::vector<double>(parts)};
+  track.place(poses, std::array{0, 1}, capsules, scratch);
+  track.measure(poses, 0, 1, capsules, motions, scratch);
+  return motions.bounds;
 }
 
 TEST(MotionBound, HoldsAtEveryMomentOfRandomMotions) {
