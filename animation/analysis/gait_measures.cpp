@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
@@ -204,14 +205,27 @@ StepMeasure stepTo(const GaitMeasures& measures, size_t landing,
 // A plant whose strike is in the clip.
 bool struck(const PlantMeasures& plant) { return plant.plant.first > 0; }
 
-void measureSteps(const std::vector<Eigen::Vector3d>& pelvis,
-                  const std::array<FootTrack, 2>& tracks, double frame_time, GaitMeasures& result) {
+// Whether with the last step the foot was only put beside the other one, and both stand there to
+// the end.
+bool endsClosed(const GaitMeasures& measures, int frames) {
+  constexpr double kBeside = 0.5;  // of the others' mean length
+  if (measures.steps.size() < 2) return false;
+  for (size_t i = measures.plants.size() - 2; i < measures.plants.size(); ++i) {
+    if (measures.plants[i].plant.last < frames - 1) return false;
+  }
+  double others = 0.0;
+  for (const StepMeasure& step : measures.steps) others += step.stride;
+  const double last = measures.steps.back().stride;
+  others = (others - last) / static_cast<double>(measures.steps.size() - 1);
+  return last < kBeside * others;
+}
+
+// Means of all steps but one that closes the walk: it has no length.
+void averageSteps(int frames, GaitMeasures& result) {
   std::array<std::vector<double>, 2> lengths, times;
   std::vector<double> all_lengths, all_times, widths, lifts, strides, clearances;
-  for (size_t i = 1; i < result.plants.size(); ++i) {
-    if (result.plants[i].side == result.plants[i - 1].side || !struck(result.plants[i - 1]))
-      continue;
-    const StepMeasure step = stepTo(result, i, pelvis, tracks, frame_time);
+  const std::span<const StepMeasure> steps(result.steps);
+  for (const StepMeasure& step : steps.first(steps.size() - endsClosed(result, frames))) {
     lengths[step.side].push_back(step.stride);
     times[step.side].push_back(step.duration);
     all_lengths.push_back(step.stride);
@@ -220,7 +234,6 @@ void measureSteps(const std::vector<Eigen::Vector3d>& pelvis,
     if (step.lift > 0.0) lifts.push_back(step.lift);
     if (step.two_steps > 0.0) strides.push_back(step.two_steps);
     if (step.two_steps > 0.0) clearances.push_back(step.toe_clearance);
-    result.steps.push_back(step);
   }
   result.step_length = mean(all_lengths);
   result.step_time = mean(all_times);
@@ -231,6 +244,16 @@ void measureSteps(const std::vector<Eigen::Vector3d>& pelvis,
   result.toe_clearance = mean(clearances);
   result.length_asymmetry = asymmetry(lengths, kShortestStep);
   result.time_asymmetry = asymmetry(times, kShortestTime);
+}
+
+void measureSteps(const std::vector<Eigen::Vector3d>& pelvis,
+                  const std::array<FootTrack, 2>& tracks, double frame_time, GaitMeasures& result) {
+  for (size_t i = 1; i < result.plants.size(); ++i) {
+    if (result.plants[i].side == result.plants[i - 1].side || !struck(result.plants[i - 1]))
+      continue;
+    result.steps.push_back(stepTo(result, i, pelvis, tracks, frame_time));
+  }
+  averageSteps(static_cast<int>(pelvis.size()), result);
 }
 
 /// Whole strides of the foot that has the longer span of them.

@@ -61,8 +61,9 @@ struct GaitMeasures {
   double turn_rate = 0.0;         ///< of the pelvis' heading, mean, left positive [rad/s]
   double peak_turn_rate = 0.0;    ///< over any 0.5 s, whole clip [rad/s, >= 0]
   double cadence = 0.0;           ///< steps a minute [>= 0]
-  double step_length = 0.0;       ///< mean of the steps' stride [m]
-  double step_time = 0.0;         ///< mean [s, >= 0]
+  /// Means of all steps but one that closes a walk which ends standing: it has no length.
+  double step_length = 0.0;          ///< of the steps' stride [m]
+  double step_time = 0.0;            ///< [s, >= 0]
   double step_time_variation = 0.0;  ///< standard deviation of step times over their mean [1, >= 0]
   double step_width = 0.0;           ///< mean [m]
   double stride_length = 0.0;        ///< mean of two steps, of those seen [m, >= 0]

@@ -7,7 +7,9 @@
 #include "animation/captures/motion_reader.h"
 #include "animation/clips/floor_fit.h"
 #include "animation/clips/mirror_clip.h"
+#include "animation/library/motion_library_reader.h"
 #include "animation/quality/walk_quality.h"
+#include "animation/synthesis/walk_synthesizer.h"
 #include "base/rotation.h"
 #include "tests/animation/captures.h"
 #include "tests/animation/puppet.h"
@@ -123,6 +125,38 @@ TEST(GaitMeasures, StepsOnTheSpotHaveNoAsymmetryOfLength) {
   ASSERT_GE(gait.steps.size(), 6u);
   EXPECT_FALSE(gait.length_asymmetry.has_value());
   EXPECT_NEAR(gait.time_asymmetry.value(), 0.2, 0.02);
+}
+
+// A walk of the default library that ends standing, and the same cut off in its last step but one.
+TEST(GaitMeasures, TheStepThatClosesAWalkIsNoneOfItsMeans) {
+  const MotionLibrary library = openMotionLibrary("default");
+  const FlatGround ground;
+  const WalkSynthesizer walker(library, ground, {});
+  Stance from, to;
+  to.position.x() = 6.0;
+  const RootPath path({makeBezier(from.position.head<2>(), 0.0, to.position.head<2>(), 0.0)});
+  AnimationBuffer walk;
+  ASSERT_EQ(walker.walk(from, to, path, true, walk).refused, WalkRule::kNone);
+  Clip clip{"walk", walker.skeleton(), walk.frame_time, walk.poses, {}};
+  const auto measuredTo = [&](int frames) {
+    std::array<std::vector<bool>, 2> planted;
+    for (int i = 0; i < frames; ++i) {
+      for (const Side side : {kLeft, kRight}) {
+        planted[side].push_back(walk.states[i].planted[side]);
+      }
+    }
+    clip.poses.resize(frames);
+    return measureGait(clip, walker.roles(), plantsOf(planted));
+  };
+  const GaitMeasures whole = measuredTo(walk.size());
+  ASSERT_LT(whole.steps.back().stride, 0.1);
+  const int close = static_cast<int>(whole.plants.back().plant.first);
+  const GaitMeasures open = measuredTo(close);
+  ASSERT_EQ(open.steps.size() + 1, whole.steps.size());
+  EXPECT_NEAR(whole.step_length, open.step_length, 1e-4);
+  EXPECT_NEAR(whole.step_time, open.step_time, 1e-4);
+  EXPECT_NEAR(whole.length_asymmetry.value(), open.length_asymmetry.value(), 1e-4);
+  EXPECT_LT(whole.length_asymmetry.value(), 0.08);
 }
 
 TEST(GaitMeasures, ShortStancesAreFlight) {
