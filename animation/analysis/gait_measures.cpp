@@ -410,4 +410,19 @@ GaitMeasures measureGait(const Clip& clip, const JointRoles& roles, const FootPl
   return result;
 }
 
+double fastestFootTurn(const Clip& clip, const JointRoles& roles) {
+  const std::vector<int> feet =
+      chainOf(clip.skeleton, std::array{roles.legs[kLeft].foot, roles.legs[kRight].foot});
+  std::vector<JointFrame> before(clip.skeleton.size()), now(clip.skeleton.size());
+  double most = 0.0;
+  for (int i = 0; i < clip.frames(); ++i) {
+    forwardKinematics(clip.skeleton, clip.poses[i], feet, now);
+    for (const LegJoints& leg : roles.legs) {
+      if (i > 0) most = std::max(most, now[leg.foot].q_WJ.angularDistance(before[leg.foot].q_WJ));
+    }
+    std::swap(before, now);
+  }
+  return most / clip.frame_time;
+}
+
 }  // namespace amble

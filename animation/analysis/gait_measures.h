@@ -83,4 +83,7 @@ struct GaitMeasures {
 GaitMeasures measureGait(const Clip& clip, const JointRoles& roles, const FootPlants& plants,
                          const Ground* ground = nullptr);
 
+/// The fastest that a foot turns, over the time of a frame [rad/s, >= 0].
+double fastestFootTurn(const Clip& clip, const JointRoles& roles);
+
 }  // namespace amble

@@ -20,15 +20,18 @@ constexpr double kRootAcceleration = 1.15;  // of the anchor
 constexpr double kJointJerk = 1.1;          // of the anchor
 constexpr double kPops = 2.5;               // or
 constexpr double kPopsOfAnchor = 1.05;      // if more
-constexpr double kPathMean = 0.02;          // [m]
-constexpr double kPathLargest = 0.06;       // [m]
-constexpr double kPathEnd = 0.02;           // [m]
-constexpr double kEndHeading = 2.0;         // [degrees]
-constexpr double kAchieved = 0.05;          // speed and turn rate, of what was asked
-constexpr double kDoubleSupport = 0.04;     // from the norm
-constexpr double kStepAchieved = 0.02;      // step length, lift and rise
-constexpr double kSoleTilt = 3.0;           // [degrees]
-constexpr double kUnsupported = 0.3;        // of its length, on stairs
+// Captured feet turn fastest as their toes leave the ground: by 490 to 760 degrees/s on eight lab
+// walks, by 480 to 860 on nine of ten of CMU's, at 60 Hz.
+constexpr double kFootTurn = 900.0;      // [degrees/s]
+constexpr double kPathMean = 0.02;       // [m]
+constexpr double kPathLargest = 0.06;    // [m]
+constexpr double kPathEnd = 0.02;        // [m]
+constexpr double kEndHeading = 2.0;      // [degrees]
+constexpr double kAchieved = 0.05;       // speed and turn rate, of what was asked
+constexpr double kDoubleSupport = 0.04;  // from the norm
+constexpr double kStepAchieved = 0.02;   // step length, lift and rise
+constexpr double kSoleTilt = 3.0;        // [degrees]
+constexpr double kUnsupported = 0.3;     // of its length, on stairs
 constexpr double kFlip = 10.0;   // more pops than this is a joint that flips over: no anchor
 constexpr double kPace = 0.8;    // of the walk's top speed: slower is starting, stopping or turning
 constexpr double kTurns = 0.15;  // slower is straight: walkers sway by as much [rad/s]
@@ -159,6 +162,7 @@ std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
        "m/s2"},
       {"joint jerk", gait.joint_jerk, kJointJerk * anchors.joint_jerk, "m/s3"},
       {"pops", gait.pops, std::max(kPops, kPopsOfAnchor * anchors.pops), "1"},
+      {"foot turn", fastestFootTurn(clip, roles) / kDegree, kFootTurn, "degrees/s"},
       {"knee backwards", gait.knee_backwards, 0.0, "1"},
       {"bone length change", gait.bone_length_change, 1e-9, "m"},
       {"path error, mean", path.mean, kPathMean, "m"},

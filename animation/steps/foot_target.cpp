@@ -68,23 +68,23 @@ FootTarget targetOf(const FootShape& shape, const SolePose& sole) {
 }
 
 // The pitch from low to high at which the ankle is so far from a point, the sole being where it is;
-// `high` where even that is too far. @pre it is at `low`, and farther there. About heel or ball the
-// ankle moves on a circle, so that the squared distance is a cosine of the pitch; of its two
-// solutions the one at which it falls.
+// the largest that still helps where even that is too far. @pre it is at `low`, and farther there.
+// About heel or ball the ankle moves on a circle, so that the squared distance is a cosine of the
+// pitch; of its two solutions the one at which it falls, and kLeastYield before its least at most.
 double pitchAtDistance(const FootShape& shape, const SolePose& sole, const Eigen::Vector3d& point,
                        double distance, double low, double high) {
   const Eigen::Vector3d p = sole.q_WS.conjugate() * (point - sole.position);
   const auto squared = [&](double pitch) { return (rolledAnkle(shape, pitch) - p).squaredNorm(); };
   const double wanted = distance * distance;
-  if (squared(high) > wanted) return high;
   // About the heel below 0, about the ball above.
   if (low < 0.0 && high > 0.0) (squared(0.0) > wanted ? low : high) = 0.0;
+  if (high <= 0.0 && squared(high) > wanted) return high;
   const double pivot = high <= 0.0 ? shape.heel_x : shape.ball_x;
   const Eigen::Vector2d arm(shape.ankle_x - pivot, shape.ankle_height - shape.radius);
   const Eigen::Vector2d away(pivot - p.x(), shape.radius - p.z());
   const double a = away.dot(arm), b = away.x() * arm.y() - away.y() * arm.x();
   const double c = 0.5 * (wanted - away.squaredNorm() - p.y() * p.y() - arm.squaredNorm());
-  const double share = std::clamp(c / std::hypot(a, b), -1.0, 1.0);
+  const double share = std::clamp(c / std::hypot(a, b), -std::cos(HeelRise::kLeastYield), 1.0);
   return std::clamp(wrapAngle(std::atan2(b, a) + std::acos(share)), low, high);
 }
 

@@ -19,6 +19,9 @@ struct HeelRise {
   /// A ball of the foot so far behind the hip lets its heel rise freely, one under the hip not at
   /// all: a standing leg would be lifted by its toes [m].
   static constexpr double kBehind = 0.12;
+  /// A heel rises until its ankle is nearest to the hip but for so much: from there on a degree
+  /// gives hardly a millimetre, and the foot would turn over in a frame. By trial [rad].
+  static constexpr double kLeastYield = 25.0 * kDegree;
   /// Over which the heel begins to rise before the leg is at its longest; at once, and the knee
   /// jerks [m].
   static constexpr double kSoftReach = 0.006;

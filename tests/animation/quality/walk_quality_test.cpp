@@ -6,6 +6,7 @@
 
 #include "animation/library/motion_library_reader.h"
 #include "animation/synthesis/walk_synthesizer.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {
@@ -157,6 +158,27 @@ TEST_F(JudgeWalk, AKneeThatBendsBackwardsIsSeenForAsLongAsItDoes) {
     clip_.poses.rotations(i)[knee] = Eigen::AngleAxisd(-0.6, most.axis());
   EXPECT_NEAR(line("knee backwards").value, 0.1, 0.01);
   EXPECT_FALSE(line("knee backwards").holds());
+}
+
+TEST_F(JudgeWalk, AFootThatTurnsOverInAFrameIsTold) {
+  const int foot = synthesizer_.roles().legs[kRight].foot;
+  Eigen::Quaterniond& q = clip_.poses.rotations(clip_.frames() / 2)[foot];
+  q = q * Eigen::Quaterniond(Eigen::AngleAxisd(25.0 * kDegree, Eigen::Vector3d::UnitX()));
+  EXPECT_FALSE(line("foot turn").holds());
+  EXPECT_NEAR(line("foot turn").value, 25.0 / walk_.frame_time, 12.0 / walk_.frame_time);
+}
+
+// Feet are as fast as captured ones up to the fastest walk.
+TEST_F(JudgeWalk, NoSpeedTurnsAFootOver) {
+  for (const double speed : {0.5, 1.0, 1.6, 2.0}) {
+    const WalkSynthesizer walker(library_, ground_, {.speed = speed});
+    Stance from, to;
+    to.position = {6.0, 0.0, 0.0};
+    const RootPath path({makeBezier(from.position.head<2>(), 0.0, to.position.head<2>(), 0.0)});
+    ASSERT_EQ(walker.walk(from, to, path, true, walk_).refused, WalkRule::kNone) << speed;
+    clip_.poses = walk_.poses;
+    EXPECT_TRUE(line("foot turn").holds()) << line("foot turn").value << " at " << speed;
+  }
 }
 
 TEST_F(JudgeWalk, ASunkenFrameIsPenetration) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "animation/library/motion_library_reader.h"
 
 namespace amble {
@@ -103,6 +105,28 @@ TEST(FootTarget, AHeelBehindRisesUntilTheLegReaches) {
   const FootTarget most = at(0.5 * far);
   EXPECT_NEAR(most.toe_bend - captured.toe_bend, HeelRise::kMost, 1e-6);
   EXPECT_NEAR(at(0.5 * far, 0.0).toe_bend, captured.toe_bend, 1e-9);
+}
+
+// However short the leg: a heel goes on rising only while that brings the ankle nearer to the hip,
+// by kLeastYield's share of its way at least, so that it never turns over.
+TEST(FootTarget, AHeelRisesOnlyWhileThatHelps) {
+  const FootShape& shape = foot().shape;
+  const double arm = std::hypot(shape.ankle_x - shape.ball_x, shape.ankle_height - shape.radius);
+  constexpr double kShorter = 1e-4;  // [m]
+  for (const double at : {0.7, 0.9, 1.0, 1.05}) {
+    for (double x = 0.2; x < 0.9; x += 0.1) {
+      const Eigen::Vector3d hip(x, 0.0, 0.8);
+      const auto bendAt = [&](double longest) {
+        return footTarget(stateAt(at), foot().cycle, shape, hip, longest).toe_bend;
+      };
+      for (double longest = 1.1; longest > 0.5; longest -= kShorter) {
+        const double turned = bendAt(longest - kShorter) - bendAt(longest);
+        ASSERT_GE(turned, -1e-9) << at << " " << hip.x() << " " << longest;
+        ASSERT_LE(turned, 1.5 * kShorter / (arm * std::sin(HeelRise::kLeastYield)))
+            << at << " " << hip.x() << " " << longest;
+      }
+    }
+  }
 }
 
 TEST(FootTarget, AFootUnderTheHipDoesNotRise) {
