@@ -6,19 +6,20 @@
 namespace amble {
 namespace {
 
-// Sine of the flexion below which the plane of hip, knee and ankle is more and more noise, and the
-// flexion axis takes over: 10 degrees.
+// Sine of the flexion about the axis below which the plane of hip, knee and ankle is more and more
+// noise, and the axis takes over: 10 degrees.
 constexpr double kNearlyStraight = 0.17;
 
-// Unit normal of the leg's plane, at right angles to the thigh, on the flexion axis' side.
+// Unit normal of the leg's plane, at right angles to the thigh, on the flexion axis' side. What is
+// added keeps its share along the axis above zero however the leg is bent, sideways and backwards
+// too, so that the knee never changes sides at once.
 Eigen::Vector3d planeNormal(const TwoLink& leg, const Eigen::Vector3d& thigh,
                             const Eigen::Vector3d& shank) {
-  Eigen::Vector3d normal = thigh.cross(shank);
-  if (normal.dot(leg.flexion_axis) < 0.0) normal = -normal;
-  const double straight = std::max(0.0, 1.0 - normal.norm() / kNearlyStraight);
-  const Eigen::Vector3d axis = leg.flexion_axis - leg.flexion_axis.dot(thigh) * thigh;
-  normal += kNearlyStraight * straight * straight * axis.normalized();
-  return (normal - normal.dot(thigh) * thigh).normalized();
+  const Eigen::Vector3d normal = thigh.cross(shank);
+  const Eigen::Vector3d axis =
+      (leg.flexion_axis - leg.flexion_axis.dot(thigh) * thigh).normalized();
+  const double straight = std::max(0.0, 1.0 - normal.dot(axis) / kNearlyStraight);
+  return (normal + kNearlyStraight * straight * straight * axis).normalized();
 }
 
 }  // namespace

@@ -11,9 +11,8 @@ struct TwoLink {
   Eigen::Vector3d hip;
   Eigen::Vector3d knee;
   Eigen::Vector3d ankle;
-  /// Axis about which the knee flexes, right-handed: the thigh's left. It says to which side of the
-  /// plane the knee may point, and takes the plane's place where the leg is straight within 10
-  /// degrees. Need not be a unit vector.
+  /// Axis about which the knee flexes, right-handed: the thigh's left. The less the leg is bent
+  /// about it, from 10 degrees on, the more it takes the plane's place. Need not be a unit vector.
   Eigen::Vector3d flexion_axis;
 };
 

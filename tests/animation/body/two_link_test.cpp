@@ -172,6 +172,29 @@ TEST(TwoLink, TheKneeMovesLittleAsAStraightPoseBends) {
   }
 }
 
+// Captured legs that are nearly straight are bent any way, by noise: sideways and backwards.
+TEST(TwoLink, TheKneeMovesLittleAsANearlyStraightPosesKneePointsAnyWay) {
+  constexpr double kThigh = 0.45;  // and shank [m]
+  TwoLink leg;
+  leg.hip = {0, 0, 1};
+  leg.knee = {0, 0, 1 - kThigh};
+  leg.flexion_axis = {0, 1, 0};
+  for (const double flexion : {0.5, 2.0, 6.0}) {
+    Eigen::Vector3d before;
+    for (int k = 0; k <= 720; ++k) {
+      const Eigen::Vector3d normal = aboutZ(0.5 * k * kDegree) * leg.flexion_axis;
+      leg.ankle = leg.knee + kThigh * (Eigen::AngleAxisd(flexion * kDegree, normal) *
+                                       Eigen::Vector3d(0, 0, -1));
+      const auto solution = solveTwoLink(leg, {0, 0, 1 - 1.94 * kThigh});
+      ASSERT_TRUE(solution);
+      const Eigen::Vector3d knee = apply(leg, *solution).knee;
+      EXPECT_LT(k > 0 ? (knee - before).norm() : 0.0, 0.002) << flexion << " " << 0.5 * k;
+      EXPECT_GT(knee.x(), 0.03) << flexion << " " << 0.5 * k;  // of 0.11: forward
+      before = knee;
+    }
+  }
+}
+
 TEST(TwoLink, AStraightLegBendsAboutTheFlexionAxis) {
   TwoLink leg;
   leg.hip = {0, 0, 1};
