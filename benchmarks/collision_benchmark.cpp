@@ -15,6 +15,7 @@
 #include "base/data_directory.h"
 #include "base/rotation.h"
 #include "environments/collision/obstacle_set.h"
+#include "environments/scene/parity.h"
 #include "scenarios/run_scenario.h"
 
 namespace amble {
