@@ -21,7 +21,7 @@ constexpr double kJointJerk = 1.1;          // of the anchor
 constexpr double kPops = 2.5;               // or
 constexpr double kPopsOfAnchor = 1.05;      // if more
 // Captured feet turn fastest as their toes leave the ground: by 490 to 760 degrees/s on eight lab
-// walks, by 480 to 860 on nine of ten of CMU's, at 60 Hz.
+// walks, by 475 to 860 on ten of fourteen of CMU's, at 60 Hz.
 constexpr double kFootTurn = 900.0;      // [degrees/s]
 constexpr double kPathMean = 0.02;       // [m]
 constexpr double kPathLargest = 0.06;    // [m]

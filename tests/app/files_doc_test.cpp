@@ -162,10 +162,13 @@ TEST_F(FilesPage, ItHasTheKeysThatTheReadersKnow) {
 TEST_F(FilesPage, ItHasTheKeysOfTheReport) {
   write("blocked.yaml",
         "scene: room.yaml\nstart: {at: [1, 1]}\ngoal: {at: [3, 2.8]}\n");  // in the pillar
+  write("by.yaml",
+        "scene: room.yaml\nstart: {at: [1, 1]}\ngoal: {at: [5, 1]}\nvia: [{at: [3, 2.8]}]\n");
   ASSERT_EQ(run("plan walk.yaml -o walk --formats json").status, 0);
+  ASSERT_EQ(run("plan by.yaml -o by --formats json").status, 1);
   ASSERT_EQ(run("plan blocked.yaml -o blocked --formats json").status, 1);
   Keys keys;
-  for (const char* report : {"walk/report.json", "blocked/report.json"})
+  for (const char* report : {"walk/report.json", "blocked/report.json", "by/report.json"})
     addKeys(json::parse(read(report)), "", keys);
   EXPECT_EQ(leavesOf(documentedKeys("Report")), leavesOf(keys));
 }

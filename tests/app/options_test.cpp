@@ -65,7 +65,7 @@ PlanOptions::Uses PlanOptions::ofTheSearch() const {
        }},
       {"--time-limit",
        [this] {
-         EXPECT_NE(good(kPlan + "-o out --time-limit 0.001", 1).err.find("time limit"),
+         EXPECT_NE(good(kPlan + "-o out --time-limit 0.001", 1).out.find("time_limit"),
                    std::string::npos);
        }},
       {"--checker",

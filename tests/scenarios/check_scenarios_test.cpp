@@ -76,9 +76,10 @@ TEST_F(CheckScenarios, UpdateWritesTheDigestThatTheNextCheckCompares) {
 }
 
 TEST_F(CheckScenarios, AnUpdateTakesFinishedRunsOnly) {
-  // No walk, and more samples than any time limit lets it try.
-  write("scene.yaml", std::string(kScene) +
-                          "  - {name: divider, box: {size: [0.1, 3, 2.5]}, at: [3, 1.5, 1.25]}\n");
+  // A gap too narrow to be walked through so soon, and more samples than any limit lets it try.
+  write("scene.yaml",
+        std::string(kScene) +
+            "  - {name: divider, box: {size: [0.1, 2.4, 2.5]}, at: [3, 1.2, 1.25]}\n");
   const std::string text = std::string(kScenario) +
                            "planner: {max_failures: 1000000, time_limit: 0.1}\n"
                            "expect: {status: no_walk}\n";
