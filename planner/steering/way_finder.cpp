@@ -11,7 +11,7 @@ namespace {
 
 // Bodies sway, turn their shoulders, and walk narrower when they are slow: where the map says that
 // so much is missing they may still pass [m].
-constexpr double kTightest = -0.1;
+constexpr double kTightest = -0.06;
 // Room beside the body that a way is the longer for the less it has of it [m], and how much longer
 // at most; and where there is none at all.
 constexpr double kComfort = 0.25;
