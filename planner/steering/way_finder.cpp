@@ -112,38 +112,48 @@ bool WayFinder::isLevel(int place) const {
   return true;
 }
 
-// Of a way the places where one turns, its ends left out: from each the farthest that it sees, or,
-// a little before that, where there is more room.
-std::vector<int> WayFinder::corners(const std::vector<int>& way) const {
-  std::vector<int> corners;
+// Of a way the farthest place that is seen from one of its places: along a straight line that has
+// as much room beside it as the way, and is no worse.
+int WayFinder::farthestSeen(const std::vector<int>& way, int here) const {
   const int last = static_cast<int>(way.size()) - 1;
   const int farthest = static_cast<int>(kFarthest / map_->cell());
-  const int back = static_cast<int>(kRoomSought / map_->cell());
-  const int shortest = static_cast<int>(std::ceil(shortest_ / map_->cell()));
-  for (int here = 0; here < last;) {
-    double narrowest = kRoomInSight;
-    float worst = penalty_[way[here]];
-    int seen = here;
-    for (int next = here + 1; next <= std::min(last, here + farthest); ++next) {
-      narrowest = std::min(narrowest, map_->spare(way[next]));
-      worst = std::max(worst, penalty_[way[next]]);
-      if (isClear(way[here], way[next], narrowest - 0.5 * map_->cell(), worst)) seen = next;
-    }
-    if (seen == last) break;
-    int best = -1;
-    for (int next = std::max(here + shortest, seen - back);
-         next <= std::max(seen, here + shortest) && next < last; ++next) {
-      if (!isLevel(way[next])) continue;
-      if (best < 0 || map_->spare(way[next]) > map_->spare(way[best])) best = next;
-    }
-    // Over stairs: on to where it is level again.
-    for (int next = seen + 1; best < 0 && next < last; ++next)
-      if (isLevel(way[next])) best = next;
-    if (best < 0) break;
-    corners.push_back(way[best]);
-    here = best;
+  double narrowest = kRoomInSight;
+  float worst = penalty_[way[here]];
+  int seen = here;
+  for (int next = here + 1; next <= std::min(last, here + farthest); ++next) {
+    narrowest = std::min(narrowest, map_->spare(way[next]));
+    worst = std::max(worst, penalty_[way[next]]);
+    if (isClear(way[here], way[next], narrowest - 0.5 * map_->cell(), worst)) seen = next;
   }
-  return corners;
+  return seen;
+}
+
+// Where one stands who goes from one place of a way as far as he sees: there, or a little before
+// that where there is more room; over stairs on to where it is level again. -1: nowhere.
+int WayFinder::standNear(const std::vector<int>& way, int here, int seen) const {
+  const int last = static_cast<int>(way.size()) - 1;
+  const int nearest = here + static_cast<int>(std::ceil(shortest_ / map_->cell()));
+  const int back = static_cast<int>(kRoomSought / map_->cell());
+  int best = -1;
+  for (int i = std::max(nearest, seen - back); i <= std::max(nearest, seen) && i < last; ++i) {
+    if (!isLevel(way[i])) continue;
+    if (best < 0 || map_->spare(way[i]) > map_->spare(way[best])) best = i;
+  }
+  for (int i = seen + 1; best < 0 && i < last; ++i)
+    if (isLevel(way[i])) best = i;
+  return best;
+}
+
+// Of a way the places where one turns, its ends left out.
+std::vector<int> WayFinder::corners(const std::vector<int>& way) const {
+  std::vector<int> corners;
+  for (int here = 0;;) {
+    const int seen = farthestSeen(way, here);
+    if (seen + 1 == static_cast<int>(way.size())) return corners;
+    here = standNear(way, here, seen);
+    if (here < 0) return corners;
+    corners.push_back(way[here]);
+  }
 }
 
 std::optional<std::vector<Stance>> WayFinder::next() {

@@ -32,6 +32,8 @@ class WayFinder : public WayGuide {
   double factor(int place) const;
   bool isClear(int from, int to, double least, float most) const;
   bool isLevel(int place) const;
+  int farthestSeen(const std::vector<int>& way, int here) const;
+  int standNear(const std::vector<int>& way, int here, int seen) const;
   std::vector<int> corners(const std::vector<int>& way) const;
 
   std::shared_ptr<const ClearanceMap> map_;
