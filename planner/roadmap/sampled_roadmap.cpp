@@ -211,10 +211,14 @@ std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
 }
 
 // Samples until walks lead from one node to the other or the effort is spent.
-bool SampledRoadmap::grow(int from, int to, const StanceSampler& sampler, int most,
+bool SampledRoadmap::grow(int from, int to, const StanceSampler& sampler, const Budget& budget,
                           const SearchLimits& limits, std::vector<SteeringScratchPtr>& scratches) {
+  const long long before = samples_;
+  const auto isSpent = [&] {
+    return effort() >= budget.effort || samples_ - before >= budget.samples;
+  };
   while (!roadmap_.reachableFrom(from)[to]) {
-    if (effort() >= most || limits.stopped()) return false;
+    if (isSpent() || limits.stopped()) return false;
     for (Draft& draft : draft(sampler, limits, scratches)) {
       if (limits.stopped()) return false;
       ++samples_;
@@ -224,7 +228,7 @@ bool SampledRoadmap::grow(int from, int to, const StanceSampler& sampler, int mo
         limits.progress({"roadmap", effort(), limits.max_failures, roadmap_.count(NodeKind::kGuard),
                          roadmap_.count(NodeKind::kConnector)});
       }
-      if (effort() >= most || roadmap_.reachableFrom(from)[to]) break;
+      if (isSpent() || roadmap_.reachableFrom(from)[to]) break;
     }
   }
   return true;
@@ -300,7 +304,8 @@ bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
   if (const auto narrow = guide ? guide->narrowest() : std::nullopt) {
     const Eigen::Vector2d at = narrow->at.head<2>();
     const StanceSampler around = sampler_.within(grown({at, at}, kAroundNarrow));
-    if (grow(from, to, around, limits.max_failures, limits, scratches)) return true;
+    const Budget once{limits.max_failures, 2LL * limits.max_failures};  // every other is uniform
+    if (grow(from, to, around, once, limits, scratches)) return true;
     if (!narrow->may_pass || limits.stopped()) return false;
     resetEffort();
   }
@@ -310,7 +315,7 @@ bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
     insertPassages(is_all ? Eigen::AlignedBox2d(bounds).extend(region) : region, limits);
     const int most = is_all ? limits.max_failures : (limits.max_failures + 3) / kShareOfRegion;
     const StanceSampler sampler = is_all ? sampler_ : sampler_.within(region);
-    if (grow(from, to, sampler, most, limits, scratches)) return true;
+    if (grow(from, to, sampler, {most}, limits, scratches)) return true;
     if (is_all || limits.stopped()) return false;
     resetEffort();
   }

@@ -9,14 +9,16 @@
 /// First come the ways that steering's guide knows, if it knows any: the places of each become
 /// nodes, and where an edge between them is refused the guide is told. If none of them is walked it
 /// is asked for a proof that nothing leads there, which ends the search, and then for the narrowest
-/// place of the widest way: samples are drawn around that before others, and where not even the
-/// guide finds a way through it there are no others.
+/// place of the widest way: max_failures uniform samples are drawn around that before others,
+/// whether they add guards or not, and where not even the guide finds a way through it there are no
+/// others.
 ///
 /// Large maps are looked at from the near to the far: start and goal are asked about first, then
 /// the passages and samples of a region around both, which widens when most of it is covered. Where
 /// the bounds are no wider than the first region it is all of them.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -116,8 +118,13 @@ class SampledRoadmap {
   struct Draft;
   std::vector<Draft> draft(const StanceSampler& sampler, const SearchLimits& limits,
                            std::vector<SteeringScratchPtr>& scratches) const;
-  bool grow(int from, int to, const StanceSampler& sampler, int most, const SearchLimits& limits,
-            std::vector<SteeringScratchPtr>& scratches);
+  // What ends it: so much effort, or so many samples more.
+  struct Budget {
+    int effort;
+    long long samples = std::numeric_limits<long long>::max();
+  };
+  bool grow(int from, int to, const StanceSampler& sampler, const Budget& budget,
+            const SearchLimits& limits, std::vector<SteeringScratchPtr>& scratches);
   int insert(Candidate candidate, SteeringScratch& scratch);
   std::optional<bool> askMap(WayGuide* guide, int from, int to, const SearchLimits& limits,
                              SteeringScratch& scratch);

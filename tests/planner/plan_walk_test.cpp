@@ -158,7 +158,8 @@ TEST(PlanWalk, ThatNoWalkIsFoundThroughANarrowGapIsNoProof) {
   EXPECT_EQ(outcome.status, PlanStatus::kNoWalk);
   EXPECT_FALSE(outcome.proved);
   EXPECT_FALSE(outcome.time_limit_hit);
-  EXPECT_DOUBLE_EQ(outcome.coverage, 1.0 - 1.0 / 25);
+  EXPECT_GT(outcome.samples, 0);
+  EXPECT_LE(outcome.samples, 50);  // 25 of them uniform
   ASSERT_TRUE(outcome.why.has_value());
   EXPECT_EQ(outcome.why->rule, WalkRule::kContact);
 }

@@ -148,7 +148,7 @@ TEST(SampledRoadmap, AboutANarrowPlaceThatMayNotBePassedSamplesAreDrawnAndNowher
   const int from = roadmap.insert(standing(5, 30), true, true),
             to = roadmap.insert(standing(55, 30), true, true);
   EXPECT_FALSE(roadmap.connect(from, to, limitsOf(1, 20)));
-  EXPECT_GE(roadmap.samples(), 20);
+  EXPECT_LE(roadmap.samples(), 40);  // 20 of them uniform
   for (const RoadmapNode& node : roadmap.roadmap().nodes()) {
     const Eigen::Vector2d p = node.at.stance.position.head<2>();
     if (p == Eigen::Vector2d(5, 30) || p == Eigen::Vector2d(55, 30)) continue;
