@@ -24,6 +24,9 @@ constexpr double kGain = 0.05;     // [s]
 // more to gain.
 constexpr int kMostRounds = 12;
 constexpr int kIdleRounds = 3;
+// Proposals judged ahead, a thread: more keep threads busy, but are lost where one of the first
+// helps.
+constexpr int kAheadPerThread = 4;
 // Pass 1: nodes farther apart than this are not joined: what could be is by the roadmap [m].
 constexpr double kFarthestShortcut = 20.0;
 // Pass 2: how far from the node to the line between its neighbours, and headings off that line's.
@@ -202,9 +205,10 @@ void Refiner::take(const Proposal& proposal, std::vector<WalkEdge> edges) {
 // Takes the first proposal that helps and returns its index; -1 where none does.
 int Refiner::firstThatHelps(const std::vector<Proposal>& proposals) {
   const int total = static_cast<int>(proposals.size());
-  for (int begin = 0; begin < total; begin += limits_.threads) {
+  const int ahead = limits_.threads > 1 ? kAheadPerThread * limits_.threads : 1;
+  for (int begin = 0; begin < total; begin += ahead) {
     if (stopped()) return -1;
-    std::vector<Answer> answers(std::min(limits_.threads, total - begin));
+    std::vector<Answer> answers(std::min(ahead, total - begin));
     parallelFor(static_cast<int>(answers.size()), limits_.threads, [&](int i, int thread) {
       answers[i] = judge(proposals[begin + i], *scratches_[thread]);
     });

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.h"
 #include "environments/scene/parity.h"
 
 namespace amble {
@@ -205,38 +206,46 @@ struct Axis {
   size_t stride, outer, outer_step, run;
 };
 
-// Least of `in` over a window of voxels along an axis, with the squared distance in voxels added
-// that points of the two voxels are apart at least. In blocks of a fixed size, which compilers keep
-// in registers.
-void spread(const std::vector<int16_t>& in, std::vector<int16_t>& out, const Axis& axis,
-            int window) {
+// One run of `out`: the least of `in` over a window of voxels along an axis, with the squared
+// distance in voxels added that points of the two voxels are apart at least. In blocks of a fixed
+// size, which compilers keep in registers.
+void spreadRun(const std::vector<int16_t>& in, std::vector<int16_t>& out, const Axis& axis,
+               int window, size_t slab, int at) {
   constexpr size_t kBlock = 32;
-  for (size_t o = 0; o < axis.outer; ++o) {
-    for (int c = 0; c < axis.count; ++c) {
-      const int first = std::max(-window, -c), last = std::min(window, axis.count - 1 - c);
-      const size_t row = o * axis.outer_step + c * axis.stride;
-      for (size_t x = 0; x < axis.run; x += kBlock) {
-        const size_t width = std::min(kBlock, axis.run - x);
-        std::array<int16_t, kBlock> least, from;
-        least.fill(kFarSquared);
-        from.fill(kFarSquared);
-        for (int d = first; d <= last; ++d) {
-          const int apart = std::max(0, std::abs(d) - 1);
-          const int16_t add = static_cast<int16_t>(apart * apart);
-          const int16_t* source = &in[row + x] + d * static_cast<ptrdiff_t>(axis.stride);
-          if (width == kBlock)
-            std::copy_n(source, kBlock, from.data());
-          else
-            std::copy_n(source, width, from.data());
-          for (size_t k = 0; k < kBlock; ++k) {
-            const int16_t sum = static_cast<int16_t>(from[k] + add);
-            least[k] = sum < least[k] ? sum : least[k];
-          }
-        }
-        std::copy_n(least.data(), width, &out[row + x]);
+  const int first = std::max(-window, -at), last = std::min(window, axis.count - 1 - at);
+  const size_t row = slab * axis.outer_step + at * axis.stride;
+  for (size_t x = 0; x < axis.run; x += kBlock) {
+    const size_t width = std::min(kBlock, axis.run - x);
+    std::array<int16_t, kBlock> least, from;
+    least.fill(kFarSquared);
+    from.fill(kFarSquared);
+    for (int d = first; d <= last; ++d) {
+      const int apart = std::max(0, std::abs(d) - 1);
+      const int16_t add = static_cast<int16_t>(apart * apart);
+      const int16_t* source = &in[row + x] + d * static_cast<ptrdiff_t>(axis.stride);
+      if (width == kBlock)
+        std::copy_n(source, kBlock, from.data());
+      else
+        std::copy_n(source, width, from.data());
+      for (size_t k = 0; k < kBlock; ++k) {
+        const int16_t sum = static_cast<int16_t>(from[k] + add);
+        least[k] = sum < least[k] ? sum : least[k];
       }
     }
+    std::copy_n(least.data(), width, &out[row + x]);
   }
+}
+
+// All runs, on all threads: each is of its own.
+void spread(const std::vector<int16_t>& in, std::vector<int16_t>& out, const Axis& axis,
+            int window) {
+  constexpr size_t kParts = 32;
+  const size_t runs = axis.outer * axis.count;
+  parallelFor(kParts, usualThreads(), [&](int part, int) {
+    const size_t end = (part + 1) * runs / kParts;
+    for (size_t run = part * runs / kParts; run < end; ++run)
+      spreadRun(in, out, axis, window, run / axis.count, static_cast<int>(run % axis.count));
+  });
 }
 
 }  // namespace

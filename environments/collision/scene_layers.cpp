@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/parallel.h"
 #include "environments/scene/scene_pieces.h"
 
 namespace amble {
@@ -121,40 +122,40 @@ struct SceneLayers::Split {
 };
 
 SceneLayers::SceneLayers(const Scene& scene, const SceneGround& ground, const StopRequest& stop,
-                         Checker checker)
-    : SceneLayers(Split(scene, ground, stop), ground, stop, checker) {}
-
-SceneLayers::SceneLayers(Split split, const SceneGround& ground, const StopRequest& stop,
-                         Checker checker)
-    : obstacles_(split.obstacles, stop, checker),
-      banks_(split.banks, stop, checker),
-      ground_(std::move(split.ground), stop, checker),
-      field_(split.standing(), fieldRegion(boundsOf(obstacles_, banks_), ground), stop) {}
-
-Eigen::AlignedBox3d SceneLayers::boundsOf(const ObstacleSet& a, const ObstacleSet& b) {
-  Eigen::AlignedBox3d bounds = a.bounds();
-  return bounds.extend(b.bounds());
+                         Checker checker) {
+  Split split(scene, ground, stop);
+  const std::vector<Obstacle> standing = split.standing();
+  obstacles_.emplace(split.obstacles, stop, checker);
+  banks_.emplace(split.banks, stop, checker);
+  Eigen::AlignedBox3d bounds = obstacles_->bounds();
+  bounds.extend(banks_->bounds());
+  parallelFor(2, 2, [&](int part, int) {
+    if (part == 0)
+      field_.emplace(standing, fieldRegion(bounds, ground), stop);
+    else
+      ground_.emplace(std::move(split.ground), stop, checker);
+  });
 }
 
 int SceneLayers::touchedObstacle(const Capsule& capsule, double depth,
                                  ObstacleSet::Scratch& scratch, int after) const {
-  if (field_.isFree(capsule)) return -1;
-  const int object = obstacles_.touched(capsule, scratch, after);
-  if (banks_.bounds().isEmpty()) return object;
+  if (field_->isFree(capsule)) return -1;
+  const int object = obstacles_->touched(capsule, scratch, after);
+  if (banks_->bounds().isEmpty()) return object;
   Capsule lifted = capsule;
   lifted.from.z() += depth;
   lifted.to.z() += depth;
-  const int bank = banks_.touched(lifted, scratch, after);
+  const int bank = banks_->touched(lifted, scratch, after);
   return object < 0 || (bank >= 0 && bank < object) ? bank : object;
 }
 
 ObstacleSet::Nearest SceneLayers::nearestObstacle(const Capsule& capsule, double limit,
                                                   bool is_sole,
                                                   ObstacleSet::Scratch& scratch) const {
-  if (field_.isFree(capsule.inflated(limit))) return {limit, -1};
-  const ObstacleSet::Nearest nearest = obstacles_.nearest(capsule, limit, scratch);
+  if (field_->isFree(capsule.inflated(limit))) return {limit, -1};
+  const ObstacleSet::Nearest nearest = obstacles_->nearest(capsule, limit, scratch);
   if (is_sole) return nearest;
-  const ObstacleSet::Nearest bank = banks_.nearest(capsule, nearest.distance, scratch);
+  const ObstacleSet::Nearest bank = banks_->nearest(capsule, nearest.distance, scratch);
   return bank.object >= 0 ? bank : nearest;
 }
 

@@ -6,6 +6,8 @@
 /// the ground soles may be as deep in their edges as in the ground's.
 #pragma once
 
+#include <optional>
+
 #include "environments/collision/clearance_field.h"
 #include "environments/collision/ground_layer.h"
 #include "environments/collision/obstacle_set.h"
@@ -29,16 +31,15 @@ class SceneLayers {
   /// which stand on what they are part of.
   ObstacleSet::Nearest nearestObstacle(const Capsule& capsule, double limit, bool is_sole,
                                        ObstacleSet::Scratch& scratch) const;
-  const GroundLayer& ground() const { return ground_; }
+  const GroundLayer& ground() const { return *ground_; }
 
  private:
   struct Split;
-  SceneLayers(Split split, const SceneGround& ground, const StopRequest& stop, Checker checker);
-  static Eigen::AlignedBox3d boundsOf(const ObstacleSet& a, const ObstacleSet& b);
 
-  ObstacleSet obstacles_, banks_;
-  GroundLayer ground_;
-  ClearanceField field_;
+  // Each is there once it is made; some are made at the same time.
+  std::optional<ObstacleSet> obstacles_, banks_;
+  std::optional<GroundLayer> ground_;
+  std::optional<ClearanceField> field_;
 };
 
 }  // namespace amble
