@@ -38,7 +38,7 @@ class ClearanceMap {
     double feet = 0.0;  ///< [m, >= 0]
   };
 
-  static constexpr double kFarthest = 1.0;   ///< things farther away are not looked at [m]
+  static constexpr double kFarthest = 0.5;   ///< more room is not told apart [m]
   static constexpr double kCell = 0.05;      ///< [m]
   static constexpr double kMostCells = 6e6;  ///< coarser ones where there would be more
 
