@@ -22,33 +22,35 @@ constexpr int kBesideGround = 3;
 }  // namespace
 
 ClearanceMap::ClearanceMap(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
-                           const Breadth& body, const StopRequest& stop)
+                           const Breadth& body, const Stopped& stopped)
     : body_(body), step_(ground.settings().limits.highestStep()) {
-  layPlaces(ground, bounds, stop);
-  source_.resize(size());
-  spare_.assign(size(), static_cast<float>(kFarthest));
-  markEdges();
-  markObstacles(ground, stop);
-  spread(stop);
+  bool made = layPlaces(ground, bounds, stopped);
+  if (made) {
+    source_.resize(size());
+    spare_.assign(size(), static_cast<float>(kFarthest));
+    markEdges();
+    made = markObstacles(ground, stopped) && spread(stopped);
+  }
   source_ = {};
   queue_ = {};
+  if (!made) height_.clear();  // no places
 }
 
-void ClearanceMap::layPlaces(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
-                             const StopRequest& stop) {
+bool ClearanceMap::layPlaces(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
+                             const Stopped& stopped) {
   const GroundCells& squares = ground.cells();
-  if (squares.columns() == 0 || bounds.isEmpty()) return;
+  if (squares.columns() == 0 || bounds.isEmpty()) return true;
   const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.5 * squares.cell());
   const Eigen::AlignedBox2d all(squares.middle(0, 0) - half,
                                 squares.middle(squares.columns() - 1, squares.rows() - 1) + half);
   const Eigen::AlignedBox2d region = all.intersection(bounds);
-  if (region.isEmpty()) return;
+  if (region.isEmpty()) return true;
   while (region.volume() / (cell_ * cell_) > kMostCells) cell_ *= 2.0;
   min_ = region.min().array() - kBesideRound - cell_;
   count_ = (region.sizes() / cell_).array().ceil().cast<int>().max(1) + 2;
   start_ = {0};
   for (int row = 0; row < count_.y(); ++row) {
-    stop.check();
+    if (stopped()) return false;
     for (int column = 0; column < count_.x(); ++column) {
       const bool is_rim =
           row == 0 || column == 0 || row + 1 == count_.y() || column + 1 == count_.x();
@@ -62,6 +64,7 @@ void ClearanceMap::layPlaces(const SceneGround& ground, const Eigen::AlignedBox2
       start_.push_back(size());
     }
   }
+  return true;
 }
 
 int ClearanceMap::beside(int place, int dx, int dy) const {
@@ -129,17 +132,18 @@ void ClearanceMap::markEdges() {
   }
 }
 
-void ClearanceMap::markObstacles(const SceneGround& ground, const StopRequest& stop) {
-  if (size() == 0 || body_.bands.empty()) return;
+bool ClearanceMap::markObstacles(const SceneGround& ground, const Stopped& stopped) {
+  if (size() == 0 || body_.bands.empty()) return true;
   const double low = ground.heights().min()[0] + body_.bands.front().low;
   const double high = ground.heights().max()[0] + body_.bands.back().high;
   const auto& triangles = ground.all().triangles();
   for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
-    if (i % kStopEvery == 0) stop.check();
+    if (i % kStopEvery == 0 && stopped()) return false;
     const Triangle3& t = triangles[i];
     const auto [lowest, highest] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
     if (!ground.isGroundTriangle(i) && lowest <= high && highest >= low) markTriangle(t);
   }
+  return true;
 }
 
 // Row after row of cells, and in each only the columns that the triangle lies over.
@@ -183,9 +187,9 @@ void ClearanceMap::markColumn(const Eigen::Vector2i& at, double low, double high
   }
 }
 
-void ClearanceMap::spread(const StopRequest& stop) {
+bool ClearanceMap::spread(const Stopped& stopped) {
   for (size_t next = 0; next < queue_.size(); ++next) {
-    if (next % kStopEvery == 0) stop.check();
+    if (next % kStopEvery == 0 && stopped()) return false;
     const int place = queue_[next];
     const Source source = source_[place];
     for (int dy = -1; dy <= 1; ++dy) {
@@ -198,6 +202,7 @@ void ClearanceMap::spread(const StopRequest& stop) {
       }
     }
   }
+  return true;
 }
 
 }  // namespace amble

@@ -17,6 +17,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "environments/ground/scene_ground.h"
@@ -42,9 +43,12 @@ class ClearanceMap {
   static constexpr double kCell = 0.05;      ///< [m]
   static constexpr double kMostCells = 6e6;  ///< coarser ones where there would be more
 
-  /// Of the ground within `bounds`. @throws Stopped if that is asked for.
-  ClearanceMap(const SceneGround& ground, const Eigen::AlignedBox2d& bounds, const Breadth& body,
-               const StopRequest& stop = {});
+  using Stopped = std::function<bool()>;
+  /// Of the ground within `bounds`. @param stopped  asked now and then: where it says so the map is
+  /// left empty
+  ClearanceMap(
+      const SceneGround& ground, const Eigen::AlignedBox2d& bounds, const Breadth& body,
+      const Stopped& stopped = [] { return false; });
 
   /// Places are numbered from 0.
   int size() const { return static_cast<int>(height_.size()); }
@@ -68,13 +72,14 @@ class ClearanceMap {
   };
   static constexpr int kFeet = -1;
 
-  void layPlaces(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
-                 const StopRequest& stop);
+  // False where they are stopped.
+  bool layPlaces(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
+                 const Stopped& stopped);
+  bool markObstacles(const SceneGround& ground, const Stopped& stopped);
+  bool spread(const Stopped& stopped);
   void markEdges();
-  void markObstacles(const SceneGround& ground, const StopRequest& stop);
   void markTriangle(const Triangle3& t);
   void markColumn(const Eigen::Vector2i& at, double low, double high);
-  void spread(const StopRequest& stop);
   double spareFrom(const Source& source) const;
   Source cellsTo(int place, int cell, int band) const;
   void see(int place, const Source& source);

@@ -299,7 +299,8 @@ bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
   Eigen::AlignedBox2d ends;
   for (const int node : {from, to}) ends.extend(place(node).head<2>().eval());
   insertPassages(grown(ends, kFirstMargin), limits);
-  const auto guide = steering_.guide(place(from), place(to), bounds);
+  const auto guide =
+      steering_.guide(place(from), place(to), bounds, [&] { return limits.stopped(); });
   if (const auto known = askMap(guide.get(), from, to, limits, *scratches[0])) return *known;
   if (const auto narrow = guide ? guide->narrowest() : std::nullopt) {
     const Eigen::Vector2d at = narrow->at.head<2>();

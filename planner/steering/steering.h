@@ -128,8 +128,10 @@ class Steering {
   virtual std::vector<StancePair> passages() const { return {}; }
 
   /// Ways within bounds that may lead from one place to another; null where it knows of none.
+  /// @param stopped  asked now and then: where it says so there are none
   virtual std::unique_ptr<WayGuide> guide(const Eigen::Vector3d&, const Eigen::Vector3d&,
-                                          const Eigen::AlignedBox2d&) const {
+                                          const Eigen::AlignedBox2d&,
+                                          const std::function<bool()>&) const {
     return nullptr;
   }
 

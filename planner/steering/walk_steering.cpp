@@ -254,11 +254,12 @@ std::vector<StancePair> WalkSteering::passages() const {
 
 std::unique_ptr<WayGuide> WalkSteering::guide(const Eigen::Vector3d& from,
                                               const Eigen::Vector3d& to,
-                                              const Eigen::AlignedBox2d& bounds) const {
+                                              const Eigen::AlignedBox2d& bounds,
+                                              const std::function<bool()>& stopped) const {
   if (breadth_.bands.empty()) return nullptr;
   return std::make_unique<WayFinder>(
-      std::make_shared<const ClearanceMap>(ground_, bounds, breadth_), from, to,
-      synthesizer_.shortestWalk());
+      std::make_shared<const ClearanceMap>(ground_, bounds, breadth_, stopped), from, to,
+      synthesizer_.shortestWalk(), stopped);
 }
 
 std::optional<SteeringFailure> WalkSteering::shutOff(const Eigen::Vector3d& from,

@@ -50,7 +50,8 @@ class WalkSteering : public Steering {
   int layers() const override;
   std::vector<StancePair> passages() const override;
   std::unique_ptr<WayGuide> guide(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                                  const Eigen::AlignedBox2d& bounds) const override;
+                                  const Eigen::AlignedBox2d& bounds,
+                                  const std::function<bool()>& stopped) const override;
   std::optional<SteeringFailure> shutOff(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                          const std::function<bool()>& stopped,
                                          SteeringScratch& scratch) const override;

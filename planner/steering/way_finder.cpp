@@ -24,6 +24,7 @@ constexpr double kFarthest = 10.0;     // from one corner to the next [m]
 constexpr double kRoomSought = 0.8;    // how far back from the farthest place seen [m]
 constexpr double kLevelNear = 0.3;     // somebody stands where it is level so far around [m]
 constexpr double kLevel = 0.02;        // [m]
+constexpr int kStopEvery = 1 << 12;    // places between looks at the clock
 constexpr double kRoomInSight = 0.04;  // beside a straight line, where there is as much [m]
 
 constexpr std::array<std::array<int, 2>, 8> kAround = {
@@ -32,11 +33,12 @@ constexpr std::array<std::array<int, 2>, 8> kAround = {
 }  // namespace
 
 WayFinder::WayFinder(std::shared_ptr<const ClearanceMap> map, const Eigen::Vector3d& from,
-                     const Eigen::Vector3d& to, double shortest)
+                     const Eigen::Vector3d& to, double shortest, std::function<bool()> stopped)
     : map_(std::move(map)),
       from_(map_->placeAt(from)),
       to_(map_->placeAt(to)),
       shortest_(shortest),
+      stopped_(std::move(stopped)),
       penalty_(map_->size(), 0.0f) {}
 
 // How many times its length a way by this place counts.
@@ -60,7 +62,8 @@ std::vector<int> WayFinder::cheapest() const {
   };
   cost[from_] = 0.0f;
   open.emplace(least(from_), from_);
-  while (!open.empty()) {
+  for (long long i = 0; !open.empty(); ++i) {
+    if (i % kStopEvery == 0 && stopped_()) return {};
     const auto [estimate, place] = open.top();
     open.pop();
     if (place == to_) break;
@@ -179,7 +182,8 @@ std::vector<int> WayFinder::widest() const {
   std::priority_queue<std::pair<float, int>> open;
   open.emplace(0.0f, from_);
   before[from_] = from_;
-  while (!open.empty() && before[to_] < 0) {
+  for (long long i = 0; !open.empty() && before[to_] < 0; ++i) {
+    if (i % kStopEvery == 0 && stopped_()) return {};
     const int place = open.top().second;
     open.pop();
     for (const auto& [dx, dy] : kAround) {

@@ -8,6 +8,7 @@
 /// is told, and the next way leads elsewhere or with more room.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,8 +20,11 @@ namespace amble {
 class WayFinder : public WayGuide {
  public:
   /// Between two places of the map. @param shortest  edge that is walked [m, > 0]
-  WayFinder(std::shared_ptr<const ClearanceMap> map, const Eigen::Vector3d& from,
-            const Eigen::Vector3d& to, double shortest);
+  /// @param stopped  asked now and then: where it says so there are no ways
+  WayFinder(
+      std::shared_ptr<const ClearanceMap> map, const Eigen::Vector3d& from,
+      const Eigen::Vector3d& to, double shortest,
+      std::function<bool()> stopped = [] { return false; });
 
   std::optional<std::vector<Stance>> next() override;
   void avoid(const Eigen::Vector3d& at) override;
@@ -39,6 +43,7 @@ class WayFinder : public WayGuide {
   std::shared_ptr<const ClearanceMap> map_;
   int from_, to_;
   double shortest_;
+  std::function<bool()> stopped_;
   std::vector<float> penalty_;  // by place: of what was refused near it, in lengths of the way
 };
 

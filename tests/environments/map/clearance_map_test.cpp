@@ -115,6 +115,12 @@ TEST(ClearanceMap, FeetStayOnTheGround) {
   EXPECT_EQ(pier.map.placeAt({0, 2, 0}), -1);
 }
 
+TEST(ClearanceMap, IsEmptyWhereItIsStopped) {
+  const Scene scene = sceneOf({floorSlab()});
+  const SceneGround ground(scene);
+  EXPECT_EQ(ClearanceMap(ground, kAround, kBody, [] { return true; }).size(), 0);
+}
+
 TEST(ClearanceMap, IsEmptyBesideTheGround) {
   const Mapped nothing({floorSlab()}, {Eigen::Vector2d(50, 50), Eigen::Vector2d(60, 60)});
   EXPECT_EQ(nothing.map.size(), 0);

@@ -89,6 +89,13 @@ TEST(WayFinder, WhereSteeringRefusedTheNextWayIsElsewhere) {
   EXPECT_GT(crossing, 0.0);
 }
 
+TEST(WayFinder, WhoIsStoppedKnowsNoWay) {
+  const Room room({{1.0, 2.0}});
+  WayFinder finder(room.map, Room::kWest, Room::kEast, kShortest, [] { return true; });
+  EXPECT_FALSE(finder.next().has_value());
+  EXPECT_FALSE(finder.narrowest().has_value());
+}
+
 TEST(WayFinder, KnowsNoWayWhereTheWallIsWhole) {
   EXPECT_FALSE(Room({}).from(Room::kWest, Room::kEast).next().has_value());
 }
