@@ -9,7 +9,8 @@
 namespace amble {
 namespace {
 
-constexpr double kMostSquares = 16e6;  // of a flood; larger ones are not begun
+constexpr double kMostSquares = 1e8;       // of a flood; larger ones are not begun
+constexpr size_t kMostOfReport = 4000000;  // of a part that is flooded to be told of only
 // Of a ball's radius, half a square's diagonal.
 constexpr double kOfRadius = 0.4;
 // Of a leg from the path, at any height [m].
@@ -113,6 +114,7 @@ class BodyReach::Flood {
   bool begin(const Eigen::Vector3d& end, int side);
   bool reach(int square, int side);
   bool spread(int square, int side);
+  bool flood(int side, size_t most);
 
   const Ball& ball_;
   const double square_;  // side [m]
@@ -123,6 +125,7 @@ class BodyReach::Flood {
   Eigen::Vector2i count_{0, 0};
   std::vector<std::uint8_t> reached_;        // by square
   std::array<std::vector<int>, 2> squares_;  // reached from each end, in order
+  std::array<size_t, 2> next_ = {0, 0};      // of them whose neighbours are to be looked at
 };
 
 // @return whether the other side has been there
@@ -159,21 +162,29 @@ bool BodyReach::Flood::spread(int square, int side) {
 
 bool BodyReach::Flood::isShut(const std::function<bool()>& stopped) {
   if (reached_.empty() || begin(from_, 0) || begin(to_, 1)) return false;
-  for (size_t next = 0;; ++next) {
-    if (next % kStopEvery == 0 && stopped()) return false;
+  for (long long i = 0;; ++i) {
+    if (i % kStopEvery == 0 && stopped()) return false;
     for (const int side : {0, 1}) {
-      if (next >= squares_[side].size()) return true;
-      if (spread(squares_[side][next], side)) return false;
+      if (next_[side] >= squares_[side].size()) return true;
+      if (spread(squares_[side][next_[side]++], side)) return false;
     }
   }
 }
 
-// From the part that is flooded through shut squares, ring by ring, to the other; of squares that
-// are reached in the same ring the one that is least out of the way.
+// Goes on from one end; whether all is reached that is, with so many squares at most.
+bool BodyReach::Flood::flood(int side, size_t most) {
+  while (next_[side] < squares_[side].size() && next_[side] < most)
+    spread(squares_[side][next_[side]++], side);
+  return next_[side] >= squares_[side].size();
+}
+
+// From the part that is flooded, the smaller, through shut squares, ring by ring, to the other; of
+// squares that are reached in the same ring the one that is least out of the way. Of a part too
+// large to be flooded for a report any square will do that is not shut.
 BodyReach::Barrier BodyReach::Flood::barrier() {
-  for (const int side : {0, 1})
-    for (size_t i = 0; i < squares_[side].size(); ++i) spread(squares_[side][i], side);
-  std::vector<int> before(reached_.size(), -1), ring = squares_[0];
+  const int small = next_[0] >= squares_[0].size() ? 0 : 1, large = 1 - small;
+  const bool is_known = flood(large, kMostOfReport);
+  std::vector<int> before(reached_.size(), -1), ring = squares_[small];
   for (const int square : ring) before[square] = square;
   int best = -1;
   while (best < 0 && !ring.empty()) {
@@ -186,7 +197,9 @@ BodyReach::Barrier BodyReach::Flood::barrier() {
         if (before[other] >= 0) continue;
         before[other] = square;
         next.push_back(other);
-        if (reached_[other] == 2 && (best < 0 || detour(other) < detour(best))) best = other;
+        if (!is_known) reach(other, large);
+        if (reached_[other] == 1 + large && (best < 0 || detour(other) < detour(best)))
+          best = other;
       }
     }
     ring = std::move(next);
