@@ -249,8 +249,8 @@ std::vector<std::vector<Capsule>> bodiesNearThings(const RunResult& result,
   return bodies;
 }
 
-// 100,000 bodies of all breadths and more, half of them within 1 mm to 1e-6 m of a contact: `wrong` counts
-// the decisions that the brute-force distances contradict.
+// 100,000 bodies of all breadths and more, half of them within 1 mm to 1e-6 m of a contact: `wrong`
+// counts the decisions that the brute-force distances contradict.
 void decisions(benchmark::State& state) {
   constexpr int kBodies = 126000;  // a fifth is left out
   const RunResult& result = planned();

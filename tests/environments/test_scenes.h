@@ -44,7 +44,8 @@ inline std::vector<SceneObject> stairs(int treads, double rise, double going) {
 
 inline Obstacle obstacleOf(const SceneObject& object, int index) {
   const bool is_mesh = std::holds_alternative<TriangleMesh>(object.shape);
-  return {index, object.shape, object.X_WO, is_mesh ? closedPart(worldMesh(object)) : TriangleMesh{}};
+  return {index, object.shape, object.X_WO,
+          is_mesh ? closedPart(worldMesh(object)) : TriangleMesh{}};
 }
 
 inline Capsule randomCapsule(std::mt19937_64& generator, const Eigen::AlignedBox3d& box,

@@ -319,8 +319,8 @@ TEST(CollisionWorld, ClearanceIsTheDistanceOfTheNearestPart) {
   EXPECT_EQ(none.distance, 0.4);
 }
 
-// Of three frames that are looked at, of nine, the parts that are nearest to the wall are 0.41, 0.31
-// and 0.21 m away, soles apart.
+// Of three frames that are looked at, of nine, the parts that are nearest to the wall are 0.41,
+// 0.31 and 0.21 m away, soles apart.
 TEST(CollisionWorld, NearnessIsWhatIsMissingOfTheLimitFrameByFrame) {
   TestWorld world({floorSlab(), makeObject("wall", Box{{0.1, 9, 2.5}}, {1.05, 0, 1.25})});
   const auto clearanceAt = [&](double x) {
