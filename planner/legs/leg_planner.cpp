@@ -4,6 +4,7 @@ namespace amble {
 namespace {
 
 constexpr double kLineSpacing = 0.1;  // between points of an edge's picture [m]
+constexpr size_t kFew = 20;           // refusals that say less than all do
 
 int findNode(const Roadmap& roadmap, const Waypoint& at, bool last) {
   int found = -1;
@@ -38,7 +39,7 @@ std::vector<SteeringFailure> inTheWay(const SampledRoadmap& roadmap, const Waypo
     all.push_back(edge.failure);
     if (here[edge.from] && there[edge.to]) relevant.push_back(edge.failure);
   }
-  return relevant.empty() ? all : relevant;
+  return relevant.size() < kFew ? all : relevant;
 }
 
 void describeRoadmap(const SampledRoadmap& roadmap, PlanOutcome& outcome) {

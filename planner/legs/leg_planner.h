@@ -23,7 +23,7 @@ class LegPlanner {
 using LegPlannerPtr = std::unique_ptr<LegPlanner>;
 
 /// Refusals of edges that lead from where one gets from the start to where one gets to the goal
-/// from; all, if none does.
+/// from; all, if hardly any does.
 std::vector<SteeringFailure> inTheWay(const SampledRoadmap& roadmap, const Waypoint& from,
                                       const Waypoint& to);
 

@@ -79,8 +79,8 @@ class WayGuide {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< [m, World]
     bool may_pass = false;                         ///< next() has led, or may lead, through it
   };
-  /// The narrowest place of the widest way, if there is hardly room for the body, or none; nothing
-  /// where there is no way, or room everywhere.
+  /// The narrowest place of the widest way, its ends left out, if there is hardly room for the
+  /// body, or none; nothing where there is no way, or room everywhere.
   virtual std::optional<Narrow> narrowest() const = 0;
 };
 

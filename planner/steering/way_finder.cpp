@@ -20,6 +20,7 @@ constexpr double kSqueeze = 4.0;
 constexpr double kRefused = 4.0;       // the same near a place where steering refused...
 constexpr double kRefusedNear = 0.4;   // ...within so much [m]
 constexpr double kClimb = 2.0;         // metres of way that a metre up or down is worth
+constexpr double kNearEnd = 0.5;       // so far around ends rooms are as those are [m]
 constexpr double kFarthest = 10.0;     // from one corner to the next [m]
 constexpr double kRoomSought = 0.8;    // how far back from the farthest place seen [m]
 constexpr double kLevelNear = 0.3;     // somebody stands where it is level so far around [m]
@@ -49,6 +50,19 @@ double WayFinder::factor(int place) const {
   return 1.0 + unease + squeeze + penalty_[place];
 }
 
+bool WayFinder::isNear(int place, int end) const {
+  return (map_->at(place) - map_->at(end)).head<2>().norm() < kNearEnd;
+}
+
+// Least room that a way may have by a place. Who is asked to stand nearer to things than he walks
+// comes from there, or goes there, by places as near to them.
+double WayFinder::tightest(int place) const {
+  double least = kTightest;
+  for (const int end : {from_, to_})
+    if (isNear(place, end)) least = std::min(least, map_->spare(end) - 0.5 * map_->cell());
+  return least;
+}
+
 // Places from end to end; none where the map knows no way.
 std::vector<int> WayFinder::cheapest() const {
   if (from_ < 0 || to_ < 0) return {};
@@ -70,7 +84,8 @@ std::vector<int> WayFinder::cheapest() const {
     if (estimate > cost[place] + least(place) + 1e-4f) continue;
     for (const auto& [dx, dy] : kAround) {
       const int other = map_->beside(place, dx, dy);
-      if (other < 0 || (map_->spare(other) < kTightest && other != to_)) continue;
+      if (other < 0) continue;
+      if (map_->spare(other) < kTightest && map_->spare(other) < tightest(other)) continue;
       const double rise = std::abs(map_->at(other).z() - map_->at(place).z());
       const double length = map_->cell() * std::hypot(dx, dy) + kClimb * rise;
       const float total = cost[place] + static_cast<float>(length * factor(other));
@@ -202,7 +217,8 @@ std::vector<int> WayFinder::widest() const {
 }
 
 std::optional<WayGuide::Narrow> WayFinder::narrowest() const {
-  const std::vector<int> way = widest();
+  std::vector<int> way = widest();
+  std::erase_if(way, [&](int place) { return isNear(place, from_) || isNear(place, to_); });
   if (way.empty()) return std::nullopt;
   const int narrow = *std::min_element(
       way.begin(), way.end(), [&](int a, int b) { return map_->spare(a) < map_->spare(b); });

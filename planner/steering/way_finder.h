@@ -34,6 +34,8 @@ class WayFinder : public WayGuide {
   std::vector<int> cheapest() const;
   std::vector<int> widest() const;
   double factor(int place) const;
+  double tightest(int place) const;
+  bool isNear(int place, int end) const;
   bool isClear(int from, int to, double least, float most) const;
   bool isLevel(int place) const;
   int farthestSeen(const std::vector<int>& way, int here) const;

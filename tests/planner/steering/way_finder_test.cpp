@@ -89,6 +89,18 @@ TEST(WayFinder, WhereSteeringRefusedTheNextWayIsElsewhere) {
   EXPECT_GT(crossing, 0.0);
 }
 
+// Nearer to a wall than its feet may be: a body stands there that does not walk so near.
+TEST(WayFinder, WhoStandsNearAWallWalksAwayFromItAndIsNoNarrowPlace) {
+  const Room room({{1.0, 2.0}});
+  const Eigen::Vector3d at_the_wall(-0.3, -2, 0);
+  ASSERT_LT(room.map->spare(room.map->placeAt(at_the_wall)), -0.06);
+  WayFinder finder = room.from(at_the_wall, Room::kEast);
+  const auto way = finder.next();
+  ASSERT_TRUE(way.has_value());
+  EXPECT_GE(way->size(), 1u);
+  EXPECT_FALSE(finder.narrowest().has_value());
+}
+
 TEST(WayFinder, WhoIsStoppedKnowsNoWay) {
   const Room room({{1.0, 2.0}});
   WayFinder finder(room.map, Room::kWest, Room::kEast, kShortest, [] { return true; });
