@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -23,6 +24,7 @@ constexpr double kOverhead = 0.55;       // of stature: what begins higher is wa
 constexpr double kGroundStep = 0.02;     // between the places where ground is looked at [m]
 constexpr double kFarthestGround = 3.0;  // beyond an edge [m]
 constexpr double kSeen = 1.5;            // up and down, to which ground is seen from an edge [m]
+constexpr double kTellingShare = 0.05;   // of refusals, by which the scene stands in the way
 constexpr size_t kMostMeasured = 100;    // places of refusals
 
 std::string metres(double value, int digits = 2) {
@@ -359,8 +361,15 @@ double longestStep(const WalkSynthesizer& synthesizer) {
   return StrideLaw::kLongestStep * synthesizer.capturedStep();
 }
 
-std::optional<Obstruction> whatStoodInTheWay(const std::vector<SteeringFailure>& refusals,
+std::optional<Obstruction> whatStoodInTheWay(const std::vector<SteeringFailure>& all,
                                              const PlanRequest& request) {
+  // Another place would do for an edge that has no curve, or no whole number of steps: what the
+  // scene refuses says more, where it is not next to nothing.
+  std::vector<SteeringFailure> refusals;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(refusals), [](const auto& refusal) {
+    return stageOf(refusal.rule) >= SteeringStage::kAnimation;
+  });
+  if (refusals.size() < kTellingShare * static_cast<double>(all.size())) refusals = all;
   auto why = mostOften(refusals, request.world->scene(), request.world->body());
   if (!why) return why;
   const PlaceProbe probe(request);

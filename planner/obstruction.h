@@ -18,7 +18,7 @@ std::optional<Obstruction> mostOften(const std::vector<SteeringFailure>& refusal
                                      const Scene& scene, const Body& body);
 
 /// The same, and measured: how wide and high it is there, and between what.
-std::optional<Obstruction> whatStoodInTheWay(const std::vector<SteeringFailure>& refusals,
+std::optional<Obstruction> whatStoodInTheWay(const std::vector<SteeringFailure>& all,
                                              const PlanRequest& request);
 
 /// Of an end that is blocked: by what, and the nearest place where the body could stand as it is to

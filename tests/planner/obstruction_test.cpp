@@ -132,6 +132,16 @@ TEST(Obstruction, ALegThatIsTooShortSaysWhereTheStepIsAndHowHigh) {
       << line;
 }
 
+TEST(Obstruction, WhatTheSceneRefusesSaysMoreThanEdgesThatHaveNoCurve) {
+  const FurnishedRoom& room = furnishedRoom();
+  std::vector<SteeringFailure> refusals(9, SteeringFailure{WalkRule::kStepLength});
+  refusals.push_back(contact(1, 5, {3, 1, 1}));
+  EXPECT_EQ(whatStoodInTheWay(refusals, requestIn(room))->rule, WalkRule::kContact);
+  refusals.resize(30, SteeringFailure{WalkRule::kStepLength});  // next to nothing
+  refusals.resize(31, SteeringFailure{WalkRule::kTurnRate});
+  EXPECT_EQ(whatStoodInTheWay(refusals, requestIn(room))->rule, WalkRule::kStepLength);
+}
+
 TEST(Obstruction, WhatNothingTouchedSaysFromWhereToWhereAndHowFar) {
   SteeringFailure refusal{WalkRule::kNoCurve};
   refusal.at = {1.0, 1.0, 0};
