@@ -15,7 +15,8 @@ constexpr size_t kMostOfReport = 4000000;  // of a part that is flooded to be to
 constexpr double kOfRadius = 0.4;
 // Of a leg from the path, at any height [m].
 constexpr double kStride = 0.5;
-constexpr double kThinnest = 0.02;   // a smaller ball is none [m]
+constexpr double kLowestHips = 0.4;  // of stature
+constexpr double kThinnest = 0.01;   // a smaller ball is none [m]
 constexpr int kStopEvery = 1 << 10;  // squares between looks at the clock
 
 // The axis of a part over a walk: heights over the ground, and how far it is from the path.
@@ -46,29 +47,28 @@ std::vector<PartWay> waysOfParts(const StraightWalk& walk, const Skeleton& skele
 }  // namespace
 
 BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
-                     const Body& body, double highest_step) {
+                     const Body& body, double stature, double highest_step) {
   if (walk.buffer.size() == 0) return;
   const std::vector<PartWay> ways = waysOfParts(walk, skeleton, body);
-  double hips = 0.0;  // lowest
-  for (size_t part = 0; part < ways.size(); ++part)
-    if (body.parts[part].joint == roles.hips) hips = ways[part].middle.min()[0] - kSway;
   for (int part = 0; part < static_cast<int>(body.parts.size()); ++part) {
     const BodyPart& own = body.parts[part];
     const PartWay& way = ways[part];
-    const double low = way.middle.min()[0] - kSway, high = way.middle.max()[0] + kSway;
-    const double aside = way.aside + kSway;
-    // The leg, from the hip to the ankle, crosses this height once, with the thigh or the shank.
-    const double shank = highest_step + kAnkle;
+    const double low = way.middle.min()[0] - kDip, high = way.middle.max()[0] + kRise;
+    const double aside = way.aside + kDip;
     if (part == body.head) {
       balls_.push_back({high, std::max(high, body.upright - own.radius), own.radius, aside, part});
     } else if (own.joint == roles.hips || own.name == "chest") {
       const double middle = 0.5 * (low + high), radius = own.radius - 0.5 * (high - low);
       if (radius > kThinnest) balls_.push_back({middle, middle, radius, aside, part});
-    } else if ((own.joint == roles.legs[kLeft].leg || own.joint == roles.legs[kRight].leg) &&
-               shank < hips) {
-      balls_.push_back({shank, shank, own.radius, kStride, part});
+    } else if (own.joint == roles.legs[kLeft].leg || own.joint == roles.legs[kRight].leg) {
+      // The leg, from the hip to the ankle, crosses this height once, with the thigh or the shank.
+      const double height = highest_step + kAnkle * stature;
+      if (height < kLowestHips * stature)
+        balls_.push_back({height, height, own.radius, kStride, part});
     }
   }
+  std::stable_sort(balls_.begin(), balls_.end(),
+                   [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
 }
 
 // Of one ball, from both ends in turn.

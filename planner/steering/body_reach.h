@@ -10,13 +10,14 @@
 /// A flood over squares decides it. A square is shut where a ball at its middle touches something
 /// with its radius less half the square's diagonal: then it does wherever in the square it is. All
 /// doubts are decided for the walker: the balls are those that a straight walk from standing to
-/// standing holds at every frame, less kSway of height; squares are left across their corners too;
-/// ends count as all squares as far from them as a ball is from the path at most, and kSway more;
-/// and the flood may leave the ground by kBeyond. Asked where the ground is level: elsewhere the
+/// standing holds at every frame, and would hold kRise higher or kDip lower, as who turns, bends or
+/// steps over things is; squares are left across their corners too; ends count as all squares as
+/// far from them as a ball is from the path at most, and kDip more; and the flood may leave the
+/// ground by kBeyond. Asked where the ground is level: elsewhere the
 /// body is carried otherwise.
 ///
-/// So "shut" is certain, up to walks that carry pelvis or head otherwise than the straight one by
-/// more than kSway, of which the library has none; "not shut" says little.
+/// So "shut" is certain, up to walks that carry pelvis or chest otherwise than the straight one by
+/// more than that, of which tests find none; "not shut" says little.
 #pragma once
 
 #include <functional>
@@ -30,16 +31,16 @@ namespace amble {
 
 class BodyReach {
  public:
-  static constexpr double kSway = 0.02;    ///< [m]
-  static constexpr double kBeyond = 0.12;  ///< [m]
-  /// Of ankles over the height that feet are lifted over, at most [m].
-  static constexpr double kAnkle = 0.2;
+  static constexpr double kRise = 0.02, kDip = 0.12;  ///< [m]
+  static constexpr double kBeyond = 0.12;             ///< [m]
+  /// Of stature: of ankles over the height that feet are lifted over, at most.
+  static constexpr double kAnkle = 0.14;
   static constexpr double kLargest = 0.05;  ///< square [m]
 
   /// Of a body on a walk; knows nothing where the walk has no frames. @pre body outlives it
   /// @param highest_step  that feet are lifted over [m]
   BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
-            const Body& body, double highest_step);
+            const Body& body, double stature, double highest_step);
 
   /// What shuts the body off, where least is missing.
   struct Barrier {
@@ -58,13 +59,16 @@ class BodyReach {
                                  CollisionScratch& scratch,
                                  const std::function<bool()>& stopped) const;
 
- private:
   struct Ball {
-    double height = 0.0, top = 0.0;  // of its middle over the ground, and up to there [m]
-    double radius = 0.0;             // [m, > 0]
-    double aside = 0.0;              // from the path, at most [m]
-    int part = -1;                   // of the body
+    double height = 0.0, top = 0.0;  ///< of its middle over the ground, and up to there [m]
+    double radius = 0.0;             ///< [m, > 0]
+    double aside = 0.0;              ///< from the path, at most [m]
+    int part = -1;                   ///< of the body
   };
+  /// The largest first: they are flooded by the largest squares.
+  const std::vector<Ball>& balls() const { return balls_; }
+
+ private:
   class Flood;
   std::vector<Ball> balls_;
 };

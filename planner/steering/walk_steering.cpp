@@ -220,7 +220,7 @@ WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWo
       ground_(ground),
       comfort_(comfort),
       core_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature()),
-      reach_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(),
+      reach_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature(),
              ground.settings().limits.highestStep()) {
   const Eigen::AlignedBox1d breadth = walkingBreadth(walk, synthesizer.skeleton(), world.body());
   if (breadth.isEmpty()) return;

@@ -105,31 +105,54 @@ TEST(BodyReach, NoWalkThatIsFoundWasShutOff) {
   EXPECT_GE(walked, 20);
 }
 
-// Legs that step over the highest thing that they may: no ankle comes to where a leg's ball is.
-TEST(BodyReach, NoAnkleIsLiftedToTheHeightThatLegsCross) {
+// Walks of all kinds, over things as high as may be stepped over: all balls are in the body.
+TEST(BodyReach, EveryPoseHoldsTheBalls) {
   const double highest = furnishedRoom().ground.settings().limits.highestStep();
-  const FurnishedRoom room(
-      roomWith({boxObject("log", {0.15, 4.0, highest - 0.01}, {3, 2, 0.5 * (highest - 0.01)})}));
+  std::vector<SceneObject> logs;
+  for (const double x : {2.0, 4.0})
+    logs.push_back(boxObject("log", {0.12, 4.0, highest - 0.01}, {x, 2, 0.5 * (highest - 0.01)}));
+  const FurnishedRoom room(roomWith(logs));
+  const BodyReach reach(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
+                        room.synthesizer.roles(), room.body, room.synthesizer.stature(), highest);
   const WalkSteering steering(room.synthesizer, room.world, room.ground);
   const auto scratch = steering.makeScratch();
+  SampleStream stream(4, 0);
   AnimationBuffer buffer;
   std::vector<JointFrame> joints(room.synthesizer.skeleton().size());
+  std::vector<Eigen::Vector3d> a(room.body.parts.size()), b(room.body.parts.size());
   double lifted = 0.0;
-  for (double x = 0.6; x < 1.4; x += 0.1) {
+  for (int i = 0; i < 150; ++i) {
     Waypoint from, to;
-    from.stance.position << x, 2, 0;
-    to.stance.position = kEast;
+    for (Waypoint* end : {&from, &to}) {
+      end->stance.position << stream.uniform(0.3, 5.7), stream.uniform(0.3, 3.7), 0.0;
+      end->stance.heading = stream.uniform(-kPi, kPi);
+      end->stance.standing = stream.uniform() < 0.6;
+    }
     const auto result = steering.steer(from, to, *scratch);
     if (!result.edge) continue;
     steering.animate(*result.edge, buffer);
     for (int frame = 0; frame < buffer.size(); ++frame) {
       forwardKinematics(room.synthesizer.skeleton(), buffer.poses[frame], joints);
-      for (const Side side : {kLeft, kRight})
-        lifted = std::max(lifted, joints[room.synthesizer.roles().legs[side].foot].p_WJ.z());
+      placeBody(room.body, joints, a, b);
+      for (const BodyReach::Ball& ball : reach.balls()) {
+        const BodyPart& part = room.body.parts[ball.part];
+        const double middle = 0.5 * (a[ball.part] + b[ball.part]).z();
+        if (ball.part == room.body.head) {
+          ASSERT_LT(middle, ball.height);  // it begins in the head, or in what is over it
+        } else if (part.name == "pelvis" || part.name == "chest") {
+          ASSERT_LT(std::abs(middle - ball.height), part.radius - ball.radius) << part.name;
+        } else {
+          for (const LegJoints& leg : room.synthesizer.roles().legs) {
+            ASSERT_LT(joints[leg.foot].p_WJ.z(), ball.height);
+            ASSERT_GT(joints[leg.up_leg].p_WJ.z(), ball.height);
+            lifted = std::max(lifted, joints[leg.foot].p_WJ.z());
+          }
+        }
+      }
     }
   }
-  EXPECT_GT(lifted, highest);  // somebody stepped over it
-  EXPECT_LT(lifted, highest + BodyReach::kAnkle);
+  EXPECT_GE(reach.balls().size(), 5u);
+  EXPECT_GT(lifted, highest);  // somebody stepped over a log
 }
 
 TEST(BodyReach, WhoIsStoppedKnowsNothing) {
