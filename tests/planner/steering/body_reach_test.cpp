@@ -23,6 +23,15 @@ Scene roomWith(const std::vector<SceneObject>& things) {
   return scene;
 }
 
+// In that room, standing or walking, by any heading.
+Waypoint anywhere(SampleStream& stream) {
+  Waypoint at;
+  at.stance.position << stream.uniform(0.3, 5.7), stream.uniform(0.3, 3.7), 0.0;
+  at.stance.heading = stream.uniform(-kPi, kPi);
+  at.stance.standing = stream.uniform() < 0.6;
+  return at;
+}
+
 std::optional<SteeringFailure> shutOff(const FurnishedRoom& room, const Eigen::Vector3d& from,
                                        const Eigen::Vector3d& to) {
   const WalkSteering steering(room.synthesizer, room.world, room.ground);
@@ -90,12 +99,7 @@ TEST(BodyReach, NoWalkThatIsFoundWasShutOff) {
     const WalkSteering steering(room.synthesizer, room.world, room.ground);
     const auto scratch = steering.makeScratch();
     for (int k = 0; k < 40; ++k) {
-      Waypoint from, to;
-      for (Waypoint* end : {&from, &to}) {
-        end->stance.position << stream.uniform(0.3, 5.7), stream.uniform(0.3, 3.7), 0.0;
-        end->stance.heading = stream.uniform(-kPi, kPi);
-        end->stance.standing = stream.uniform() < 0.6;
-      }
+      const Waypoint from = anywhere(stream), to = anywhere(stream);
       if (!steering.steer(from, to, *scratch).edge) continue;
       ++walked;
       EXPECT_FALSE(
@@ -122,12 +126,7 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
   std::vector<Eigen::Vector3d> a(room.body.parts.size()), b(room.body.parts.size());
   double lifted = 0.0;
   for (int i = 0; i < 150; ++i) {
-    Waypoint from, to;
-    for (Waypoint* end : {&from, &to}) {
-      end->stance.position << stream.uniform(0.3, 5.7), stream.uniform(0.3, 3.7), 0.0;
-      end->stance.heading = stream.uniform(-kPi, kPi);
-      end->stance.standing = stream.uniform() < 0.6;
-    }
+    const Waypoint from = anywhere(stream), to = anywhere(stream);
     const auto result = steering.steer(from, to, *scratch);
     if (!result.edge) continue;
     steering.animate(*result.edge, buffer);
