@@ -4,7 +4,8 @@
 /// Every proposal replaces a stretch of the walk by new edges, which steering checks as it checks
 /// any other; it is taken if the walk takes no longer and gains: in time, or by bending less. So a
 /// refined walk never takes longer than the one it came from and is as valid. Three passes:
-///   1 shortcuts   a direct edge between two nodes, the widest apart first, until none helps
+///   1 shortcuts   a direct edge between two nodes, the widest apart first, until none helps; none
+///                 over more than 20 m, which is what roadmaps are for
 ///   2 stops       each node where the walk stands is replaced by a stance that walks: on the node
 ///   or nearer to the line
 ///                 between its neighbours, headed as they lie; the first on a fixed list that

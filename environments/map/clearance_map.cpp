@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "environments/ground/ground_cells.h"
-#include "environments/scene/scene_pieces.h"
-#include "environments/scene/triangle_grid.h"
 
 namespace amble {
 namespace {
@@ -22,7 +20,7 @@ constexpr int kBesideGround = 3;
 }  // namespace
 
 ClearanceMap::ClearanceMap(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
-                           const Breadth& body, const Stopped& stopped)
+                           const Breadth& body, const std::function<bool()>& stopped)
     : body_(body), step_(ground.settings().limits.highestStep()) {
   bool made = layPlaces(ground, bounds, stopped);
   if (made) {
@@ -37,7 +35,7 @@ ClearanceMap::ClearanceMap(const SceneGround& ground, const Eigen::AlignedBox2d&
 }
 
 bool ClearanceMap::layPlaces(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
-                             const Stopped& stopped) {
+                             const std::function<bool()>& stopped) {
   const GroundCells& squares = ground.cells();
   if (squares.columns() == 0 || bounds.isEmpty()) return true;
   const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.5 * squares.cell());
@@ -132,7 +130,7 @@ void ClearanceMap::markEdges() {
   }
 }
 
-bool ClearanceMap::markObstacles(const SceneGround& ground, const Stopped& stopped) {
+bool ClearanceMap::markObstacles(const SceneGround& ground, const std::function<bool()>& stopped) {
   if (size() == 0 || body_.bands.empty()) return true;
   const double low = ground.heights().min()[0] + body_.bands.front().low;
   const double high = ground.heights().max()[0] + body_.bands.back().high;
@@ -187,7 +185,7 @@ void ClearanceMap::markColumn(const Eigen::Vector2i& at, double low, double high
   }
 }
 
-bool ClearanceMap::spread(const Stopped& stopped) {
+bool ClearanceMap::spread(const std::function<bool()>& stopped) {
   for (size_t next = 0; next < queue_.size(); ++next) {
     if (next % kStopEvery == 0 && stopped()) return false;
     const int place = queue_[next];

@@ -43,12 +43,11 @@ class ClearanceMap {
   static constexpr double kCell = 0.05;      ///< [m]
   static constexpr double kMostCells = 6e6;  ///< coarser ones where there would be more
 
-  using Stopped = std::function<bool()>;
   /// Of the ground within `bounds`. @param stopped  asked now and then: where it says so the map is
   /// left empty
   ClearanceMap(
       const SceneGround& ground, const Eigen::AlignedBox2d& bounds, const Breadth& body,
-      const Stopped& stopped = [] { return false; });
+      const std::function<bool()>& stopped = [] { return false; });
 
   /// Places are numbered from 0.
   int size() const { return static_cast<int>(height_.size()); }
@@ -74,9 +73,9 @@ class ClearanceMap {
 
   // False where they are stopped.
   bool layPlaces(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
-                 const Stopped& stopped);
-  bool markObstacles(const SceneGround& ground, const Stopped& stopped);
-  bool spread(const Stopped& stopped);
+                 const std::function<bool()>& stopped);
+  bool markObstacles(const SceneGround& ground, const std::function<bool()>& stopped);
+  bool spread(const std::function<bool()>& stopped);
   void markEdges();
   void markTriangle(const Triangle3& t);
   void markColumn(const Eigen::Vector2i& at, double low, double high);

@@ -37,7 +37,7 @@ class BodyReach {
   static constexpr double kAnkle = 0.14;
   static constexpr double kLargest = 0.05;  ///< square [m]
 
-  /// Of a body on a walk; knows nothing where the walk has no frames. @pre body outlives it
+  /// Of a body on a walk; knows nothing where the walk has no frames.
   /// @param highest_step  that feet are lifted over [m]
   BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
             const Body& body, double stature, double highest_step);
@@ -47,7 +47,7 @@ class BodyReach {
     int part = -1;                                 ///< of the body, that does not pass
     int object = -1;                               ///< of the scene, that it would touch
     Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< where it would [m, World]
-    /// The ground where what is reached from the start ends, and where the rest begins [m, World].
+    /// The ground where the smaller of the two parts ends, and where the rest begins [m, World].
     Eigen::Vector3d near = Eigen::Vector3d::Zero(), far = Eigen::Vector3d::Zero();
   };
   /// None says nothing. Cost: a few hundred nanoseconds a square, of the smaller part at most
