@@ -25,6 +25,10 @@ constexpr double kShortestLeg = 0.3, kLongestLeg = 1.15;
 // a cadence that is none, as of a wrong frame time, says [1].
 constexpr double kCadenceSpread = 0.12, kCadenceDoubt = 0.2;
 
+// Few walk faster than this, and people run from 0.7 on (Alexander: a Froude number of 0.5); a run
+// says as little of the legs as a cadence that is none [sqrt(g leg)].
+constexpr double kBriskSpeed = 0.6, kSpeedSpread = 0.1, kSpeedDoubt = 0.2, kGravity = 9.81;
+
 // So many times likelier than the next, a unit is sure.
 constexpr double kSure = 15.0;
 
@@ -62,6 +66,12 @@ double likelihoodOfCadence(const StepRhythm& rhythm, double leg) {
              : 1.0;
 }
 
+double likelihoodOfSpeed(const StepRhythm& rhythm, double leg) {
+  const double over =
+      std::max(0.0, rhythm.speed * std::sqrt(leg / kGravity) - kBriskSpeed) / kSpeedSpread;
+  return (1.0 - kSpeedDoubt) * std::exp(-0.5 * over * over) + kSpeedDoubt;
+}
+
 struct Candidate {
   double metres;      // a unit
   double leg;         // [m]
@@ -74,7 +84,7 @@ Candidate candidate(const Unit& unit, double leg, const StepRhythm& rhythm, doub
       unit.metres == kCmuUnit && std::abs(frame_time / kCmuFrameTime - 1.0) > kSameRate;
   return {unit.metres, length,
           unit.share * (other ? kOtherRate : 1.0) * likelihoodOfLeg(length) *
-              likelihoodOfCadence(rhythm, length)};
+              likelihoodOfCadence(rhythm, length) * likelihoodOfSpeed(rhythm, length)};
 }
 
 bool isPersonsLeg(double leg) { return leg >= kShortestLeg && leg <= kLongestLeg; }

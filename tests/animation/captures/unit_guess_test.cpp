@@ -51,6 +51,17 @@ TEST(UnitGuess, CmusUnitIsExpectedAtCmusRateAndElseASmallChildInInchesIsThoughtO
       << other.text;
 }
 
+TEST(UnitGuess, AWalkThatWouldBeARunMakesAnAdultUnsure) {
+  // Steps of CMU subject 8, in the time that legs of 0.36 m take for them; 0.92 m in inches.
+  StepRhythm quick{4, 2.74, 0.35, 2.52, 2.52}, slow = quick;
+  slow.speed = slow.ground_speed = 1.6;
+  slow.cadence = 1.85;
+  const Reading<double> guess = guessUnit(0.36 / 0.01, quick, 1.0 / 60.0);
+  EXPECT_FALSE(guess.sure) << guess.text;
+  EXPECT_NE(guess.text.find("0.01 m"), std::string::npos) << guess.text;
+  EXPECT_TRUE(guessUnit(0.36 / 0.01, slow, 1.0 / 60.0).sure);
+}
+
 TEST(UnitGuess, WhereNobodyHasSuchLegsThoseThatSomebodyHasAreNamed) {
   // A small child in feet has the legs of a giant in metres.
   const Reading<double> guess = guessUnit(0.36 / 0.3048, {}, 1.0 / 30.0);
