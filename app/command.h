@@ -23,6 +23,7 @@ void addAnalyse(CLI::App& app, Command& chosen);
 void addLibrary(CLI::App& app, Command& chosen);
 void addConvert(CLI::App& app, Command& chosen);
 void addInspect(CLI::App& app, Command& chosen);
+void addRoadmap(CLI::App& app, Command& chosen);
 
 /// Accepts a finite decimal number within a range, ends included; CLI11's own lets `nan` through.
 CLI::Validator number(double min, double max, const std::string& unit = "");

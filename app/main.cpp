@@ -41,6 +41,7 @@ int runProgram(int argc, char** argv) {
   addLibrary(app, chosen);
   addConvert(app, chosen);
   addInspect(app, chosen);
+  addRoadmap(app, chosen);
   takeOneArgumentEach(app);
   try {
     app.parse(argc, argv);

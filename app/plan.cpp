@@ -52,7 +52,7 @@ std::string formatsHelp() {
 }
 
 struct Options {
-  std::string scenario, out, planner;
+  std::string scenario, out, planner, roadmap;
   int seed = -1;  // -1: the scenario's
   int threads = 1;
   double time_limit = 0.0;  // [s]; 0: the scenario's
@@ -193,11 +193,12 @@ int run(const Options& options) {
   how.bvh_unit = options.bvh_units == "cm" ? 0.01 : 1.0;
   how.memory = options.memory;
   how.checker = options.checker == "fcl" ? Checker::kFcl : Checker::kFast;
+  how.roadmap = options.roadmap;
   how.stop = &stopFlag();
   const auto keep = [&](const std::vector<std::filesystem::path>& inputs) {
     for (const Format& format : kFormats) keepInputs(folder / format.file, inputs);
   };
-  keep({scenario.source.file, scenario.scene});
+  keep({scenario.source.file, scenario.scene, options.roadmap});
   how.loaded = [&](const Problem& problem) {
     keep(inputsOf(problem));
     for (const std::string& warning : sceneWarnings(problem.scene, problem.ground))
@@ -236,6 +237,8 @@ void addPlan(CLI::App& app, Command& chosen) {
                                               "Scenario file (YAML); - is standard input");
   command->add_option("-o,--output", options->out, "Folder for the results; default: out/NAME");
   command->add_option("--planner", options->planner, "Instead of the scenario's");
+  command->add_option("--roadmap", options->roadmap,
+                      "A kept roadmap, which is asked first (amble roadmap build)");
   command->add_option("--seed", options->seed, "Instead of the scenario's")
       ->check(wholeNumber(0, 2147483647));
   command->add_option("--threads", options->threads, "Threads; changes no result")

@@ -6,7 +6,8 @@
 
 namespace amble {
 
-std::map<std::string, std::string> inputDigests(const Problem& problem) {
+std::map<std::string, std::string> inputDigests(const Problem& problem,
+                                                const std::filesystem::path& roadmap) {
   namespace fs = std::filesystem;
   const ScenarioSource& source = problem.scenario.source;
   const fs::path folder = fs::absolute(source.file.parent_path() / ".").lexically_normal();
@@ -21,6 +22,7 @@ std::map<std::string, std::string> inputDigests(const Problem& problem) {
   for (const fs::path& file : problem.scene.inputs) add(file);
   add(problem.library.file);
   add(problem.library.file.parent_path() / problem.library.skeleton_file);
+  if (!roadmap.empty()) add(roadmap);
   return inputs;
 }
 

@@ -117,9 +117,13 @@ GroundSettings groundSettings(const Scenario& scenario, const MotionLibrary& lib
   const CharacterSpec& character = scenario.character;
   const double stature = character.height > 0.0 ? character.height : library.stature;
   GroundSettings settings = walkerGround(stature, character.limits);
-  for (const Place& place : {scenario.start, scenario.goal})
-    settings.places.push_back({place.at, place.z});
-  for (const Place& place : scenario.via) settings.places.push_back({place.at, place.z});
+  const auto add = [&](const Place& start, const Place& goal, const std::vector<Place>& via) {
+    for (const Place& place : {start, goal}) settings.places.push_back({place.at, place.z});
+    for (const Place& place : via) settings.places.push_back({place.at, place.z});
+  };
+  if (scenario.queries.empty() && scenario.has_ends)
+    add(scenario.start, scenario.goal, scenario.via);
+  for (const ScenarioQuery& query : scenario.queries) add(query.start, query.goal, query.via);
   return settings;
 }
 
@@ -151,6 +155,16 @@ SceneGround makeGround(const Scene& scene, const Scenario& scenario, const Motio
             " degrees, with " + metres(settings.headroom) + " m of room above it");
   }
   return ground;
+}
+
+// Of a query, before its places' own.
+std::string keysOf(size_t query) { return "queries[" + std::to_string(query) + "]."; }
+
+// A scene alone has the lowest of its ground.
+double startFloor(const Scene& scene, const SceneGround& ground, const Scenario& scenario,
+                  const std::string& keys) {
+  if (!scenario.has_ends) return ground.heights().min()[0];
+  return chooseFloor(scene, ground, scenario, scenario.start, keys + "start");
 }
 
 }  // namespace
@@ -187,12 +201,13 @@ double chooseFloor(const Scene& scene, const SceneGround& ground, const Scenario
 
 Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& limits,
                  Checker checker)
-    : scenario(problem),
+    : keys(problem.queries.empty() ? "" : keysOf(0)),
+      scenario(problem),
       scene(timed(times.scene, [&] { return loadScene(scenario, limits); })),
       library(timed(times.library, [&] { return loadLibrary(scenario); })),
       ground(
           timed(times.ground, [&] { return makeGround(scene, scenario, library, limits.stop); })),
-      floor(chooseFloor(scene, ground, scenario, scenario.start, "start")),
+      floor(startFloor(scene, ground, scenario, keys)),
       synthesizer(timed(
           times.character,
           [&] { return WalkSynthesizer(library, ground, settingsOf(scenario, frame_time)); })),
@@ -201,8 +216,40 @@ Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& l
         return CollisionWorld(scene, ground, synthesizer.skeleton(), body, limits.stop, checker);
       })) {}
 
+void Problem::ask(size_t query) {
+  const ScenarioQuery& asked = scenario.queries.at(query);
+  scenario.start = asked.start;
+  scenario.goal = asked.goal;
+  scenario.via = asked.via;
+  keys = keysOf(query);
+  floor = stand(scenario.start, "start").z();
+}
+
+PlanRequest Problem::request() const {
+  PlanRequest request;
+  request.synthesizer = &synthesizer;
+  request.world = &world;
+  request.ground = &ground;
+  request.bounds = bounds();
+  request.comfort = scenario.walk.comfort;
+  request.planner = scenario.planner.name;
+  request.limits.seed = scenario.planner.seed;
+  request.limits.max_failures = scenario.planner.max_failures;
+  return request;
+}
+
+PlanQuery Problem::query() const {
+  PlanQuery query;
+  query.start = {stand(scenario.start, "start"), scenario.start.heading,
+                 scenario.walk.from_standing};
+  query.goal = {stand(scenario.goal, "goal"), scenario.goal.heading, scenario.walk.to_standing};
+  for (size_t i = 0; i < scenario.via.size(); ++i)
+    query.via.push_back(stand(scenario.via[i], "via[" + std::to_string(i) + "]"));
+  return query;
+}
+
 Eigen::Vector3d Problem::stand(const Place& place, const std::string& key) const {
-  return {place.at.x(), place.at.y(), chooseFloor(scene, ground, scenario, place, key)};
+  return {place.at.x(), place.at.y(), chooseFloor(scene, ground, scenario, place, keys + key)};
 }
 
 Eigen::AlignedBox2d Problem::bounds() const {

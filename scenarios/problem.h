@@ -8,13 +8,14 @@
 #include "environments/collision/collision_world.h"
 #include "environments/ground/scene_ground.h"
 #include "environments/scene/scene.h"
+#include "planner/planner.h"
 #include "scenarios/report.h"
 #include "scenarios/scenario.h"
 
 namespace amble {
 
 /// Its parts know one another by address, so that it stays where it was made. Const after
-/// construction.
+/// construction, but for which of its scenario's queries is asked.
 struct Problem {
   /// @param frame_time  of the animation [s, 1/240 to 1/24].
   /// @throws InputError: what is not there or broken; a place outside of the bounds or where no
@@ -24,15 +25,24 @@ struct Problem {
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 
-  LoadTimes times;  ///< what making the parts below took; first, since they tell it
-  const Scenario scenario;
+  std::string keys;  ///< of the query that is asked, before its places' own: "queries[1]."
+  LoadTimes times;   ///< what making the parts below took; first, since they tell it
+  Scenario scenario;
   const Scene scene;
   const MotionLibrary library;
   const SceneGround ground;  ///< what the character can stand on, in all layers
-  const double floor;        ///< height of that which the start stands on [m, World]
+  double floor;              ///< height of that which the start stands on [m, World]
   const WalkSynthesizer synthesizer;
   const Body body;
   const CollisionWorld world;
+
+  /// From now on start, goal and via of the scenario are those of its query of that index; at the
+  /// begin they are those of the first. @throws InputError
+  void ask(size_t query);
+  /// What a planner is asked, without start, goal and via, by the scenario's seed and max_failures.
+  PlanRequest request() const;
+  /// Start, goal and via, on the ground. @throws InputError
+  PlanQuery query() const;
 
   /// Where a stance of the scenario stands: on the floor there, or on that which its z names [m,
   /// World].

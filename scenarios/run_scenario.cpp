@@ -8,6 +8,7 @@
 #include "planner/obstruction.h"
 #include "scenarios/export_walk.h"
 #include "scenarios/input_digests.h"
+#include "scenarios/kept_roadmaps.h"
 #include "scenarios/measure_walk.h"
 
 namespace amble {
@@ -26,30 +27,6 @@ void requireKnownPlanner(const Scenario& scenario) {
                        meant.empty() ? "one of " + list : "'" + meant + "'");
 }
 
-PlanRequest requestOf(const Problem& problem, const RunOptions& options) {
-  const Scenario& scenario = problem.scenario;
-  PlanRequest request;
-  request.synthesizer = &problem.synthesizer;
-  request.world = &problem.world;
-  request.ground = &problem.ground;
-  request.bounds = problem.bounds();
-  request.start = {problem.stand(scenario.start, "start"), scenario.start.heading,
-                   scenario.walk.from_standing};
-  request.goal = {problem.stand(scenario.goal, "goal"), scenario.goal.heading,
-                  scenario.walk.to_standing};
-  for (size_t i = 0; i < scenario.via.size(); ++i) {
-    request.via.push_back(problem.stand(scenario.via[i], "via[" + std::to_string(i) + "]"));
-  }
-  request.comfort = scenario.walk.comfort;
-  request.planner = scenario.planner.name;
-  request.limits.seed = scenario.planner.seed;
-  request.limits.max_failures = scenario.planner.max_failures;
-  request.limits.threads = options.threads;
-  request.limits.stop = options.stop;
-  request.limits.progress = options.progress;
-  return request;
-}
-
 // What most often stood in the way, and of how many refusals it is.
 std::string whyNot(const PlanOutcome& outcome) {
   if (!outcome.why) return outcome.stopped ? "it was stopped" : "nothing was tried";
@@ -62,21 +39,21 @@ std::string whyNot(const PlanOutcome& outcome) {
   return text;
 }
 
-// Reads all that the scenario names into result.problem; where that is stopped, says so instead.
-void load(const Scenario& scenario, const RunOptions& options, RunResult& result) {
+// Reads all that the scenario names; null where that is stopped, which the report says.
+std::unique_ptr<Problem> load(const Scenario& scenario, const RunOptions& options, Report& report) {
   const Stopwatch watch;
+  std::unique_ptr<Problem> problem;
   const LoadLimits limits{options.memory, {options.stop, deadlineIn(scenario.planner.time_limit)}};
-  Report& report = result.report;
   try {
-    result.problem =
-        std::make_unique<const Problem>(scenario, options.frame_time, limits, options.checker);
-    report.inputs = inputDigests(*result.problem);
-    report.times.loading = result.problem->times;
+    problem = std::make_unique<Problem>(scenario, options.frame_time, limits, options.checker);
+    report.inputs = inputDigests(*problem, options.roadmap);
+    report.times.loading = problem->times;
   } catch (const Stopped& stopped) {
     report.stopped_by = stopped.byTime() ? "time_limit" : "interrupt";
     report.why = stopped.what();
   }
   report.times.load = watch.seconds();
+  return problem;
 }
 
 void reportSearch(const RunResult& result, Report& report) {
@@ -89,7 +66,7 @@ void reportSearch(const RunResult& result, Report& report) {
   for (const auto& [rule, count] : outcome.refusals)
     report.refusals[std::string(walkRuleName(rule))] += count;
   report.poses_checked = outcome.poses_checked;
-  report.times.roadmap = outcome.times.roadmap;
+  report.times.roadmap += outcome.times.roadmap;
   report.times.search = outcome.times.search;
   report.times.refine = outcome.times.refine;
   if (outcome.status == PlanStatus::kSolved) return;
@@ -119,6 +96,69 @@ void exportAndCheck(const RunOptions& options, RunResult& result) {
   measureWalk(problem, result.outcome.walk, exported.poses, *scratch, report);
 }
 
+// After the search: all that is told of it, and of its walk.
+void finish(const RunOptions& options, RunResult& result) {
+  Report& report = result.report;
+  result.bvh.clear();
+  reportSearch(result, report);
+  report.stature = result.problem->synthesizer.stature();
+  report.body = result.problem->body.parts;
+  report.joint_names = bvhJointNames(result.problem->synthesizer.skeleton());
+  if (report.status == PlanStatus::kSolved) exportAndCheck(options, result);
+}
+
+PlanRequest requestOf(const Problem& problem, const RunOptions& options) {
+  PlanRequest request = problem.request();
+  request.limits.threads = options.threads;
+  request.limits.stop = options.stop;
+  request.limits.progress = options.progress;
+  return request;
+}
+
+PlanRequest withEnds(PlanRequest request, const PlanQuery& query) {
+  request.start = query.start;
+  request.goal = query.goal;
+  request.via = query.via;
+  return request;
+}
+
+PlanOutcome planWith(const Planner& planner, const PlanQuery& query, const SearchLimits& limits) {
+  PlanOutcome outcome = planner.plan(query, limits);
+  if (outcome.roadmap.nodes.empty()) outcome.roadmap = planner.picture();
+  return outcome;
+}
+
+Report reportFor(const Scenario& scenario, const RunOptions& options) {
+  Report report;
+  report.scenario = scenario.name;
+  report.seed = scenario.planner.seed;
+  report.planner = scenario.planner.name;
+  report.version = version();
+  report.bvh_unit = options.bvh_unit;
+  return report;
+}
+
+// What all queries share: a roadmap from a file, or grown now. Before it every place is looked at,
+// so that a wrong one is told before any work.
+std::optional<Planner> plannerOfQueries(Problem& problem, const RunOptions& options,
+                                        Report& common) {
+  for (size_t i = 0; i < problem.scenario.queries.size(); ++i) {
+    problem.ask(i);
+    problem.query();
+  }
+  if (options.loaded) options.loaded(problem);
+  PlanRequest request = requestOf(problem, options);
+  if (!options.roadmap.empty()) return Planner(request, openRoadmap(options.roadmap, problem));
+  const Stopwatch watch;
+  SearchLimits& limits = request.limits;
+  limits.deadline = deadlineIn(problem.scenario.planner.time_limit);
+  KeptRoadmap roadmap = Planner::grow(request);
+  if (limits.timeIsUp()) common.stopped_by = "time_limit";
+  limits.deadline.reset();
+  common.times.roadmap = watch.seconds();
+  return Planner(request, std::move(roadmap));
+}
+
 }  // namespace
 
 std::string RunResult::bvhDigest() const { return bvh.empty() ? "" : sha256(bvh); }
@@ -126,25 +166,44 @@ std::string RunResult::bvhDigest() const { return bvh.empty() ? "" : sha256(bvh)
 RunResult runScenario(const Scenario& scenario, const RunOptions& options) {
   requireKnownPlanner(scenario);
   RunResult result;
-  Report& report = result.report;
-  report.scenario = scenario.name;
-  report.seed = scenario.planner.seed;
-  report.planner = scenario.planner.name;
-  report.version = version();
-  report.bvh_unit = options.bvh_unit;
-  load(scenario, options, result);
+  result.report = reportFor(scenario, options);
+  result.problem = load(scenario, options, result.report);
   if (!result.problem) return result;
+  const PlanQuery query = result.problem->query();
   PlanRequest request = requestOf(*result.problem, options);
+  std::optional<Planner> planner;
+  if (!options.roadmap.empty())
+    planner.emplace(request, openRoadmap(options.roadmap, *result.problem));
   if (options.loaded) options.loaded(*result.problem);
-
   request.limits.deadline = deadlineIn(scenario.planner.time_limit);
-  result.outcome = planWalk(request);
-  reportSearch(result, report);
-  report.stature = result.problem->synthesizer.stature();
-  report.body = result.problem->body.parts;
-  report.joint_names = bvhJointNames(result.problem->synthesizer.skeleton());
-  if (report.status == PlanStatus::kSolved) exportAndCheck(options, result);
+  result.outcome = planner ? planWith(*planner, query, request.limits)
+                           : planWalk(withEnds(std::move(request), query));
+  finish(options, result);
   return result;
+}
+
+void runQueries(const Scenario& scenario, const RunOptions& options, const QueryVisitor& visit) {
+  requireKnownPlanner(scenario);
+  RunResult result;
+  Report common = reportFor(scenario, options);
+  std::unique_ptr<Problem> loaded = load(scenario, options, common);
+  Problem* const problem = loaded.get();
+  result.problem = std::move(loaded);
+  const auto planner = problem ? plannerOfQueries(*problem, options, common) : std::nullopt;
+  for (size_t i = 0; i < scenario.queries.size(); ++i) {
+    if (options.stop && options.stop->load()) return;
+    result.report = common;
+    result.report.scenario += "/" + scenario.queries[i].name;
+    if (planner) {
+      problem->ask(i);
+      SearchLimits limits = planner->limits();
+      limits.deadline = deadlineIn(scenario.planner.time_limit);
+      result.outcome = planWith(*planner, problem->query(), limits);
+      finish(options, result);
+    }
+    visit(scenario.queries[i], result);
+    common.times.roadmap = 0.0;  // it was made once, for the first
+  }
 }
 
 }  // namespace amble

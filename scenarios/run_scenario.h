@@ -19,6 +19,7 @@ struct RunOptions {
   double bvh_unit = 1.0;  ///< length of the BVH's unit: 1 for metres, 0.01 for centimetres [m]
   Checker checker = Checker::kFast;         ///< who is asked about contacts; changes no result
   size_t memory = GuardLimits{}.memory;     ///< that reading a mesh file may fill [bytes, > 0]
+  std::filesystem::path roadmap = {};       ///< a kept one, to be asked first; "": none
   const std::atomic<bool>* stop = nullptr;  ///< Ctrl-C
   /// Called once, when all is read and before the search begins.
   std::function<void(const Problem&)> loaded;
@@ -36,6 +37,15 @@ struct RunResult {
 
 /// @throws InputError for bad input only; that there is no walk is a result, and so is that loading
 /// was stopped, by `stop` or by the scenario's time limit.
+/// @pre the scenario has no queries, or the first of them is meant
 RunResult runScenario(const Scenario& scenario, const RunOptions& options = {});
+
+/// Told of each query when it has been run; the result is the visitor's until it returns.
+using QueryVisitor = std::function<void(const ScenarioQuery&, RunResult&)>;
+
+/// The same for each of a scenario's queries, in order, on one roadmap: that of options.roadmap, or
+/// one that is grown first. What growing it took is in the first report. Ends early, without a call
+/// for what was not run, where options.stop says so. @throws InputError before any query is run
+void runQueries(const Scenario& scenario, const RunOptions& options, const QueryVisitor& visit);
 
 }  // namespace amble

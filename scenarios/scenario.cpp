@@ -1,5 +1,6 @@
 #include "scenarios/scenario.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "base/error.h"
@@ -7,6 +8,7 @@
 #include "base/rotation.h"
 #include "base/sha256.h"
 #include "base/strict_yaml.h"
+#include "base/text.h"
 
 namespace amble {
 namespace {
@@ -110,6 +112,50 @@ PlannerSpec readPlanner(const YamlNode& node) {
   return planner;
 }
 
+std::vector<Place> readVia(const YamlNode& node) {
+  std::vector<Place> via;
+  for (const YamlNode& place : node.items()) via.push_back(readPlace(place, false));
+  return via;
+}
+
+// A name is a folder's, on any system.
+std::string readQueryName(const YamlNode& node) {
+  constexpr size_t kLongest = 100;
+  const std::string name = node.asString();
+  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+    return isLetter(c) || isDigit(c) || c == '-' || c == '_' || c == '.';
+  });
+  if (!plain || name.front() == '.' || name.size() > kLongest) {
+    node.fail("'" + name + "' is no name for a folder",
+              "up to 100 letters, digits, '-', '_' and '.', the first of them no '.'");
+  }
+  return name;
+}
+
+std::vector<ScenarioQuery> readQueries(const YamlNode& node) {
+  std::vector<ScenarioQuery> queries;
+  std::map<std::string, int> lines;  // of names, in lower case: some systems know no other
+  for (const YamlNode& item : node.items()) {
+    item.requireKeys({"name", "start", "goal", "via"});
+    ScenarioQuery query;
+    const YamlNode name = item["name"];
+    query.name = name ? readQueryName(name) : std::to_string(queries.size() + 1);
+    const auto [before, is_new] = lines.emplace(lowerCase(query.name), item.line());
+    if (!is_new) {
+      (name ? name : item)
+          .fail("the name '" + query.name + "' is that of the query on line " +
+                    std::to_string(before->second) + " too",
+                "a name of its own");
+    }
+    query.start = readPlace(item.at("start"), true);
+    query.goal = readPlace(item.at("goal"), true);
+    if (const YamlNode n = item["via"]) query.via = readVia(n);
+    queries.push_back(std::move(query));
+  }
+  if (queries.empty()) node.fail("'queries' asks for nothing", "at least one {start, goal}");
+  return queries;
+}
+
 std::string readDigest(const YamlNode& node) {
   const std::string digest = node.asString();
   const bool hex = digest.find_first_not_of("0123456789abcdef") == std::string::npos;
@@ -141,6 +187,24 @@ Expectation readExpectation(const YamlNode& node) {
   }
   if (const YamlNode n = node["bvh_sha256"]) expect.bvh_sha256 = readDigest(n);
   return expect;
+}
+
+// Start, goal and via of one walk, or the queries of several.
+void readEnds(const YamlNode& root, Scenario& scenario) {
+  if (const YamlNode queries = root["queries"]) {
+    for (const char* key : {"start", "goal", "via"})
+      if (const YamlNode n = root[key])
+        n.fail(std::string("'") + key + "' beside 'queries'", "each query to have its own");
+    scenario.queries = readQueries(queries);
+    const ScenarioQuery& first = scenario.queries.front();
+    scenario.start = first.start;
+    scenario.goal = first.goal;
+    scenario.via = first.via;
+    return;
+  }
+  scenario.start = readPlace(root.at("start"), true);
+  scenario.goal = readPlace(root.at("goal"), true);
+  if (const YamlNode n = root["via"]) scenario.via = readVia(n);
 }
 
 void collectLines(const YamlNode& node, std::map<std::string, int>& lines) {
@@ -178,17 +242,13 @@ Scenario readScenario(const ScenarioFile& file) {
   if (!file.unread.empty())
     throw InputError(file.file.string(), 0, file.unread, "a file that can be read");
   const YamlNode root = parseYaml(file.text, file.file.string());
-  root.requireKeys(
-      {"scene", "character", "start", "goal", "via", "bounds", "walk", "planner", "expect"});
+  root.requireKeys({"scene", "character", "start", "goal", "via", "queries", "bounds", "walk",
+                    "planner", "expect"});
   Scenario scenario;
   scenario.name = file.file == "-" ? "scenario" : file.file.stem().string();
   scenario.scene = root.at("scene").asPath();
   if (const YamlNode n = root["character"]) scenario.character = readCharacter(n);
-  scenario.start = readPlace(root.at("start"), true);
-  scenario.goal = readPlace(root.at("goal"), true);
-  if (const YamlNode n = root["via"]) {
-    for (const YamlNode& place : n.items()) scenario.via.push_back(readPlace(place, false));
-  }
+  readEnds(root, scenario);
   if (const YamlNode n = root["bounds"]) scenario.bounds = readBounds(n);
   if (const YamlNode n = root["walk"]) scenario.walk = readWalk(n);
   if (const YamlNode n = root["planner"]) scenario.planner = readPlanner(n);
@@ -209,7 +269,7 @@ Scenario readScenario(const std::filesystem::path& file) {
 bool isScenario(const ScenarioFile& file) {
   try {
     const YamlNode root = parseYaml(file.text, file.file.string());
-    return root.isMap() && root.has("scene") && root.has("start");
+    return root.isMap() && root.has("scene") && (root.has("start") || root.has("queries"));
   } catch (const InputError&) {
     // Not YAML as we read it: a scenario with a slip in it must be heard of, somebody else's file
     // must not.
@@ -217,7 +277,7 @@ bool isScenario(const ScenarioFile& file) {
     bool scene = false, start = false;
     for (std::string line; std::getline(in, line);) {
       scene |= line.starts_with("scene:");
-      start |= line.starts_with("start:");
+      start |= line.starts_with("start:") || line.starts_with("queries:");
     }
     return scene && start;
   }

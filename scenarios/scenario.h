@@ -73,13 +73,22 @@ struct ScenarioSource {
                          const std::string& expected) const;
 };
 
+/// One of the walks that `queries:` asks for.
+struct ScenarioQuery {
+  std::string name;  ///< its folder's: unique, a single name without blanks
+  Place start, goal;
+  std::vector<Place> via = {};  ///< in order
+};
+
 struct Scenario {
   std::string name;  ///< the file's, without folder and extension
   ScenarioSource source;
   std::filesystem::path scene;
   CharacterSpec character;
-  Place start, goal;
-  std::vector<Place> via;  ///< in order
+  Place start, goal;                   ///< of the first query, where there are queries
+  std::vector<Place> via;              ///< in order
+  bool has_ends = true;                ///< false: a scene alone, of which a roadmap is made
+  std::vector<ScenarioQuery> queries;  ///< in order; none: start, goal and via are what is asked
   std::optional<Bounds> bounds;
   WalkSpec walk;
   PlannerSpec planner;
@@ -104,9 +113,9 @@ Scenario readScenario(const ScenarioFile& file);
 /// Both at once.
 Scenario readScenario(const std::filesystem::path& file);
 
-/// Whether it is a scenario: YAML with `scene:` and `start:`. Other files are passed over by `amble
-/// check`, so one that is no such YAML is none here unless a line of it begins with `scene:` and
-/// another with `start:`.
+/// Whether it is a scenario: YAML with `scene:` and `start:` or `queries:`. Other files are passed
+/// over by `amble check`, so one that is no such YAML is none here unless a line of it begins with
+/// `scene:` and another with `start:` or `queries:`.
 bool isScenario(const ScenarioFile& file);
 
 }  // namespace amble

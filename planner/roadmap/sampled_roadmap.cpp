@@ -210,14 +210,18 @@ std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
   return drafts;
 }
 
-// Samples until walks lead from one node to the other or the effort is spent.
+bool SampledRoadmap::leads(int from, int to) const {
+  return from >= 0 && roadmap_.reachableFrom(from)[to];
+}
+
+// Samples until walks lead from one node to the other, if there are such, or the effort is spent.
 bool SampledRoadmap::grow(int from, int to, const StanceSampler& sampler, const Budget& budget,
                           const SearchLimits& limits, std::vector<SteeringScratchPtr>& scratches) {
   const long long before = samples_;
   const auto isSpent = [&] {
     return effort() >= budget.effort || samples_ - before >= budget.samples;
   };
-  while (!roadmap_.reachableFrom(from)[to]) {
+  while (!leads(from, to)) {
     if (isSpent() || limits.stopped()) return false;
     for (Draft& draft : draft(sampler, limits, scratches)) {
       if (limits.stopped()) return false;
@@ -228,7 +232,7 @@ bool SampledRoadmap::grow(int from, int to, const StanceSampler& sampler, const 
         limits.progress({"roadmap", effort(), limits.max_failures, roadmap_.count(NodeKind::kGuard),
                          roadmap_.count(NodeKind::kConnector)});
       }
-      if (isSpent() || roadmap_.reachableFrom(from)[to]) break;
+      if (isSpent() || leads(from, to)) break;
     }
   }
   return true;
@@ -320,6 +324,13 @@ bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
     if (is_all || limits.stopped()) return false;
     resetEffort();
   }
+}
+
+void SampledRoadmap::fill(const SearchLimits& limits) {
+  std::vector<SteeringScratchPtr> scratches(limits.threads);
+  for (SteeringScratchPtr& scratch : scratches) scratch = steering_.makeScratch();
+  insertPassages(sampler_.bounds(), limits);
+  grow(-1, -1, sampler_, {limits.max_failures}, limits, scratches);
 }
 
 }  // namespace amble

@@ -82,6 +82,11 @@ class SampledRoadmap {
   /// A proof that none leads there ends it before any sample. @return whether walks lead there
   bool connect(int from, int to, const SearchLimits& limits);
 
+  /// Without a query: adds the ends of all passages, and samples from all of the bounds until the
+  /// counted limit is reached or limits.stopped(). What then is in pieces is joined by ways over
+  /// the map where they are walked: from each piece to the nearest of the others.
+  void fill(const SearchLimits& limits);
+
   void clear();  ///< as if made anew
 
   const Roadmap& roadmap() const { return roadmap_; }
@@ -125,6 +130,7 @@ class SampledRoadmap {
   };
   bool grow(int from, int to, const StanceSampler& sampler, const Budget& budget,
             const SearchLimits& limits, std::vector<SteeringScratchPtr>& scratches);
+  bool leads(int from, int to) const;
   int insert(Candidate candidate, SteeringScratch& scratch);
   std::optional<bool> askMap(WayGuide* guide, int from, int to, const SearchLimits& limits,
                              SteeringScratch& scratch);
