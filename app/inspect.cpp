@@ -19,7 +19,8 @@ Findings inspectYaml(const std::filesystem::path& file, const LoadLimits& limits
   const std::string text = readWholeFile(file, kAnyYaml);
   const YamlNode root = parseYaml(text, file.string());
   if (root.isMap()) {
-    if (root.has("scene") || root.has("start")) return inspectScenario({file, text}, limits);
+    if (root.has("scene") || root.has("start") || root.has("queries"))
+      return inspectScenario({file, text}, limits);
     if (root.has("motions")) return inspectLibrary(file);
     if (root.has("objects")) return inspectScene(file, limits);
   }

@@ -204,6 +204,10 @@ Findings inspectScenario(const ScenarioFile& file, const LoadLimits& limits) {
        fmt::format("{}, seed {}, {} failures, {:g} s", scenario.planner.name, scenario.planner.seed,
                    scenario.planner.max_failures, scenario.planner.time_limit)}};
   for (const Place& place : scenario.via) out.facts.emplace_back("via", placeText(place));
+  for (const ScenarioQuery& query : scenario.queries) {
+    out.facts.emplace_back("query", fmt::format("{}: {} to {}", query.name, placeText(query.start),
+                                                placeText(query.goal)));
+  }
   out.data = {{"name", scenario.name},
               {"scene", scenario.scene.string()},
               {"planner", scenario.planner.name},

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "app/command.h"
 #include "app/progress.h"
@@ -182,11 +183,86 @@ int printPlanners() {
   return kExitDone;
 }
 
-int run(const Options& options) {
-  if (options.list_planners) return printPlanners();
-  const Scenario scenario = readAsked(options);
-  const std::filesystem::path folder = chooseFolder(options, scenario);
-  Progress progress;
+// A line of the table of queries; its times are those of this query alone.
+void printRow(const std::string& query, const Report& report) {
+  say(stdout, "{:<20} {:<13}", query, statusName(report.status));
+  if (report.status != PlanStatus::kSolved) {
+    say(stdout, " {}\n", report.why);
+    return;
+  }
+  say(stdout, " {:6.2f} m {:6.2f} s {:7.3f} m {:7.1f} ms {:8.1f} ms\n", report.length,
+      report.duration, report.clearance.min, 1000.0 * report.times.search,
+      1000.0 * report.times.refine);
+}
+
+// Writes one result. @return the exit status that it stands for
+int conclude(const Options& options, RunResult& result, const std::filesystem::path& folder) {
+  const Report& report = result.report;
+  if (report.stopped_by == "interrupt" && report.status != PlanStatus::kSolved) {
+    say(stderr, "amble plan: stopped; nothing was written to {}\n", folder.string());
+    return kExitStopped;
+  }
+  writeAll(options, result, folder);
+  sayWhatIsMissing(options, report);
+  return report.status == PlanStatus::kSolved ? kExitDone : kExitNone;
+}
+
+// Each query into a folder of its own, with one table, or one list of reports.
+int runAll(const Options& options, const Scenario& scenario, const RunOptions& how,
+           const std::filesystem::path& folder, Progress& progress) {
+  int status = kExitDone;
+  std::string separator = "[\n";
+  if (!options.json) {
+    say(stdout, "{:<20} {:<13} {:>8} {:>8} {:>9} {:>10} {:>11}\n", "query", "status", "length",
+        "time", "clearance", "search", "refine");
+  }
+  const StoppableWork work;
+  runQueries(scenario, how, [&](const ScenarioQuery& query, RunResult& result) {
+    progress.clear();
+    const int one = conclude(options, result, folder / query.name);
+    status = std::max(status, one);
+    if (one == kExitStopped) return;
+    if (options.json) {
+      std::cout << std::exchange(separator, ",\n");
+      writeJson(std::cout, result.report);
+    } else {
+      printRow(query.name, result.report);
+    }
+  });
+  progress.clear();
+  if (options.json) std::cout << (separator == "[\n" ? "[]\n" : "]\n");
+  if (stopFlag()) return kExitStopped;
+  if (!options.json) say(stdout, "written to {}\n", folder.string());
+  return status;
+}
+
+int runOne(const Options& options, const Scenario& scenario, const RunOptions& how,
+           const std::filesystem::path& folder, Progress& progress) {
+  const StoppableWork work;
+  RunResult result = runScenario(scenario, how);
+  progress.clear();
+  const int status = conclude(options, result, folder);
+  if (status == kExitStopped) return status;
+  if (options.json) {
+    writeJson(std::cout, result.report);
+  } else {
+    printResult(result.report, folder);
+  }
+  return status;
+}
+
+// What is written, and where, by run or query.
+std::vector<std::filesystem::path> outputsOf(const Scenario& scenario,
+                                             const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> folders, files;
+  for (const ScenarioQuery& query : scenario.queries) folders.push_back(folder / query.name);
+  if (folders.empty()) folders.push_back(folder);
+  for (const std::filesystem::path& one : folders)
+    for (const Format& format : kFormats) files.push_back(one / format.file);
+  return files;
+}
+
+RunOptions runOptions(const Options& options) {
   RunOptions how;
   how.threads = options.threads;
   how.frame_time = 1.0 / options.fps;
@@ -195,10 +271,22 @@ int run(const Options& options) {
   how.checker = options.checker == "fcl" ? Checker::kFcl : Checker::kFast;
   how.roadmap = options.roadmap;
   how.stop = &stopFlag();
-  const auto keep = [&](const std::vector<std::filesystem::path>& inputs) {
-    for (const Format& format : kFormats) keepInputs(folder / format.file, inputs);
-  };
-  keep({scenario.source.file, scenario.scene, options.roadmap});
+  return how;
+}
+
+int run(const Options& options) {
+  if (options.list_planners) return printPlanners();
+  const Scenario scenario = readAsked(options);
+  const std::filesystem::path folder = chooseFolder(options, scenario);
+  const auto keep =
+      [outputs = outputsOf(scenario, folder)](const std::vector<std::filesystem::path>& inputs) {
+        for (const std::filesystem::path& output : outputs) keepInputs(output, inputs);
+      };
+  std::vector<std::filesystem::path> named = {scenario.source.file, scenario.scene};
+  if (!options.roadmap.empty()) named.emplace_back(options.roadmap);
+  keep(named);
+  Progress progress;
+  RunOptions how = runOptions(options);
   how.loaded = [&](const Problem& problem) {
     keep(inputsOf(problem));
     for (const std::string& warning : sceneWarnings(problem.scene, problem.ground))
@@ -210,21 +298,8 @@ int run(const Options& options) {
     progress.update(fmt::format("{}, {} guards, {} connectors", at.phase, at.guards, at.connectors),
                     done);
   };
-  const StoppableWork work;
-  RunResult result = runScenario(scenario, how);
-  progress.clear();
-  if (result.report.stopped_by == "interrupt" && result.report.status != PlanStatus::kSolved) {
-    say(stderr, "amble plan: stopped; nothing was written to {}\n", folder.string());
-    return kExitStopped;
-  }
-  writeAll(options, result, folder);
-  sayWhatIsMissing(options, result.report);
-  if (options.json) {
-    writeJson(std::cout, result.report);
-  } else {
-    printResult(result.report, folder);
-  }
-  return result.report.status == PlanStatus::kSolved ? kExitDone : kExitNone;
+  return scenario.queries.empty() ? runOne(options, scenario, how, folder, progress)
+                                  : runAll(options, scenario, how, folder, progress);
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ using Json = nlohmann::ordered_json;
 
 struct BuildOptions {
   std::string input, out;
-  int seed = -1;         // -1: the scenario's
-  int max_failures = 0;  // 0: the scenario's
+  int seed = -1;  // -1: the scenario's
+  int max_failures = Planner::kFailures;
   int threads = 1;
   double time_limit = 0.0;  // [s]; 0: the scenario's
   double fps = 60.0;
@@ -40,7 +40,7 @@ Scenario readAsked(const BuildOptions& options) {
   const bool is_scene = root.isMap() && root.has("objects") && !root.has("scene");
   Scenario scenario = is_scene ? sceneAlone(options.input) : readScenario(file);
   if (options.seed >= 0) scenario.planner.seed = static_cast<std::uint64_t>(options.seed);
-  if (options.max_failures > 0) scenario.planner.max_failures = options.max_failures;
+  scenario.planner.max_failures = options.max_failures;
   if (options.time_limit > 0.0) scenario.planner.time_limit = options.time_limit;
   return scenario;
 }
@@ -156,8 +156,9 @@ void addBuild(CLI::App& roadmap, Command& chosen) {
       ->check(wholeNumber(0, 2147483647));
   command
       ->add_option("--m,--max-failures", options->max_failures,
-                   "Failures in a row to add a guard that end it, instead of the scenario's")
-      ->check(wholeNumber(1, 1000000));
+                   "Failures in a row to add a guard that end it")
+      ->check(wholeNumber(1, 1000000))
+      ->capture_default_str();
   command->add_option("--threads", options->threads, "Threads; changes no result")
       ->check(wholeNumber(1, 64));
   command->add_option("--time-limit", options->time_limit, "Instead of the scenario's")
@@ -166,8 +167,8 @@ void addBuild(CLI::App& roadmap, Command& chosen) {
       ->check(number(24, 240, "1/s"))
       ->capture_default_str();
   addMemoryOption(*command, options->memory);
-  addExamples(*command, {"amble roadmap build scenarios/living-room.yaml -o living-room.roadmap",
-                         "amble plan scenarios/living-room.yaml --roadmap living-room.roadmap"});
+  addExamples(*command, {"amble roadmap build scenarios/narrow-gap-070.yaml -o gap.roadmap",
+                         "amble plan scenarios/narrow-gap-070.yaml --roadmap gap.roadmap"});
   command->callback([options, &chosen] { chosen = [options] { return build(*options); }; });
 }
 

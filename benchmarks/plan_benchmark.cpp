@@ -1,4 +1,5 @@
-// Edge validation in the living room, and roadmap, query and refinement of every scenario.
+// Edge validation in the living room, new starts and goals there on a kept roadmap and without one,
+// and roadmap, query and refinement of every scenario.
 //
 // With --ompl=FOLDER instead: every planner on every scenario, in the log format of OMPL's
 // benchmarks, a file a scenario, for its ompl_benchmark_statistics.py and for Planner Arena.
@@ -21,6 +22,7 @@
 #include "planner/legs/planners.h"
 #include "planner/ompl/quiet_ompl.h"
 #include "planner/ompl/roadmap_planner.h"
+#include "planner/roadmap/stance_sampler.h"
 #include "planner/steering/walk_steering.h"
 #include "scenarios/check_scenarios.h"
 #include "scenarios/find_scenarios.h"
@@ -61,6 +63,45 @@ void validateEdges(benchmark::State& state) {
       benchmark::Counter(static_cast<double>(poses), benchmark::Counter::kIsRate);
 }
 BENCHMARK(validateEdges)->Unit(benchmark::kMillisecond);
+
+// The living room with another start and goal each time, on a roadmap that is kept and has been
+// asked before, and, beside it, each from nothing: the search until there are checked edges, and
+// what refinement takes then, a query.
+void newEnds(benchmark::State& state, bool warm) {
+  const Problem problem(readScenario(kScenarios / "living-room.yaml"), 1.0 / 60.0);
+  PlanRequest request = problem.request();
+  request.limits.max_failures = Planner::kFailures;
+  const Planner planner(request, Planner::grow(request));
+  request.limits.max_failures = problem.scenario.planner.max_failures;
+  const WalkSteering steering(problem.synthesizer, problem.world, problem.ground, request.comfort);
+  const auto scratch = steering.makeScratch();
+  const StanceSampler sampler(steering, request.bounds);
+  std::vector<PlanEnd> ends;
+  for (uint64_t i = 0; ends.size() < 24; ++i)
+    if (const auto sample = sampler.draw(77, 2 * i, *scratch))
+      ends.push_back({sample->stance.position, sample->stance.heading, true});
+  const auto plan = [&](size_t i) {
+    const PlanQuery query{ends[i % ends.size()], ends[(i + 1) % ends.size()]};
+    if (warm) return planner.plan(query);
+    request.start = query.start;
+    request.goal = query.goal;
+    return planWalk(request);
+  };
+  if (warm)
+    for (size_t i = 0; i < ends.size(); ++i) plan(i);
+  std::vector<double> searches, refinements;
+  for (auto _ : state) {
+    const PlanOutcome outcome = plan(searches.size());
+    searches.push_back(outcome.times.roadmap + outcome.times.search);
+    refinements.push_back(outcome.times.refine);
+  }
+  for (auto* times : {&searches, &refinements}) std::sort(times->begin(), times->end());
+  state.counters["search_median_s"] = searches[searches.size() / 2];
+  state.counters["search_max_s"] = searches.back();
+  state.counters["refine_median_s"] = refinements[refinements.size() / 2];
+}
+BENCHMARK_CAPTURE(newEnds, warm, true)->Unit(benchmark::kMillisecond)->Iterations(24);
+BENCHMARK_CAPTURE(newEnds, cold, false)->Unit(benchmark::kMillisecond)->Iterations(24);
 
 void planScenario(benchmark::State& state, const std::filesystem::path& file) {
   for (auto _ : state) {

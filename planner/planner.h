@@ -24,6 +24,10 @@ struct PlanQuery {
 
 class Planner {
  public:
+  /// Failures in a row after which a roadmap that is kept is good enough: more cost many times as
+  /// much, for crannies that hardly anybody asks for and that are searched then. By trial.
+  static constexpr int kFailures = 25;
+
   /// The roadmap of a problem, whose start, goal and via points are not looked at: a visibility
   /// roadmap of all of the bounds, until limits.max_failures failures in a row or limits.stopped().
   /// The same at any number of limits.threads. Its `source` is left empty.

@@ -60,15 +60,10 @@ void update(const ScenarioFile& file, const RunResult& result, Expectation& expe
   expect.bvh_sha256 = digest;
 }
 
-CheckRow runOne(const ScenarioFile& file, const CheckOptions& options) {
+// What a run was like, against what is expected of it.
+CheckRow judge(const ScenarioFile& file, Expectation expect, const RunResult& result,
+               const CheckOptions& options) {
   CheckRow row = rowOf(file);
-  const Scenario scenario = readScenario(file);
-  if (const std::string missing = missingData(scenario); !missing.empty()) {
-    row.verdict = CheckVerdict::kSkipped;
-    row.notes.push_back("'" + missing + "' is not there");
-    return row;
-  }
-  const RunResult result = runScenario(scenario, options.run);
   const Report& report = result.report;
   if (report.stopped_by == "interrupt") {
     row.verdict = CheckVerdict::kStopped;
@@ -79,7 +74,6 @@ CheckRow runOne(const ScenarioFile& file, const CheckOptions& options) {
   row.clearance = report.clearance.min;
   row.foot_skate = report.foot_skate_max;
   row.planning_time = report.times.planning();
-  Expectation expect = scenario.expect.value_or(Expectation{});
   if (options.update) update(file, result, expect, row);
   for (const std::string& note : differences(expect, result, options.judge_times)) {
     row.notes.push_back(note);
@@ -88,8 +82,30 @@ CheckRow runOne(const ScenarioFile& file, const CheckOptions& options) {
   return row;
 }
 
+// A row; one for each query, where there are queries.
+std::vector<CheckRow> runOne(const ScenarioFile& file, const CheckOptions& options) {
+  const Scenario scenario = readScenario(file);
+  if (const std::string missing = missingData(scenario); !missing.empty()) {
+    CheckRow row = rowOf(file);
+    row.verdict = CheckVerdict::kSkipped;
+    row.notes.push_back("'" + missing + "' is not there");
+    return {row};
+  }
+  const Expectation expect = scenario.expect.value_or(Expectation{});
+  if (scenario.queries.empty())
+    return {judge(file, expect, runScenario(scenario, options.run), options)};
+  CheckOptions as_they_are = options;
+  as_they_are.update = false;  // a scenario has one digest, and its queries many walks
+  std::vector<CheckRow> rows;
+  runQueries(scenario, options.run, [&](const ScenarioQuery& query, const RunResult& result) {
+    rows.push_back(judge(file, expect, result, as_they_are));
+    rows.back().scenario += "/" + query.name;
+  });
+  return rows;
+}
+
 // One that fails is one row: the others have nothing to do with it.
-CheckRow runGuardedFromFaults(const ScenarioFile& file, const CheckOptions& options) {
+std::vector<CheckRow> runGuardedFromFaults(const ScenarioFile& file, const CheckOptions& options) {
   CheckRow row = rowOf(file);
   row.verdict = CheckVerdict::kError;
   const std::string name = file.file.string();
@@ -102,7 +118,7 @@ CheckRow runGuardedFromFaults(const ScenarioFile& file, const CheckOptions& opti
   } catch (const std::exception& error) {
     row.notes = {InputError(name, 0, error.what()).what()};
   }
-  return row;
+  return {row};
 }
 
 }  // namespace
@@ -166,9 +182,11 @@ std::vector<CheckRow> checkScenarios(const std::vector<ScenarioFile>& files,
       options.started(files[i], static_cast<int>(i), static_cast<int>(files.size()));
     }
     const Stopwatch watch;
-    rows.push_back(runGuardedFromFaults(files[i], options));
-    rows.back().total_time = watch.seconds();
-    if (options.finished) options.finished(rows.back());
+    for (CheckRow& row : runGuardedFromFaults(files[i], options)) {
+      row.total_time = watch.seconds();
+      if (options.finished) options.finished(row);
+      rows.push_back(std::move(row));
+    }
   }
   return rows;
 }

@@ -19,7 +19,7 @@ enum class CheckVerdict {
 };
 std::string verdictName(CheckVerdict verdict);  ///< "ok", "differs", "skipped", "stopped", "error"
 
-/// One scenario's line of the table.
+/// One scenario's line of the table, or that of one of its queries: "rooms/kitchen".
 struct CheckRow {
   std::filesystem::path file;
   std::string scenario;

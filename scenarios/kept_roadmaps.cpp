@@ -67,7 +67,7 @@ KeptRoadmap openRoadmap(const fs::path& file, const Problem& problem) {
   KeptRoadmap roadmap = readRoadmap(file);
   const std::string changed = whatChanged(roadmap.source, roadmapSource(problem));
   if (changed.empty()) return roadmap;
-  throw InputError(file.string(), 0, "is a roadmap of something else: changed is the " + changed,
+  throw InputError(file.string(), 0, "is a stale roadmap, since these have changed: " + changed,
                    "one that `amble roadmap build` makes of this");
 }
 

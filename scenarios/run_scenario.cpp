@@ -152,9 +152,10 @@ std::optional<Planner> plannerOfQueries(Problem& problem, const RunOptions& opti
   const Stopwatch watch;
   SearchLimits& limits = request.limits;
   limits.deadline = deadlineIn(problem.scenario.planner.time_limit);
+  limits.max_failures = Planner::kFailures;
   KeptRoadmap roadmap = Planner::grow(request);
   if (limits.timeIsUp()) common.stopped_by = "time_limit";
-  limits.deadline.reset();
+  limits = requestOf(problem, options).limits;
   common.times.roadmap = watch.seconds();
   return Planner(request, std::move(roadmap));
 }

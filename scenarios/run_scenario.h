@@ -44,8 +44,9 @@ RunResult runScenario(const Scenario& scenario, const RunOptions& options = {});
 using QueryVisitor = std::function<void(const ScenarioQuery&, RunResult&)>;
 
 /// The same for each of a scenario's queries, in order, on one roadmap: that of options.roadmap, or
-/// one that is grown first. What growing it took is in the first report. Ends early, without a call
-/// for what was not run, where options.stop says so. @throws InputError before any query is run
+/// one that is grown first until Planner::kFailures. What growing it took is in the first report.
+/// Ends early, without a call for what was not run, where options.stop says so. @throws InputError
+/// before any query is run
 void runQueries(const Scenario& scenario, const RunOptions& options, const QueryVisitor& visit);
 
 }  // namespace amble

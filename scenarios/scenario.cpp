@@ -253,6 +253,11 @@ Scenario readScenario(const ScenarioFile& file) {
   if (const YamlNode n = root["walk"]) scenario.walk = readWalk(n);
   if (const YamlNode n = root["planner"]) scenario.planner = readPlanner(n);
   if (const YamlNode n = root["expect"]) scenario.expect = readExpectation(n);
+  if (scenario.expect && scenario.expect->bvh_sha256 && !scenario.queries.empty()) {
+    root.at("expect")
+        .at("bvh_sha256")
+        .fail("'expect.bvh_sha256' beside 'queries'", "what holds for each of them");
+  }
   scenario.source = {file.file, sha256(file.text), {}};
   collectLines(root, scenario.source.lines);
   return scenario;

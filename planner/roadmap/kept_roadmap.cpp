@@ -8,61 +8,71 @@
 
 namespace amble {
 
-int KeptRoadmap::count(NodeKind kind) const {
-  return static_cast<int>(std::count_if(nodes.begin(), nodes.end(),
-                                        [&](const Node& node) { return node.kind == kind; }));
-}
+namespace {
 
-// Tarjan (SIAM Journal on Computing 1(2), 1972), without recursion: a file may hold a chain of any
-// length.
-int KeptRoadmap::pieces() const {
-  const int size = static_cast<int>(nodes.size());
-  std::vector<std::vector<int>> next(size);
-  for (const Edge& edge : edges) next[edge.from].push_back(edge.to);
-  std::vector<int> index(size, -1), low(size, 0), open, way;
-  std::vector<size_t> done(size, 0);  // edges of each node that were followed
-  std::vector<bool> is_open(size, false);
-  int count = 0, pieces = 0;
-  const auto enter = [&](int node) {
-    index[node] = low[node] = count++;
-    way.push_back(node);
-    open.push_back(node);
-    is_open[node] = true;
-  };
-  const auto leave = [&](int node) {
-    way.pop_back();
-    if (!way.empty()) low[way.back()] = std::min(low[way.back()], low[node]);
-    if (low[node] < index[node]) return;
-    ++pieces;
-    int last = -1;
-    while (last != node) {
-      last = open.back();
-      open.pop_back();
-      is_open[last] = false;
+// Strongly connected components, counted (Tarjan, SIAM Journal on Computing 1(2), 1972), without
+// recursion: a file may hold a chain of any length.
+class PieceCount {
+ public:
+  explicit PieceCount(const KeptRoadmap& roadmap)
+      : next_(roadmap.nodes.size()),
+        index_(roadmap.nodes.size(), -1),
+        low_(roadmap.nodes.size(), 0),
+        followed_(roadmap.nodes.size(), 0),
+        is_open_(roadmap.nodes.size(), false) {
+    for (const KeptRoadmap::Edge& edge : roadmap.edges) next_[edge.from].push_back(edge.to);
+    for (size_t node = 0; node < next_.size(); ++node)
+      if (index_[node] < 0) walkFrom(static_cast<int>(node));
+  }
+  int pieces() const { return pieces_; }
+
+ private:
+  void enter(int node) {
+    index_[node] = low_[node] = entered_++;
+    way_.push_back(node);
+    open_.push_back(node);
+    is_open_[node] = true;
+  }
+  // All behind it was followed: it is the first of its piece, or leads back to one before it.
+  void leave(int node) {
+    way_.pop_back();
+    if (!way_.empty()) low_[way_.back()] = std::min(low_[way_.back()], low_[node]);
+    if (low_[node] < index_[node]) return;
+    ++pieces_;
+    for (int last = -1; last != node; open_.pop_back()) {
+      last = open_.back();
+      is_open_[last] = false;
     }
-  };
-  for (int first = 0; first < size; ++first) {
-    if (index[first] < 0) enter(first);
-    while (!way.empty()) {
-      const int node = way.back();
-      if (done[node] == next[node].size()) {
+  }
+  void walkFrom(int first) {
+    enter(first);
+    while (!way_.empty()) {
+      const int node = way_.back();
+      if (followed_[node] == next_[node].size()) {
         leave(node);
         continue;
       }
-      const int to = next[node][done[node]++];
-      if (index[to] < 0)
+      const int to = next_[node][followed_[node]++];
+      if (index_[to] < 0)
         enter(to);
-      else if (is_open[to])
-        low[node] = std::min(low[node], index[to]);
+      else if (is_open_[to])
+        low_[node] = std::min(low_[node], index_[to]);
     }
   }
-  return pieces;
-}
+
+  std::vector<std::vector<int>> next_;
+  std::vector<int> index_, low_;  // in the order of entering: its own, and the first it leads to
+  std::vector<size_t> followed_;  // of each node's edges
+  std::vector<bool> is_open_;     // of no piece yet
+  std::vector<int> open_, way_;
+  int entered_ = 0, pieces_ = 0;
+};
 
 // "speed 1.2, was 1" for each value that is another, or is not in both; nothing where none is.
-static std::vector<std::string> changes(const RoadmapSource::Values& then,
-                                        const RoadmapSource::Values& now) {
+std::vector<std::string> changes(const RoadmapSource::Values& then,
+                                 const RoadmapSource::Values& now) {
   constexpr size_t kLongest = 40;  // of a value that is told: digests are not
+  constexpr size_t kMostTold = 4;
   std::vector<std::string> list;
   for (const auto& [key, value] : now) {
     const auto old = then.find(key);
@@ -74,8 +84,21 @@ static std::vector<std::string> changes(const RoadmapSource::Values& then,
   }
   for (const auto& [key, value] : then)
     if (!now.contains(key)) list.push_back(key + " is gone");
+  if (list.size() > kMostTold) {
+    list.resize(kMostTold);
+    list.push_back("and others");
+  }
   return list;
 }
+
+}  // namespace
+
+int KeptRoadmap::count(NodeKind kind) const {
+  return static_cast<int>(std::count_if(nodes.begin(), nodes.end(),
+                                        [&](const Node& node) { return node.kind == kind; }));
+}
+
+int KeptRoadmap::pieces() const { return PieceCount(*this).pieces(); }
 
 std::string whatChanged(const RoadmapSource& then, const RoadmapSource& now) {
   std::vector<std::string> parts;

@@ -26,7 +26,7 @@ namespace amble {
 /// Threads may share it, each with its own scratch.
 class KeptSearch {
  public:
-  static constexpr double kDoubt = 2.0;  ///< by trial
+  static constexpr double kDoubt = 30.0;  ///< by trial: 10 steers more in vain, 1000 no less
 
   /// @pre steering outlives it; edges lead between nodes that are there.
   KeptSearch(const Steering& steering, KeptRoadmap roadmap);

@@ -331,6 +331,46 @@ void SampledRoadmap::fill(const SearchLimits& limits) {
   for (SteeringScratchPtr& scratch : scratches) scratch = steering_.makeScratch();
   insertPassages(sampler_.bounds(), limits);
   grow(-1, -1, sampler_, {limits.max_failures}, limits, scratches);
+  const int failures = failures_;  // that coverage is told from: what follows are no samples
+  joinPieces(limits);
+  failures_ = failures;
+}
+
+// A node of the piece that `node` is of and the nearest one that is of another, or none.
+std::optional<std::pair<int, int>> SampledRoadmap::nearestOutside(int node) const {
+  const std::vector<int> piece = roadmap_.components();
+  const auto at = [&](int other) { return roadmap_.nodes()[other].at.stance.position; };
+  std::optional<std::pair<int, int>> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (int inside = 0; inside < roadmap_.size(); ++inside) {
+    if (piece[inside] != piece[node]) continue;
+    for (int outside = 0; outside < roadmap_.size(); ++outside) {
+      const double distance = (at(inside) - at(outside)).norm();
+      if (piece[outside] == piece[node] || distance >= least) continue;
+      least = distance;
+      nearest = {inside, outside};
+    }
+  }
+  return nearest;
+}
+
+// Each piece once, with the nearest of the others, there and back.
+void SampledRoadmap::joinPieces(const SearchLimits& limits) {
+  std::vector<int> first;  // node of each piece
+  const std::vector<int> piece = roadmap_.components();
+  for (int node = 0; node < roadmap_.size(); ++node)
+    if (piece[node] == static_cast<int>(first.size())) first.push_back(node);
+  for (const int node : first) {
+    const auto pair = nearestOutside(node);
+    if (!pair || limits.stopped()) return;
+    for (const auto& [from, to] : {*pair, std::pair(pair->second, pair->first)}) {
+      if (leads(from, to)) continue;
+      const auto place = [&](int end) { return roadmap_.nodes()[end].at.stance.position; };
+      const auto guide = steering_.guide(place(from), place(to), sampler_.bounds(),
+                                         [&] { return limits.stopped(); });
+      if (guide) followWays(*guide, from, to, limits);
+    }
+  }
 }
 
 }  // namespace amble

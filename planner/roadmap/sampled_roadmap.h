@@ -20,6 +20,7 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "planner/roadmap/roadmap.h"
@@ -131,6 +132,8 @@ class SampledRoadmap {
   bool grow(int from, int to, const StanceSampler& sampler, const Budget& budget,
             const SearchLimits& limits, std::vector<SteeringScratchPtr>& scratches);
   bool leads(int from, int to) const;
+  void joinPieces(const SearchLimits& limits);
+  std::optional<std::pair<int, int>> nearestOutside(int node) const;
   int insert(Candidate candidate, SteeringScratch& scratch);
   std::optional<bool> askMap(WayGuide* guide, int from, int to, const SearchLimits& limits,
                              SteeringScratch& scratch);

@@ -96,7 +96,7 @@ TEST_F(CommandLine, TheExamplesOfTheHelpWork) {
   for (const char* folder : {"scenarios", "environments", "animation"}) {
     fs::create_directory_symlink(fs::path(AMBLE_SOURCE_DIR) / folder, folder_ / folder);
   }
-  for (const char* command : {"plan", "check", "validate", "inspect"}) {
+  for (const char* command : {"plan", "check", "validate", "inspect", "roadmap build"}) {
     std::istringstream help(run(std::string(command) + " --help").out);
     int examples = 0;
     for (std::string line; std::getline(help, line);) {

@@ -23,7 +23,7 @@ const char* const kShort =
 TEST_F(Options, EveryCommandIsTriedHere) {
   EXPECT_EQ(listed("", "Subcommands:"),
             (std::vector<std::string>{"plan", "check", "validate", "animate", "analyse", "library",
-                                      "convert", "inspect"}));
+                                      "convert", "inspect", "roadmap"}));
   EXPECT_EQ(listed("library", "Subcommands:"),
             (std::vector<std::string>{"build", "show", "add", "check", "find"}));
   EXPECT_EQ(optionsOf("library"), std::set<std::string>{});
@@ -75,6 +75,13 @@ PlanOptions::Uses PlanOptions::ofTheSearch() const {
          EXPECT_EQ(read("fast/walk.bvh"), read("fcl/walk.bvh"));
        }},
       {"--memory", [this] { expectMemoryBounds("plan in/of-mesh.yaml -o out --formats json"); }},
+      {"--roadmap",
+       [this] {
+         good("roadmap build in/scenario.yaml -o in/it.roadmap --m 1");
+         EXPECT_TRUE(reported("--roadmap in/it.roadmap")["inputs"].contains("it.roadmap"));
+         expectRefused(kPlan + "-o new --roadmap in/scenario.yaml", {"is no roadmap"});
+         expectRefused(kPlan + "-o new --fps 30 --roadmap in/it.roadmap", {"fps 30, was 60"});
+       }},
       {"--list-planners", [this] {
          std::istringstream planners(good("plan --list-planners").out);
          wallOff();
