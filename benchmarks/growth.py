@@ -24,7 +24,7 @@ COSTS = {
 }
 CHECKS = {
     "a pose checked": "wholeBodyCheck",
-    "a pose checked by FCL's manager, OBBRSS": "fclManager<OBBRSSd>",
+    "a pose checked, FCL's manager": "fclManager<OBBRSSd>",
 }
 TREES = {"trees of triangles": "makeObstacles", "FCL's trees of them": "makeObstaclesByFcl"}
 

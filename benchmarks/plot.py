@@ -4,7 +4,7 @@ from xml.sax.saxutils import escape
 
 WIDTH, HEIGHT = 440, 340  # of a chart [px]
 LEFT, RIGHT, TOP, BOTTOM = 56, 12, 30, 112  # around its axes [px]
-COLOURS = ("#0b6e99", "#c2571a", "#3d7d3d", "#8a3f8f", "#a08a1a", "#555555", "#b03050", "#2f4fb0")
+COLOURS = ("#0b6e99", "#c2571a", "#3d7d3d", "#8a3f8f", "#a08a1a", "#555555", "#e05080", "#2f4fb0", "#20b0a0", "#e0a040")
 
 
 def plot(charts):
@@ -23,14 +23,16 @@ def decades(values):
     return low, max(high, low + 1)
 
 
-def tick(power):
-    return f"{10.0**power:g}" if -3 <= power <= 3 else f"1e{power}"
+def tick(value):
+    return f"{value:g}" if 1e-3 <= value < 1e4 else f"1e{math.log10(value):.0f}"
 
 
 def chart(title, along, curves):
     curves = {name: [(x, y) for x, y in points if y > 0] for name, points in curves.items()}
     points = [point for curve in curves.values() for point in curve]
-    (left, right), (low, high) = decades([x for x, _ in points]), decades([y for _, y in points])
+    along_x = sorted({x for x, _ in points})
+    left, right = math.log10(along_x[0]), max(math.log10(along_x[-1]), math.log10(along_x[0]) + 0.1)
+    low, high = decades([y for _, y in points])
 
     def at(x, y):
         return (
@@ -39,14 +41,14 @@ def chart(title, along, curves):
         )
 
     parts = [f'<text x="{LEFT}" y="18" font-size="13">{escape(title)}</text>']
-    for power in range(left, right + 1):
-        x, _ = at(10.0**power, 10.0**low)
+    for value in along_x:
+        x, _ = at(value, 10.0**low)
         parts.append(f'<path d="M{x:.1f} {TOP}V{HEIGHT - BOTTOM}" stroke="#ddd"/>')
-        parts.append(f'<text x="{x:.1f}" y="{HEIGHT - BOTTOM + 14}" text-anchor="middle">{tick(power)}</text>')
+        parts.append(f'<text x="{x:.1f}" y="{HEIGHT - BOTTOM + 14}" text-anchor="middle">{tick(round(value))}</text>')
     for power in range(low, high + 1):
         _, y = at(10.0**left, 10.0**power)
         parts.append(f'<path d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}" stroke="#ddd"/>')
-        parts.append(f'<text x="{LEFT - 5}" y="{y + 4:.1f}" text-anchor="end">{tick(power)} s</text>')
+        parts.append(f'<text x="{LEFT - 5}" y="{y + 4:.1f}" text-anchor="end">{tick(10.0**power)} s</text>')
     parts.append(f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - BOTTOM + 28}" text-anchor="middle">{escape(along)}</text>')
     for number, (name, curve) in enumerate(curves.items()):
         parts.append(line(number, name, [at(*point) for point in curve]))
