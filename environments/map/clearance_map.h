@@ -39,9 +39,10 @@ class ClearanceMap {
     double feet = 0.0;  ///< [m, >= 0]
   };
 
-  static constexpr double kFarthest = 0.5;   ///< more room is not told apart [m]
-  static constexpr double kCell = 0.05;      ///< [m]
-  static constexpr double kMostCells = 6e6;  ///< coarser ones where there would be more
+  static constexpr double kFarthest = 0.5;  ///< more room is not told apart [m]
+  static constexpr double kCell = 0.05;     ///< [m]
+  /// Coarser ones where there would be more: beyond 210 x 210 m.
+  static constexpr double kMostCells = 18e6;
 
   /// Of the ground within `bounds`. @param stopped  asked now and then: where it says so the map is
   /// left empty
