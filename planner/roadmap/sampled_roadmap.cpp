@@ -23,6 +23,24 @@ constexpr int kMostWays = 16;
 // From the narrowest place of the widest way samples are drawn so far to each side [m]: where a
 // walk through it begins and ends.
 constexpr double kAroundNarrow = 2.5;
+// Of walks straight through a narrow place: how far from it they begin and end, at most and apart
+// [m]; and how far from its middle, and by what heading to the way there, they pass it [m], [rad].
+constexpr double kNearestCrossing = 0.3, kFarthestCrossing = 1.5;
+constexpr double kCrossingsBefore = 0.15, kCrossingsBeyond = 0.4;
+constexpr double kAslant = 0.14;
+constexpr std::array<std::pair<double, double>, 9> kCrossings = {{{0.0, 0.0},
+                                                                  {-0.02, 0.0},
+                                                                  {0.02, 0.0},
+                                                                  {0.0, kAslant},
+                                                                  {0.0, -kAslant},
+                                                                  {-0.04, 0.0},
+                                                                  {0.04, 0.0},
+                                                                  {-0.02, -kAslant},
+                                                                  {0.02, kAslant}}};
+// As many of them tell what a place refuses.
+constexpr int kEnoughCrossings = 100;
+// Of the search's effort, 1 over this where what is left leads by a place that refuses them.
+constexpr int kShareOfRefused = 4;
 // How much farther from a passage its ends are tried [m]: shares of a step.
 constexpr std::array<double, 5> kPassageShifts = {0.0, 0.1, -0.1, 0.2, -0.2};
 
@@ -168,21 +186,61 @@ void SampledRoadmap::insertPassage(const StancePair& pair, const SearchLimits& l
   bool up = false, down = false;
   for (const double shift : kPassageShifts) {
     if (limits.stopped() || (up && down)) return;
-    Stance first = ahead(pair.first, -shift), second = ahead(pair.second, shift);
-    if (steering_.stand(first, scratch) || steering_.stand(second, scratch)) continue;
-    SteerResult rising, falling;
-    if (!up) rising = steer({first}, {second}, scratch);
-    if (!down) falling = steer({second}, {first}, scratch);
-    if (rising.edge || falling.edge) {
-      Candidate end{.at = {second}, .end = true};
-      const PlaceId begin = insert({.at = {first}, .end = true}, scratch);
-      if (!up) end.known.learn(begin, kCandidate, rising);
-      if (!down) end.known.learn(kCandidate, begin, falling);
-      insert(std::move(end), scratch);
-    }
-    up = up || rising.edge;
-    down = down || falling.edge;
+    const auto [rises, falls] =
+        insertPair({ahead(pair.first, -shift), ahead(pair.second, shift)}, !up, !down, scratch);
+    up = up || rises;
+    down = down || falls;
   }
+}
+
+// Straight through a narrow place: where arms swing wide there depends on how far before it, and
+// how far beyond, one stands; and they do not swing alike. Ends become nodes where a walk is found.
+SampledRoadmap::Crossing SampledRoadmap::insertCrossing(const WayGuide::Narrow& narrow,
+                                                        const SearchLimits& limits,
+                                                        SteeringScratch& scratch) {
+  int asked = 0;
+  for (const auto& [aside, turned] : kCrossings) {
+    Stance middle;
+    middle.heading = narrow.heading + turned;
+    middle.position = narrow.at + aside * Eigen::Vector3d(-std::sin(middle.heading),
+                                                          std::cos(middle.heading), 0.0);
+    const auto standing = [&](double direction, double spacing) {
+      std::vector<Stance> stances;
+      for (double far = kNearestCrossing; far < kFarthestCrossing; far += spacing) {
+        Stance stance = ahead(middle, direction * far);
+        if (!steering_.stand(stance, scratch)) stances.push_back(stance);
+      }
+      return stances;
+    };
+    const std::vector<Stance> firsts = standing(-1.0, kCrossingsBefore),
+                              seconds = standing(1.0, kCrossingsBeyond);
+    for (const Stance& first : firsts) {
+      for (const Stance& second : seconds) {
+        if (limits.stopped()) return Crossing::kUnknown;
+        ++asked;
+        if (insertPair({first, second}, true, false, scratch).first) return Crossing::kWalked;
+      }
+    }
+  }
+  return asked >= kEnoughCrossings ? Crossing::kRefused : Crossing::kUnknown;
+}
+
+// The ends become nodes if one of the walks between them that are asked for is there.
+// @return whether walks lead from the first to the second, and back
+std::pair<bool, bool> SampledRoadmap::insertPair(const StancePair& pair, bool there, bool back,
+                                                 SteeringScratch& scratch) {
+  const auto& [first, second] = pair;
+  SteerResult going, coming;
+  if (there) going = steer({first}, {second}, scratch);
+  if (back) coming = steer({second}, {first}, scratch);
+  if (going.edge || coming.edge) {
+    Candidate end{.at = {second}, .end = true};
+    const PlaceId begin = insert({.at = {first}, .end = true}, scratch);
+    if (there) end.known.learn(begin, kCandidate, going);
+    if (back) end.known.learn(kCandidate, begin, coming);
+    insert(std::move(end), scratch);
+  }
+  return {going.edge.has_value(), coming.edge.has_value()};
 }
 
 SteerResult SampledRoadmap::steer(const Waypoint& from, const Waypoint& to,
@@ -294,6 +352,28 @@ std::optional<bool> SampledRoadmap::askMap(WayGuide* guide, int from, int to,
   return std::nullopt;
 }
 
+// Where there is hardly room: walks straight through it, and samples around it.
+// @return whether walks lead there; none where samples of the rest are to say
+std::optional<bool> SampledRoadmap::askNarrow(const WayGuide::Narrow& narrow, int from, int to,
+                                              const SearchLimits& limits,
+                                              std::vector<SteeringScratchPtr>& scratches) {
+  const Crossing crossing = insertCrossing(narrow, limits, *scratches[0]);
+  if (roadmap_.reachableFrom(from)[to]) return true;
+  const int share = crossing == Crossing::kRefused ? kShareOfRefused : 1;
+  const Eigen::Vector2d at = narrow.at.head<2>();
+  const StanceSampler around = sampler_.within(grown({at, at}, kAroundNarrow));
+  // Every other sample is uniform.
+  const Budget once{limits.max_failures, (2LL * limits.max_failures + share - 1) / share};
+  if (grow(from, to, around, once, limits, scratches)) return true;
+  const bool may_pass = narrow.may_pass || crossing == Crossing::kWalked;
+  if (!may_pass || limits.stopped()) return false;
+  resetEffort();
+  if (share == 1) return std::nullopt;
+  insertPassages(sampler_.bounds(), limits);
+  const Budget rest{(limits.max_failures + share - 1) / share, 2LL * limits.max_failures};
+  return grow(from, to, sampler_, rest, limits, scratches);
+}
+
 bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
   if (roadmap_.reachableFrom(from)[to]) return true;
   std::vector<SteeringScratchPtr> scratches(limits.threads);
@@ -307,12 +387,7 @@ bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
       steering_.guide(place(from), place(to), bounds, [&] { return limits.stopped(); });
   if (const auto known = askMap(guide.get(), from, to, limits, *scratches[0])) return *known;
   if (const auto narrow = guide ? guide->narrowest() : std::nullopt) {
-    const Eigen::Vector2d at = narrow->at.head<2>();
-    const StanceSampler around = sampler_.within(grown({at, at}, kAroundNarrow));
-    const Budget once{limits.max_failures, 2LL * limits.max_failures};  // every other is uniform
-    if (grow(from, to, around, once, limits, scratches)) return true;
-    if (!narrow->may_pass || limits.stopped()) return false;
-    resetEffort();
+    if (const auto known = askNarrow(*narrow, from, to, limits, scratches)) return *known;
   }
   for (double margin = kFirstMargin;; margin *= 2.0) {
     const Eigen::AlignedBox2d region = grown(ends, margin);

@@ -9,9 +9,10 @@
 /// First come the ways that steering's guide knows, if it knows any: the places of each become
 /// nodes, and where an edge between them is refused the guide is told. If none of them is walked it
 /// is asked for a proof that nothing leads there, which ends the search, and then for the narrowest
-/// place of the widest way: max_failures uniform samples are drawn around that before others,
-/// whether they add guards or not, and where not even the guide finds a way through it there are no
-/// others.
+/// place of the widest way. Walks straight through that are asked first, a few hundred, that begin
+/// and end at different distances: arms swing alike only so. Then max_failures uniform samples are
+/// drawn around it before others, whether they add guards or not, a quarter of them where those
+/// walks were refused; and where not even the guide finds a way through it there are no others.
 ///
 /// Large maps are looked at from the near to the far: start and goal are asked about first, then
 /// the passages and samples of a region around both, which widens when most of it is covered. Where
@@ -145,6 +146,14 @@ class SampledRoadmap {
   SteerResult steer(const Candidate& candidate, Question question, SteeringScratch& scratch) const;
   void insertPassages(const Eigen::AlignedBox2d& region, const SearchLimits& limits);
   void insertPassage(const StancePair& pair, const SearchLimits& limits, SteeringScratch& scratch);
+  std::pair<bool, bool> insertPair(const StancePair& pair, bool there, bool back,
+                                   SteeringScratch& scratch);
+  enum class Crossing { kWalked, kRefused, kUnknown };
+  Crossing insertCrossing(const WayGuide::Narrow& narrow, const SearchLimits& limits,
+                          SteeringScratch& scratch);
+  std::optional<bool> askNarrow(const WayGuide::Narrow& narrow, int from, int to,
+                                const SearchLimits& limits,
+                                std::vector<SteeringScratchPtr>& scratches);
   SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch);
 
   const Steering& steering_;

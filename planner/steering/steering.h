@@ -77,6 +77,7 @@ class WayGuide {
   virtual void avoid(const Eigen::Vector3d& at) = 0;
   struct Narrow {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< [m, World]
+    double heading = 0.0;                          ///< of the way there [rad]
     bool may_pass = false;                         ///< next() has led, or may lead, through it
   };
   /// The narrowest place of the widest way, its ends left out, if there is hardly room for the

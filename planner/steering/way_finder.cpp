@@ -25,6 +25,7 @@ constexpr double kFarthest = 10.0;     // from one corner to the next [m]
 constexpr double kRoomSought = 0.8;    // how far back from the farthest place seen [m]
 constexpr double kLevelNear = 0.3;     // somebody stands where it is level so far around [m]
 constexpr double kLevel = 0.02;        // [m]
+constexpr double kAcross = 0.3;        // to each side of a narrow place, for the way there [m]
 constexpr int kStopEvery = 1 << 12;    // places between looks at the clock
 constexpr double kRoomInSight = 0.04;  // beside a straight line, where there is as much [m]
 
@@ -217,13 +218,20 @@ std::vector<int> WayFinder::widest() const {
 }
 
 std::optional<WayGuide::Narrow> WayFinder::narrowest() const {
-  std::vector<int> way = widest();
-  std::erase_if(way, [&](int place) { return isNear(place, from_) || isNear(place, to_); });
-  if (way.empty()) return std::nullopt;
-  const int narrow = *std::min_element(
-      way.begin(), way.end(), [&](int a, int b) { return map_->spare(a) < map_->spare(b); });
-  if (map_->spare(narrow) > kRoomInSight) return std::nullopt;
-  return Narrow{map_->at(narrow), map_->spare(narrow) >= kTightest};
+  const std::vector<int> way = widest();
+  const auto isEnd = [&](int place) { return isNear(place, from_) || isNear(place, to_); };
+  int narrow = -1;
+  for (int i = 0; i < static_cast<int>(way.size()); ++i) {
+    if (!isEnd(way[i]) && (narrow < 0 || map_->spare(way[i]) < map_->spare(way[narrow])))
+      narrow = i;
+  }
+  if (narrow < 0 || map_->spare(way[narrow]) > kRoomInSight) return std::nullopt;
+  const int far = static_cast<int>(kAcross / map_->cell());
+  const Eigen::Vector3d across =
+      map_->at(way[std::min<int>(narrow + far, static_cast<int>(way.size()) - 1)]) -
+      map_->at(way[std::max(narrow - far, 0)]);
+  return Narrow{map_->at(way[narrow]), std::atan2(across.y(), across.x()),
+                map_->spare(way[narrow]) >= kTightest};
 }
 
 void WayFinder::avoid(const Eigen::Vector3d& at) {

@@ -143,13 +143,13 @@ TEST(SampledRoadmap, WhatIsShutOffIsNotSearched) {
 
 TEST(SampledRoadmap, AboutANarrowPlaceThatMayNotBePassedSamplesAreDrawnAndNowhereElse) {
   GuidedRooms steering;
-  steering.boxes = {box(29, -1, 31, 61)};
-  steering.narrow = WayGuide::Narrow{{30, 30, 0}, false};
+  steering.boxes = {box(29.95, -1, 30.05, 61)};
+  steering.narrow = WayGuide::Narrow{{30, 30, 0}, 0.0, false};
   VisibilityRoadmap roadmap({steering, box(0, 0, 60, 60)});
   const int from = roadmap.insert(standing(5, 30), true, true),
             to = roadmap.insert(standing(55, 30), true, true);
   EXPECT_FALSE(roadmap.connect(from, to, limitsOf(1, 20)));
-  EXPECT_LE(roadmap.samples(), 40);  // 20 of them uniform
+  EXPECT_LE(roadmap.samples(), 10);  // of 40, since walks straight through it were refused
   for (const RoadmapNode& node : roadmap.roadmap().nodes()) {
     const Eigen::Vector2d p = node.at.stance.position.head<2>();
     if (p == Eigen::Vector2d(5, 30) || p == Eigen::Vector2d(55, 30)) continue;
@@ -160,10 +160,33 @@ TEST(SampledRoadmap, AboutANarrowPlaceThatMayNotBePassedSamplesAreDrawnAndNowher
 TEST(SampledRoadmap, WhereAWayMayPassAllIsSearchedAfterTheNarrowPlace) {
   GuidedRooms steering;
   twoRooms(steering, 0.8);
-  steering.narrow = WayGuide::Narrow{{1, 5, 0}, true};  // where nothing leads on
+  steering.narrow = WayGuide::Narrow{{1, 5, 0}, 0.5 * kPi, true};  // where nothing leads on
   VisibilityRoadmap roadmap({steering, kRoom});
   const Ends ends = insertEnds(roadmap);
   EXPECT_TRUE(roadmap.connect(ends.from, ends.to, limitsOf(1)));
+}
+
+TEST(SampledRoadmap, ANarrowPlaceIsWalkedStraightThroughBeforeAnySample) {
+  for (const double off : {0.0, 0.15}) {  // of what the map says
+    GuidedRooms steering;
+    twoRooms(steering, 0.8);
+    steering.narrow = WayGuide::Narrow{{4, 4.5, 0}, off, false};
+    VisibilityRoadmap roadmap({steering, kRoom});
+    const Ends ends = insertEnds(roadmap);
+    EXPECT_TRUE(roadmap.connect(ends.from, ends.to, limitsOf(1)));
+    EXPECT_EQ(roadmap.samples(), 0);
+  }
+}
+
+TEST(SampledRoadmap, ANarrowPlaceBesideWhichNobodyStandsIsSearchedInFull) {
+  GuidedRooms steering;
+  steering.boxes = {box(28, -1, 32, 61)};
+  steering.narrow = WayGuide::Narrow{{30, 30, 0}, 0.0, false};
+  VisibilityRoadmap roadmap({steering, box(0, 0, 60, 60)});
+  const int from = roadmap.insert(standing(5, 30), true, true),
+            to = roadmap.insert(standing(55, 30), true, true);
+  EXPECT_FALSE(roadmap.connect(from, to, limitsOf(1, 20)));
+  EXPECT_GE(roadmap.samples(), 20);
 }
 
 TEST(SampledRoadmap, ASearchEndsWhereTheWholeMapIsCovered) {

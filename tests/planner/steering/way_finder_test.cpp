@@ -120,6 +120,7 @@ TEST(WayFinder, ThroughWhatIsFarTooNarrowThereIsNoWayAndThatIsTheNarrowestPlace)
   ASSERT_TRUE(narrowest.has_value());
   EXPECT_NEAR(narrowest->at.x(), 0.0, 0.15);
   EXPECT_NEAR(narrowest->at.y(), 1.175, 0.1);
+  EXPECT_NEAR(narrowest->heading, 0.0, 0.3);  // eastwards, through the wall
   EXPECT_FALSE(narrowest->may_pass);
 }
 
