@@ -117,6 +117,7 @@ Eigen::Vector3d unwrapEuler(const Eigen::Vector3d& angles, const Eigen::Vector3d
 }
 
 double wrapAngle(double angle) {
+  if (angle > -kPi && angle <= kPi) return angle;
   const double wrapped = std::remainder(angle, 2.0 * kPi);
   return wrapped <= -kPi ? wrapped + 2.0 * kPi : wrapped;
 }

@@ -43,10 +43,11 @@ double footPitch(const FootCycle& foot, double x) {
   constexpr int kStance = FootCycle::kStanceSamples, kSwing = FootCycle::kSwingSamples;
   constexpr int n = kStance + kSwing;
   const double at = x < 1.0 ? x * kStance : kStance + (x - 1.0) * kSwing;
-  const double floor = std::floor(at);
+  const int floor = static_cast<int>(at);
   const double t = at - floor;
   const auto p = [&](int k) {
-    return foot.pitch[static_cast<size_t>(((static_cast<int>(floor) + k) % n + n) % n)];
+    const int i = floor + k;
+    return foot.pitch[static_cast<size_t>(i < 0 ? i + n : i < n ? i : i - n)];
   };
   // Catmull-Rom: through the samples, with a continuous slope.
   const double m0 = 0.5 * (p(1) - p(-1)), m1 = 0.5 * (p(2) - p(0));

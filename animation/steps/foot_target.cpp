@@ -14,13 +14,6 @@ double rolled(double pitch, double strike_roll, double lift_roll) {
   return pitch * (pitch < 0.0 ? strike_roll : lift_roll);
 }
 
-// A sole before it is a target: its frame over the ground and how it is rolled.
-struct SolePose {
-  Eigen::Vector3d position;
-  Eigen::Quaterniond q_WS;
-  double pitch, roll;
-};
-
 // How a sole is rolled in its swing [rad].
 struct SwingRoll {
   double pitch, roll;
@@ -32,48 +25,45 @@ SwingRoll swingRoll(const FootState& state, const FootCycle& cycle) {
   return {rolled(footPitch(cycle, state.at), share, share), swingPolynomial(cycle.roll, tau)};
 }
 
-SolePose swingingSole(const FootState& state, const FootCycle& cycle) {
+Sole swingingSole(const FootState& state, const FootCycle& cycle) {
   const SwingShape& shape = state.swing;
   const double tau = state.at - 1.0, ease = smoothstep(tau);
   const Eigen::Vector3d line = state.to.position - state.from.position;
-  Eigen::Vector3d sole = state.from.position + swingAlong(shape, cycle, tau) * line;
-  sole.z() += swingHeight(shape, cycle, tau);
+  Sole sole;
+  FootPlace& place = sole.place;
+  place.position = state.from.position + swingAlong(shape, cycle, tau) * line;
+  place.position.z() += swingHeight(shape, cycle, tau);
   const double span = line.head<2>().norm();
   if (span > 1e-9) {
     const double sideways = swingPolynomial(cycle.sideways, tau) / span;
-    sole += sideways * Eigen::Vector3d(-line.y(), line.x(), 0.0);
+    place.position += sideways * Eigen::Vector3d(-line.y(), line.x(), 0.0);
   }
-  const double heading = state.from.heading +
-                         ease * wrapAngle(state.to.heading - state.from.heading) +
-                         swingPolynomial(cycle.yaw, tau);
-  const Eigen::Vector3d normal = state.from.normal + ease * (state.to.normal - state.from.normal);
+  place.heading = state.from.heading + ease * wrapAngle(state.to.heading - state.from.heading) +
+                  swingPolynomial(cycle.yaw, tau);
+  place.normal = state.from.normal + ease * (state.to.normal - state.from.normal);
   const SwingRoll turned = swingRoll(state, cycle);
-  return {sole, soleFrame(heading, normal), turned.pitch, turned.roll};
+  sole.pitch = turned.pitch;
+  sole.roll = turned.roll;
+  return sole;
 }
 
-SolePose solePose(const FootState& state, const FootCycle& cycle) {
-  if (!state.planted()) return swingingSole(state, cycle);
-  return {state.from.position, soleFrame(state.from.heading, state.from.normal),
-          rolled(footPitch(cycle, state.at), state.strike_roll, state.lift_roll), 0.0};
-}
-
-FootTarget targetOf(const FootShape& shape, const SolePose& sole) {
+FootTarget targetOf(const FootShape& shape, const Sole& sole) {
+  const Eigen::Quaterniond q_WS = soleFrame(sole.place.heading, sole.place.normal);
   FootTarget target;
-  target.ankle = sole.position + sole.q_WS * rolledAnkle(shape, sole.pitch);
-  target.q_WF =
-      sole.q_WS * Eigen::Quaterniond(Eigen::AngleAxisd(sole.pitch, Eigen::Vector3d::UnitY())) *
-      Eigen::Quaterniond(Eigen::AngleAxisd(sole.roll, Eigen::Vector3d::UnitX())) * shape.q_SF;
+  target.ankle = sole.place.position + q_WS * rolledAnkle(shape, sole.pitch);
+  target.q_WF = q_WS * Eigen::Quaterniond(Eigen::AngleAxisd(sole.pitch, Eigen::Vector3d::UnitY())) *
+                Eigen::Quaterniond(Eigen::AngleAxisd(sole.roll, Eigen::Vector3d::UnitX())) *
+                shape.q_SF;
   target.toe_bend = std::max(sole.pitch, 0.0);  // toes stay level while the heel is up
   return target;
 }
 
-// The pitch from low to high at which the ankle is so far from a point, the sole being where it is;
-// the largest that still helps where even that is too far. @pre it is at `low`, and farther there.
+// The pitch from low to high at which the ankle is so far from a point in the sole's frame; the
+// largest that still helps where even that is too far. @pre it is at `low`, and farther there.
 // About heel or ball the ankle moves on a circle, so that the squared distance is a cosine of the
 // pitch; of its two solutions the one at which it falls, and kLeastYield before its least at most.
-double pitchAtDistance(const FootShape& shape, const SolePose& sole, const Eigen::Vector3d& point,
-                       double distance, double low, double high) {
-  const Eigen::Vector3d p = sole.q_WS.conjugate() * (point - sole.position);
+double pitchAtDistance(const FootShape& shape, const Eigen::Vector3d& p, double distance,
+                       double low, double high) {
   const auto squared = [&](double pitch) { return (rolledAnkle(shape, pitch) - p).squaredNorm(); };
   const double wanted = distance * distance;
   // About the heel below 0, about the ball above.
@@ -90,36 +80,40 @@ double pitchAtDistance(const FootShape& shape, const SolePose& sole, const Eigen
 
 }  // namespace
 
-FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
-                      const Eigen::Vector3d& hip, double longest, double heel_share) {
-  SolePose sole = solePose(state, cycle);
-  FootTarget target = targetOf(shape, sole);
-  const double distance = (target.ankle - hip).norm();
+Sole soleOf(const FootState& state, const FootCycle& cycle) {
+  if (!state.planted()) return swingingSole(state, cycle);
+  return {state.from, rolled(footPitch(cycle, state.at), state.strike_roll, state.lift_roll), 0.0};
+}
+
+double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector3d& hip,
+                   double distance, double longest, double heel_share) {
+  if (distance < longest - kHeelRests) return sole.pitch;
   const double over = (distance - longest) / HeelRise::kSoftReach;
-  if (over < -6.0) return target;
-  Eigen::Vector3d ahead = sole.q_WS * Eigen::Vector3d::UnitX();
+  const Eigen::Quaterniond q_WS = soleFrame(sole.place.heading, sole.place.normal);
+  const Eigen::Vector3d& position = sole.place.position;
+  Eigen::Vector3d ahead = q_WS * Eigen::Vector3d::UnitX();
   ahead.z() = 0.0;
-  const Eigen::Vector3d ball = sole.position + shape.ball_x * ahead;
-  const double behind = (hip - ball).dot(ahead);
+  const double behind = (hip - position - shape.ball_x * ahead).dot(ahead);
   const double freedom = smoothstep(behind / HeelRise::kBehind);
   // A smooth minimum of what it is and what it may be.
   const double wanted = distance - HeelRise::kSoftReach * std::log1p(std::exp(over));
   const double most = sole.pitch + heel_share * HeelRise::kMost * freedom;
-  sole.pitch = pitchAtDistance(shape, sole, hip, wanted, sole.pitch, most);
+  return pitchAtDistance(shape, q_WS.conjugate() * (hip - position), wanted, sole.pitch, most);
+}
+
+FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
+                      const Eigen::Vector3d& hip, double longest, double heel_share) {
+  Sole sole = soleOf(state, cycle);
+  const FootTarget target = targetOf(shape, sole);
+  const double distance = (target.ankle - hip).norm();
+  if (distance < longest - kHeelRests) return target;
+  sole.pitch = raisedPitch(sole, shape, hip, distance, longest, heel_share);
   return targetOf(shape, sole);
 }
 
 namespace {
 
 constexpr int kLiftPoints = 100;  // of a swing at which its height is measured
-
-bool isLevel(const FootState& state) {
-  const auto upright = [](const FootPlace& place) {
-    return place.normal.x() == 0.0 && place.normal.y() == 0.0;
-  };
-  return upright(state.from) && upright(state.to) &&
-         state.from.position.z() == state.to.position.z();
-}
 
 // Height of the lower of heel and ball over level prints, whatever the heading: of the sole turned
 // by pitch about y after roll about x.
@@ -134,9 +128,17 @@ double levelHeight(const FootState& state, const FootCycle& cycle, const FootSha
 
 }  // namespace
 
+bool isLevelSwing(const FootState& state) {
+  const auto upright = [](const FootPlace& place) {
+    return place.normal.x() == 0.0 && place.normal.y() == 0.0;
+  };
+  return upright(state.from) && upright(state.to) &&
+         state.from.position.z() == state.to.position.z();
+}
+
 double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape) {
   const auto endsOf = [&](const FootState& s) {
-    const FootTarget target = targetOf(shape, solePose(s, cycle));
+    const FootTarget target = targetOf(shape, soleOf(s, cycle));
     return soleEnds(shape, target.ankle, target.q_WF);
   };
   const auto flat = [&](const FootPlace& place) {
@@ -146,7 +148,7 @@ double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape
     stood.strike_roll = stood.lift_roll = 0.0;
     return endsOf(stood);
   };
-  const bool level = isLevel(state);
+  const bool level = isLevelSwing(state);
   const SoleEnds from = flat(state.from), to = flat(state.to);
   double highest = 0.0;
   for (int i = 1; i < kLiftPoints; ++i) {

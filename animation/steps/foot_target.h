@@ -34,12 +34,30 @@ struct FootTarget {
   double toe_bend = 0.0;    ///< [rad, >= 0]
 };
 
-/// Where the foot is to be in a frame. Behind the walker, where the leg from `hip` [World] would be
-/// longer than `longest` [m], the heel rises farther than captured (HeelRise).
+/// A sole before it is a target: where it is, how its ground lies and how it is rolled.
+struct Sole {
+  FootPlace place;
+  double pitch = 0.0, roll = 0.0;  ///< toes down, and over to the right, positive [rad]
+};
+Sole soleOf(const FootState& state, const FootCycle& cycle);
+
+/// The pitch of a sole whose ankle is so far from `hip` and should be `longest` away at most
+/// (HeelRise) [rad].
+double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector3d& hip,
+                   double distance, double longest, double heel_share);
+/// Nearer by so much than `longest`, and the pitch is the sole's own: raisedPitch need not be asked
+/// [m].
+inline constexpr double kHeelRests = 6.0 * HeelRise::kSoftReach;
+
+/// Where the foot is to be in a frame, as FootController has it of many at once. Behind the walker,
+/// where the leg from `hip` [World] would be longer than `longest` [m], the heel rises farther than
+/// captured (HeelRise).
 /// @param heel_share  of the rise that there is for a heel beyond the captured one [0, 1]
 FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
                       const Eigen::Vector3d& hip, double longest, double heel_share = 1.0);
 
+/// Whether a swing goes from one print to another on one level.
+bool isLevelSwing(const FootState& state);
 /// The lift of a swing (GaitParameters::lift), from the prints, rolls and shape that a state of it
 /// has [m].
 double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape);

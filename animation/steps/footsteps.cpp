@@ -117,7 +117,9 @@ std::array<FootState, 2> Footsteps::at(double progress) const {
   if (progress >= steps_) return atStance(placement_, to_);
   std::array<FootState, 2> feet;
   for (const int parity : {0, 1}) {
-    int placing = -parity;  // 0 or -1, then every other
+    // 0 or -1, then every other; it has landed, since that is before its node.
+    const int landed = static_cast<int>(progress);
+    int placing = landed - (landed + parity) % 2;
     while (placing + 2 <= steps_ && strike(placing + 2) <= progress) placing += 2;
     feet[side(placing)] = stateOf(placing, progress);
   }

@@ -44,6 +44,35 @@ double arcLength(const Bezier& c, double u0, double u1) {
 
 double headingOf(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
+double curvature(const Eigen::Vector2d& v, const Eigen::Vector2d& a) {
+  const double speed = v.norm();
+  return speed > 0.0 ? (v.x() * a.y() - v.y() * a.x()) / (speed * speed * speed) : 0.0;
+}
+
+// Derivatives of the parameter by arc length, first and second: u' = 1 / |v|, and that once more.
+Eigen::Vector2d parameterSlopes(const Bezier& c, double u) {
+  const Eigen::Vector2d v = velocity(c, u);
+  const double square = v.squaredNorm();
+  return {1.0 / std::sqrt(square), -v.dot(acceleration(c, u)) / (square * square)};
+}
+
+// The polynomial over t, 0 to 1, that has these values, slopes and second derivatives at its ends.
+std::array<double, 6> quintic(double a, const Eigen::Vector2d& da, double b,
+                              const Eigen::Vector2d& db) {
+  const double rise = b - a - da[0] - 0.5 * da[1];
+  const double slope = db[0] - da[0] - da[1], bend = db[1] - da[1];
+  return {a,
+          da[0],
+          0.5 * da[1],
+          10.0 * rise - 4.0 * slope + 0.5 * bend,
+          -15.0 * rise + 7.0 * slope - bend,
+          6.0 * rise - 3.0 * slope + 0.5 * bend};
+}
+
+double valueAt(const std::array<double, 6>& c, double t) {
+  return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * c[5]))));
+}
+
 }  // namespace
 
 Bezier makeBezier(const Eigen::Vector2d& from, double from_heading, const Eigen::Vector2d& to,
@@ -66,39 +95,71 @@ RootPath::RootPath(std::vector<Bezier> curves) : curves_(std::move(curves)) {
       const double u1 = static_cast<double>(i + 1) / kPiecesPerCurve;
       heading += wrapAngle(headingOf(velocity(curves_[k], u0)) - heading);
       const double length = arcLength(curves_[k], u0, u1);
-      pieces_.push_back({u0, u1, length_, length, heading, static_cast<int>(k)});
+      pieces_.push_back({u0, u1, length_, length, heading, static_cast<int>(k), false, {}});
       length_ += length;
     }
+    tabulate(static_cast<int>(k));
+  }
+}
+
+// The parameter over arc length in each piece of a curve. Its error is largest in the middle: where
+// that is too large (a handle nearly vanishes, and with it the speed) the piece stays without.
+void RootPath::tabulate(int curve) {
+  const Bezier& c = curves_[curve];
+  Eigen::Vector2d begin = parameterSlopes(c, 0.0);
+  for (size_t i = pieces_.size() - kPiecesPerCurve; i < pieces_.size(); ++i) {
+    Piece& piece = pieces_[i];
+    const Eigen::Vector2d end = parameterSlopes(c, piece.u1);
+    const Eigen::Vector2d scale(piece.length, piece.length * piece.length);
+    piece.parameter =
+        quintic(piece.u0, begin.cwiseProduct(scale), piece.u1, end.cwiseProduct(scale));
+    const double middle = valueAt(piece.parameter, 0.5);
+    piece.tabulated =
+        middle > piece.u0 && middle < piece.u1 &&
+        std::abs(arcLength(c, piece.u0, middle) - 0.5 * piece.length) < kTableError * piece.length;
+    begin = end;
   }
 }
 
 double RootPath::parameterAt(const Piece& piece, double s) const {
   if (!(piece.length > 0.0)) return piece.u0;
+  const double share = (s - piece.s0) / piece.length;
+  double u = valueAt(piece.parameter, share);
+  if (piece.tabulated) return u;
   const Bezier& curve = curves_[piece.curve];
-  double u = piece.u0 + (piece.u1 - piece.u0) * (s - piece.s0) / piece.length;
-  for (int i = 0; i < 4; ++i) {  // Newton: within a piece the speed hardly changes
+  if (!(u >= piece.u0 && u <= piece.u1)) u = piece.u0 + (piece.u1 - piece.u0) * share;
+  for (int i = 0; i < 6; ++i) {  // Newton, whose next step is as the square of its last
     const double speed = velocity(curve, u).norm();
     if (!(speed > 0.0)) break;
     const double step = (s - piece.s0 - arcLength(curve, piece.u0, u)) / speed;
     u = std::clamp(u + step, piece.u0, piece.u1);
-    if (std::abs(step) < 1e-14) break;
+    if (std::abs(step) < 1e-8) break;
   }
   return u;
 }
 
-RootPath::Sample RootPath::at(double s) const {
-  if (pieces_.empty()) return {Eigen::Vector2d::Zero(), 0.0, 0.0};
+RootPath::Place RootPath::placeAt(double s) const {
   s = std::clamp(s, 0.0, length_);
   auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), s,
                                 [](double value, const Piece& p) { return value < p.s0; });
   if (piece != pieces_.begin()) --piece;
-  const Bezier& curve = curves_[piece->curve];
-  const double u = s >= length_ ? 1.0 : parameterAt(*piece, s);
-  const Eigen::Vector2d v = velocity(curve, u), a = acceleration(curve, u);
-  const double speed = v.norm();
-  const double cross = v.x() * a.y() - v.y() * a.x();
-  return {position(curve, u), piece->heading0 + wrapAngle(headingOf(v) - piece->heading0),
-          speed > 0.0 ? cross / (speed * speed * speed) : 0.0};
+  return {*piece, s >= length_ ? 1.0 : parameterAt(*piece, s)};
+}
+
+RootPath::Sample RootPath::at(double s) const {
+  if (pieces_.empty()) return {Eigen::Vector2d::Zero(), 0.0, 0.0};
+  const auto& [piece, u] = placeAt(s);
+  const Bezier& curve = curves_[piece.curve];
+  const Eigen::Vector2d v = velocity(curve, u);
+  return {position(curve, u), piece.heading0 + wrapAngle(headingOf(v) - piece.heading0),
+          curvature(v, acceleration(curve, u))};
+}
+
+double RootPath::curvatureAt(double s) const {
+  if (pieces_.empty()) return 0.0;
+  const auto& [piece, u] = placeAt(s);
+  const Bezier& curve = curves_[piece.curve];
+  return curvature(velocity(curve, u), acceleration(curve, u));
 }
 
 void RootPath::append(const RootPath& next) {

@@ -34,8 +34,12 @@ class RootPath {
   const std::vector<Bezier>& curves() const { return curves_; }
   /// Exact to 1e-9 relative, by Gauss-Legendre quadrature [m, >= 0].
   double length() const { return length_; }
-  /// s is held within [0, length()].
+  /// s is held within [0, length()]; where it is on the curves is exact to kTableError.
   Sample at(double s) const;
+  double curvatureAt(double s) const;  ///< of at(s) alone [1/m]
+  /// Of the arc length at which the curve's parameter is read from a table, in pieces' lengths, of
+  /// which a curve has 24.
+  static constexpr double kTableError = 1e-10;
   void append(const RootPath& next);
 
  private:
@@ -45,7 +49,15 @@ class RootPath {
     double length;    // [m]
     double heading0;  // at its begin, without jumps along the path [rad]
     int curve;
+    bool tabulated;                   // whether `parameter` is exact enough
+    std::array<double, 6> parameter;  // as a polynomial of the share of the length
   };
+  struct Place {
+    const Piece& piece;
+    double u;
+  };
+  void tabulate(int curve);
+  Place placeAt(double s) const;
   double parameterAt(const Piece& piece, double s) const;
 
   std::vector<Bezier> curves_;

@@ -18,6 +18,32 @@ double pace(double stretch) {
                   (u * u + StepFit::kSteady * StepFit::kSteady));
 }
 
+// Where f, that falls smoothly from f_low to f_high, is 0: secants that keep it between them (the
+// Illinois method), to rounding.
+template <typename Function>
+double rootWithin(const Function& f, double low, double f_low, double high, double f_high) {
+  constexpr int kMostSteps = 50;
+  constexpr double kRounding = 1e-14;
+  double root = f_low == 0.0 ? low : high, before = 0.0;  // f at the last root
+  for (int i = 0; i < kMostSteps && f_low > 0.0 && f_high < 0.0; ++i) {
+    const double next = high - f_high * (high - low) / (f_high - f_low);
+    const bool settled = std::abs(next - root) < kRounding;
+    root = next;
+    if (settled) break;
+    const double value = f(root);
+    if (value == 0.0) break;
+    if (value > 0.0) {
+      low = root, f_low = value;
+      if (before > 0.0) f_high *= 0.5;
+    } else {
+      high = root, f_high = value;
+      if (before < 0.0) f_low *= 0.5;
+    }
+    before = value;
+  }
+  return root;
+}
+
 }  // namespace
 
 SpeedProfile::SpeedProfile(const RootPath& path, const SpeedLimits& limits,
@@ -49,7 +75,7 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
   knots_.resize(count + 1);
   for (int i = 0; i <= count; ++i) {
     knots_[i].arc = spacing * i;
-    const double curvature = std::abs(path.at(knots_[i].arc).curvature);
+    const double curvature = std::abs(path.curvatureAt(knots_[i].arc));
     speed[i] =
         std::min(allowedSpeed(knots_[i].arc), limits_.max_turn_rate / std::max(curvature, 1e-9));
     const double from_standing = std::min(ends_.from_standing ? knots_[i].arc : length_,
@@ -78,19 +104,26 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
   if (!ends_.to_standing) speed.back() = last;
   for (int i = 0; i <= count; ++i) {
     knots_[i].speed = speed[i];
-    knots_[i].wanted =
-        limits_.stride ? limits_.stride(knots_[i].arc) : limits_.law.stepLength(speed[i]);
+    if (limits_.stride) {
+      knots_[i].wanted = limits_.stride(knots_[i].arc);
+    } else {  // most knots are as fast as the one before
+      const bool same = i > 0 && speed[i] == speed[i - 1];
+      knots_[i].wanted = same ? knots_[i - 1].wanted : limits_.law.stepLength(speed[i]);
+    }
   }
 }
 
 // Steps stretched by `delta` where they may be, and what follows from that.
 void SpeedProfile::stretch(double delta) {
-  for (Knot& k : knots_) k.step = k.wanted * (1.0 + delta * k.window);
+  for (Knot& k : knots_) {
+    k.step = k.wanted * (1.0 + delta * k.window);
+    k.per_metre = 1.0 / k.step;
+  }
   knots_[0].steps = 0.0;
   for (size_t i = 1; i < knots_.size(); ++i) {
     const Knot& before = knots_[i - 1];
-    knots_[i].steps = before.steps + 0.5 * (knots_[i].arc - before.arc) *
-                                         (1.0 / before.step + 1.0 / knots_[i].step);
+    knots_[i].steps = before.steps +
+                      0.5 * (knots_[i].arc - before.arc) * (before.per_metre + knots_[i].per_metre);
   }
   start_arc_ = ends_.from_standing ? 0.5 * knots_.front().step : 0.0;
   stop_arc_ = ends_.to_standing ? length_ - 0.5 * knots_.back().step : length_;
@@ -99,8 +132,8 @@ void SpeedProfile::stretch(double delta) {
 double SpeedProfile::countSteps() const {
   const int standing = (ends_.from_standing ? 1 : 0) + (ends_.to_standing ? 1 : 0);
   if (start_arc_ > stop_arc_) return standing * length_ / (start_arc_ + length_ - stop_arc_);
-  return standing + integralAt(stop_arc_, &Knot::steps, &Knot::step, true) -
-         integralAt(start_arc_, &Knot::steps, &Knot::step, true);
+  return standing + integralAt(stop_arc_, &Knot::steps, &Knot::per_metre) -
+         integralAt(start_arc_, &Knot::steps, &Knot::per_metre);
 }
 
 // The number of steps that needs the least stretching, and that stretch.
@@ -115,16 +148,14 @@ void SpeedProfile::chooseSteps() {
                    [&](int a, int b) { return std::abs(a - natural) < std::abs(b - natural); });
   for (const int n : candidates) {
     if (n < 2 || (ends_.parity && n % 2 != *ends_.parity)) continue;
-    double low = StepFit::kLeastStretch - 1.0, high = StepFit::kMostStretch - 1.0;
-    stretch(low);
-    if (countSteps() < n) continue;
-    stretch(high);
-    if (countSteps() > n) continue;
-    for (int i = 0; i < 50; ++i) {
-      const double middle = 0.5 * (low + high);
-      stretch(middle);
-      (countSteps() > n ? low : high) = middle;
-    }
+    const double low = StepFit::kLeastStretch - 1.0, high = StepFit::kMostStretch - 1.0;
+    const auto beyond = [&](double delta) {
+      stretch(delta);
+      return countSteps() - n;
+    };
+    const double at_low = beyond(low), at_high = beyond(high);
+    if (at_low < 0.0 || at_high > 0.0) continue;
+    beyond(rootWithin(beyond, low, at_low, high, at_high));
     bool walkable = true;
     for (const Knot& k : knots_) {
       walkable = walkable &&
@@ -141,16 +172,23 @@ void SpeedProfile::chooseSteps() {
 // Slowness at every knot such that the whole takes a whole number of frames: cadence gives way by
 // less than a frame.
 void SpeedProfile::time() {
+  std::vector<double> walked(knots_.size());  // speed, stretched steps considered
+  double stretched = 0.0, share = 0.0;
+  for (size_t i = 0; i < knots_.size(); ++i) {  // most steps are stretched as the one before
+    const Knot& k = knots_[i];
+    if (i == 0 || k.step / k.wanted != stretched) share = pace(stretched = k.step / k.wanted);
+    walked[i] = k.speed * share;
+  }
   const auto total = [&](double eta) {
-    for (Knot& k : knots_)
-      k.slowness = (1.0 + eta * k.window) / (k.speed * pace(k.step / k.wanted));
+    for (size_t i = 0; i < knots_.size(); ++i)
+      knots_[i].slowness = (1.0 + eta * knots_[i].window) / walked[i];
     knots_[0].time = 0.0;
     for (size_t i = 1; i < knots_.size(); ++i) {
       knots_[i].time = knots_[i - 1].time + 0.5 * (knots_[i].arc - knots_[i - 1].arc) *
                                                 (knots_[i - 1].slowness + knots_[i].slowness);
     }
-    const double first = integralAt(start_arc_, &Knot::time, &Knot::slowness, false);
-    const double last = integralAt(stop_arc_, &Knot::time, &Knot::slowness, false);
+    const double first = integralAt(start_arc_, &Knot::time, &Knot::slowness);
+    const double last = integralAt(stop_arc_, &Knot::time, &Knot::slowness);
     // Half the speed on average while starting and stopping, of the speed that they join at.
     start_time_ = 2.0 * start_arc_ * valueAt(start_arc_, &Knot::slowness);
     stop_time_ = 2.0 * (length_ - stop_arc_) * valueAt(stop_arc_, &Knot::slowness);
@@ -173,29 +211,25 @@ double SpeedProfile::valueAt(double arc, double Knot::*value) const {
 }
 
 // Integral of a rate up to an arc, cubic between knots.
-double SpeedProfile::integralAt(double arc, double Knot::*value, double Knot::*rate,
-                                bool inverse_rate) const {
+double SpeedProfile::integralAt(double arc, double Knot::*value, double Knot::*rate) const {
   const double spacing = knots_[1].arc;
   const int last = static_cast<int>(knots_.size()) - 2;
   const int i = std::clamp(static_cast<int>(arc / spacing), 0, last);
   const Knot &a = knots_[i], &b = knots_[i + 1];
   const double h = b.arc - a.arc, t = (arc - a.arc) / h;
-  const double ra = inverse_rate ? 1.0 / (a.*rate) : a.*rate;
-  const double rb = inverse_rate ? 1.0 / (b.*rate) : b.*rate;
+  const double ra = a.*rate, rb = b.*rate;
   return a.*value + h * t * (ra + 0.5 * t * (rb - ra));  // the rate is linear between knots
 }
 
 // Arc at which the integral reaches a value.
-double SpeedProfile::arcWhere(double value, double Knot::*integral, double Knot::*rate,
-                              bool inverse_rate) const {
+double SpeedProfile::arcWhere(double value, double Knot::*integral, double Knot::*rate) const {
   const auto after = std::upper_bound(knots_.begin(), knots_.end(), value,
                                       [&](double v, const Knot& k) { return v < k.*integral; });
   const size_t i =
       std::clamp<size_t>(static_cast<size_t>(after - knots_.begin()), 1, knots_.size() - 1);
   const Knot &a = knots_[i - 1], &b = knots_[i];
   const double h = b.arc - a.arc;
-  const double ra = inverse_rate ? 1.0 / (a.*rate) : a.*rate;
-  const double rb = inverse_rate ? 1.0 / (b.*rate) : b.*rate;
+  const double ra = a.*rate, rb = b.*rate;
   // h t (ra + t (rb - ra) / 2) = value: the stable root of a quadratic with positive rates.
   const double q = (value - a.*integral) / h;
   const double root = std::sqrt(std::max(0.0, ra * ra + 2.0 * (rb - ra) * q));
@@ -205,8 +239,8 @@ double SpeedProfile::arcWhere(double value, double Knot::*integral, double Knot:
 double SpeedProfile::arcAtStep(int step) const {
   if (step <= 0) return 0.0;
   if (step >= steps_) return length_;
-  const double base = integralAt(start_arc_, &Knot::steps, &Knot::step, true);
-  return arcWhere(base + step - (ends_.from_standing ? 1 : 0), &Knot::steps, &Knot::step, true);
+  const double base = integralAt(start_arc_, &Knot::steps, &Knot::per_metre);
+  return arcWhere(base + step - (ends_.from_standing ? 1 : 0), &Knot::steps, &Knot::per_metre);
 }
 
 SpeedProfile::Sample SpeedProfile::at(int frame) const {
@@ -231,10 +265,10 @@ SpeedProfile::Sample SpeedProfile::at(int frame) const {
     return {length_ - whole * eased(tau), smoothstep(tau) * whole / stop_time_, steps_ - tau,
             valueAt(stop_arc_, &Knot::step)};
   }
-  const double base = integralAt(start_arc_, &Knot::time, &Knot::slowness, false);
-  const double arc = arcWhere(base + t - start_time_, &Knot::time, &Knot::slowness, false);
-  const double progress = integralAt(arc, &Knot::steps, &Knot::step, true) -
-                          integralAt(start_arc_, &Knot::steps, &Knot::step, true) +
+  const double base = integralAt(start_arc_, &Knot::time, &Knot::slowness);
+  const double arc = arcWhere(base + t - start_time_, &Knot::time, &Knot::slowness);
+  const double progress = integralAt(arc, &Knot::steps, &Knot::per_metre) -
+                          integralAt(start_arc_, &Knot::steps, &Knot::per_metre) +
                           (ends_.from_standing ? 1.0 : 0.0);
   return {arc, 1.0 / valueAt(arc, &Knot::slowness), progress, valueAt(arc, &Knot::step)};
 }

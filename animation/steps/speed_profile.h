@@ -83,13 +83,13 @@ class SpeedProfile {
     double wanted;       // step length [m]
     double speed;        // wanted [m/s]
     double step;         // step length [m]
+    double per_metre;    // steps, 1 / step [1/m]
     double slowness;     // [s/m]
-    double steps, time;  // integrals from the path's begin, of 1/step and of slowness
+    double steps, time;  // integrals from the path's begin, of per_metre and of slowness
   };
   double valueAt(double arc, double Knot::*value) const;
-  double integralAt(double arc, double Knot::*value, double Knot::*rate, bool inverse_rate) const;
-  double arcWhere(double value, double Knot::*integral, double Knot::*rate,
-                  bool inverse_rate) const;
+  double integralAt(double arc, double Knot::*value, double Knot::*rate) const;
+  double arcWhere(double value, double Knot::*integral, double Knot::*rate) const;
 
   SpeedLimits limits_;
   SpeedProfileEnds ends_;

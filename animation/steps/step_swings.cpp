@@ -26,6 +26,14 @@ GaitParameters gaitOf(const FootPlace& from, const FootPlace& to, double lift) {
   return {step.x() * std::cos(heading) + step.y() * std::sin(heading), lift, step.z()};
 }
 
+// The lift of a swing on the level depends on how it rolls and is shaped, not on where it goes.
+bool isCaptured(const FootState& swing) {
+  const SwingShape own;
+  return isLevelSwing(swing) && swing.strike_roll == 1.0 && swing.lift_roll == 1.0 &&
+         swing.swing.lift == own.lift && swing.swing.extra == own.extra &&
+         swing.swing.delay == own.delay && swing.swing.early == own.early;
+}
+
 }  // namespace
 
 bool shapeSwings(const SwingFeet& body, const SwingClearance& clearance, const GaitWishes& wishes,
@@ -51,7 +59,9 @@ bool shapeSwings(const SwingFeet& body, const SwingClearance& clearance, const G
           liftFactor(askedLift(body, lift, side), swinging(), cycle, body.shapes[side]);
     }
     if (!clearance.clear(places[i - 1], places[i + 1], side, cycle, landing.swing)) return false;
-    const double lift = swingLift(swinging(), cycle, body.shapes[side]);
+    const FootState swing = swinging();
+    const double lift =
+        isCaptured(swing) ? body.captured_lift[side] : swingLift(swing, cycle, body.shapes[side]);
     gait.push_back(gaitOf(places[i], places[i + 1], lift));
   }
   return true;

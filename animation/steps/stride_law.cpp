@@ -7,8 +7,7 @@ namespace amble {
 
 double StrideLaw::stepLength(double speed) const {
   const double ratio = speed / speed_;
-  const double slow = std::pow(kSlowestCadence, 1.0 / (1.0 - power_));
-  return step_ * (ratio >= slow ? std::pow(ratio, power_) : ratio / kSlowestCadence);
+  return step_ * (ratio >= slow_ ? std::pow(ratio, power_) : ratio / kSlowestCadence);
 }
 
 double StrideLaw::speed(double step_length) const {

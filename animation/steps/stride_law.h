@@ -1,6 +1,8 @@
 /// How step length and cadence go with speed.
 #pragma once
 
+#include <cmath>
+
 namespace amble {
 
 /// Step length grows with a power of speed, 0.42 (Grieve & Gear 1966) unless the subject's own
@@ -20,7 +22,10 @@ class StrideLaw {
   StrideLaw() = default;
   /// Of the captured walk: speed [m/s, > 0] and step length [m, > 0]; power (0, 1).
   StrideLaw(double speed, double step_length, double power = kStepPower)
-      : speed_(speed), step_(step_length), power_(power) {}
+      : speed_(speed),
+        step_(step_length),
+        power_(power),
+        slow_(std::pow(kSlowestCadence, 1.0 / (1.0 - power))) {}
 
   /// How walking begins and ends: captured, or by trial.
   struct Onset {
@@ -40,6 +45,8 @@ class StrideLaw {
   double speed_ = 1.0;
   double step_ = 0.65;
   double power_ = kStepPower;
+  // Share of the captured speed below which the cadence is the slowest [1].
+  double slow_ = std::pow(kSlowestCadence, 1.0 / (1.0 - kStepPower));
   Onset onset_;
 };
 
