@@ -4,10 +4,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace amble {
+#include "animation/library/harmonics.h"
 
-/// Most harmonics of a library's series: beyond, a cycle holds what its capture shakes [1].
-inline constexpr int kMaxHarmonics = 12;
+namespace amble {
 
 /// p(phase) = alpha_0 + sum over k = 1..harmonics of alpha_k cos(2 pi k phase)
 ///            + beta_k sin(2 pi k phase).

@@ -63,11 +63,10 @@ double loweringAt(const CarriageBody& body, double step_length, double lead) {
                              Eigen::VectorXd::Zero(3 + 3 * body.joints()), {lead, {}, 1.0});
   AnimationBuffer buffer = steadyWalk(body, step_length, 0.0);
   plain.apply(buffer);
-  std::vector<JointFrame> joints(body.joints());
+  const std::vector<double> missing = body.feet.missingHeights(buffer, LegReach::kStraight);
   double lowest = 0.0;
   for (int i = 0; i < buffer.size(); ++i) {
-    lowest = std::max(lowest, body.feet.missingHeight(buffer, i, LegReach::kStraight, joints) /
-                                  WalkController::loweringShare(buffer.states[i].phase));
+    lowest = std::max(lowest, missing[i] / WalkController::loweringShare(buffer.states[i].phase));
   }
   return lowest;
 }
@@ -96,8 +95,7 @@ double standingCrouch(const CarriageBody& body, const WalkController& walk) {
   buffer.states.push_back(state);
   buffer.poses.resize(1);
   walk.apply(buffer);
-  std::vector<JointFrame> joints(body.joints());
-  return body.feet.missingHeight(buffer, 0, LegReach::kStanding, joints);
+  return body.feet.missingHeights(buffer, LegReach::kStanding)[0];
 }
 
 }  // namespace
@@ -131,13 +129,7 @@ double stanceCrouch(const CarriageBody& body, const WalkController& walk, const 
   buffer.states.push_back(state);
   buffer.poses.resize(static_cast<int>(buffer.states.size()));
   walk.apply(buffer);
-  std::vector<JointFrame> joints(body.joints());
-  double crouch = 0.0;
-  for (int i = 0; i < buffer.size(); ++i) {
-    crouch = std::max(
-        crouch, body.feet.missingHeight(buffer, i, LegReach::kUneven, joints, HipDip::kUnevenHeel));
-  }
-  return crouch;
+  return std::ranges::max(body.feet.missingHeights(buffer, LegReach::kUneven, HipDip::kUnevenHeel));
 }
 
 double strideCrouch(const WalkController& walk, const FrameState& state, double scale) {

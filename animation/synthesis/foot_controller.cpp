@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "animation/body/two_link.h"
 #include "animation/synthesis/leg_reach.h"
 #include "base/ease.h"
 #include "base/rotation.h"
@@ -33,18 +32,76 @@ void fadeToStances(std::vector<double>& dip, double speed, double frame_time) {
   }
 }
 
+LaneSoles sideBySide(const std::array<Sole, 4>& soles) {
+  LaneSoles lanes;
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      lanes.position[4 * k + i] = soles[i].place.position[k];
+      lanes.normal[4 * k + i] = soles[i].place.normal[k];
+    }
+    lanes.heading[i] = soles[i].place.heading;
+    lanes.pitch[i] = soles[i].pitch;
+    lanes.roll[i] = soles[i].roll;
+  }
+  return lanes;
+}
+
 }  // namespace
 
 FootController::FootController(const Skeleton& skeleton, const JointRoles& roles,
                                const std::array<FootShape, 2>& shapes, const GaitBlend& blend,
                                const std::array<Eigen::Vector3d, 2>& knee_axes)
-    : skeleton_(skeleton),
-      roles_(roles),
+    : roles_(roles),
       shapes_(shapes),
       leg_lengths_{roles.legLength(skeleton, kLeft), roles.legLength(skeleton, kRight)},
       blend_(blend),
-      knee_axes_(knee_axes),
-      legs_(chainOf(skeleton, std::array{roles.legs[kLeft].foot, roles.legs[kRight].foot})) {}
+      chain_(chainOf(skeleton, std::array{roles.legs[kLeft].foot, roles.legs[kRight].foot})) {
+  for (const int joint : chain_) {
+    const Joint& link = skeleton.joint(joint);
+    const auto parent = std::find(chain_.begin(), chain_.end(), link.parent);
+    parents_.push_back(joint == 0 ? -1 : static_cast<int>(parent - chain_.begin()));
+    offsets_.insert(offsets_.end(), {link.offset.x(), link.offset.y(), link.offset.z()});
+  }
+  for (const Side side : {kLeft, kRight}) lanes_[side] = laneLeg(side, knee_axes[side]);
+}
+
+LaneLeg FootController::laneLeg(Side side, const Eigen::Vector3d& knee_axis) const {
+  const auto bone = [&](int joint) {
+    const auto at = std::find(chain_.begin(), chain_.end(), joint) - chain_.begin();
+    return LaneLeg::Bone{joint, static_cast<int>(at), parents_[at]};
+  };
+  const LegJoints& joints = roles_.legs[side];
+  const FootShape& shape = shapes_[side];
+  LaneLeg leg{side,
+              bone(joints.up_leg),
+              bone(joints.leg),
+              bone(joints.foot),
+              joints.toe,
+              {},
+              LegReach::kLongest,
+              leg_lengths_[side],
+              shape.radius,
+              shape.ankle_height,
+              shape.ankle_x,
+              shape.heel_x,
+              shape.ball_x,
+              {},
+              {},
+              {}};
+  std::copy_n(knee_axis.data(), 3, leg.knee_axis);
+  std::copy_n(shape.q_SF.coeffs().data(), 4, leg.q_SF);
+  std::copy_n(shape.q_FT.coeffs().data(), 4, leg.q_FT);
+  std::copy_n(shape.lateral_T.data(), 3, leg.lateral_T);
+  return leg;
+}
+
+LaneLegs FootController::view() const {
+  return {static_cast<int>(chain_.size()),
+          chain_.data(),
+          parents_.data(),
+          offsets_.data(),
+          {lanes_[kLeft], lanes_[kRight]}};
+}
 
 bool FootController::apply(AnimationBuffer& buffer) const {
   return place(buffer, {LegReach::kDip, HipDip::kDeepest, 1.0, dips});
@@ -54,39 +111,62 @@ bool FootController::applyUneven(AnimationBuffer& buffer) const {
   return place(buffer, {LegReach::kUneven, HipDip::kUnevenDeepest, HipDip::kUnevenHeel, sinks});
 }
 
+// Frames from `first` on; where there are fewer, the last one stands for what is missing.
+FootController::Four FootController::fourFrom(int first, int last) {
+  return {first, std::min(first + 1, last), std::min(first + 2, last), std::min(first + 3, last)};
+}
+
 // Legs are placed where the hips are; only where those are lowered then, from anew. Never at the
 // first and last frame: those are stances.
 bool FootController::place(AnimationBuffer& buffer, const Manner& manner) const {
   const int n = buffer.size();
-  std::vector<JointFrame> joints(skeleton_.size());
-  std::vector<Eigen::Quaterniond> captured;  // [frame][legs_]
-  captured.reserve(n * legs_.size());
-  std::vector<double> missing(n, 0.0);
-  std::vector<char> placed(n);
+  std::vector<double> joints(kLaneJoint * chain_.size());
+  LaneLegFrames legs{joints.data(), {}};
+  Trial trial;
+  if (!tryLegs(buffer, manner, legs, trial)) return false;
+  const std::vector<double> lowered = manner.lowering(trial.missing, buffer.frame_time);
+  std::vector<int> again;
   for (int i = 0; i < n; ++i) {
-    const Targets targets = targetsOf(buffer, i, manner.heel_share, joints);
-    if (i > 0 && i + 1 < n) missing[i] = missingHeight(targets, joints, manner.reach);
-    if (missing[i] > manner.deepest) return false;
-    for (const int j : legs_) captured.push_back(buffer.poses.rotations(i)[j]);
-    placed[i] = placeLegs(targets, joints, buffer.poses.rotations(i));
-  }
-  const std::vector<double> lowered = manner.lowering(missing, buffer.frame_time);
-  for (int i = 0; i < n; ++i) {
-    if (lowered[i] == 0.0 && !placed[i]) return false;
+    if (lowered[i] == 0.0 && !trial.reached[i]) return false;
     if (lowered[i] == 0.0) continue;
-    for (size_t k = 0; k < legs_.size(); ++k)
-      buffer.poses.rotations(i)[legs_[k]] = captured[i * legs_.size() + k];
+    for (size_t k = 0; k < chain_.size(); ++k)
+      buffer.poses.rotations(i)[chain_[k]] = trial.captured[i * chain_.size() + k];
     buffer.poses.p_WR(i).z() -= lowered[i];
-    const Targets targets = targetsOf(buffer, i, manner.heel_share, joints);
-    if (!placeLegs(targets, joints, buffer.poses.rotations(i))) return false;
+    again.push_back(i);
+  }
+  bool reached[4];
+  for (size_t first = 0; first < again.size(); first += 4) {
+    Four frames;
+    for (size_t i = 0; i < 4; ++i) frames[i] = again[std::min(first + i, again.size() - 1)];
+    aim(buffer, frames, manner.heel_share, legs);
+    turn(frames, legs, buffer, reached);
+    if (!std::all_of(reached, reached + 4, [](bool leg) { return leg; })) return false;
   }
   return true;
 }
 
-bool FootController::placeLegs(const Targets& targets, std::span<const JointFrame> joints,
-                               std::span<Eigen::Quaterniond> rotations) const {
-  return placeLeg(kLeft, targets[kLeft], joints, rotations) &&
-         placeLeg(kRight, targets[kRight], joints, rotations);
+// False where hips would have to dip too deep.
+bool FootController::tryLegs(AnimationBuffer& buffer, const Manner& manner, LaneLegFrames& legs,
+                             Trial& trial) const {
+  const int n = buffer.size();
+  trial.missing.resize(n + 3);
+  trial.reached.resize(n);
+  trial.captured.reserve(n * chain_.size());
+  bool reached[4];
+  for (int first = 0; first < n; first += 4) {
+    const Four frames = fourFrom(first, n - 1);
+    aim(buffer, frames, manner.heel_share, legs);
+    legKernel().lower(view(), legs, manner.reach, &trial.missing[first]);
+    for (int i = first; i < std::min(first + 4, n); ++i) {
+      if (i == 0 || i == n - 1) trial.missing[i] = 0.0;
+      if (trial.missing[i] > manner.deepest) return false;
+      for (const int j : chain_) trial.captured.push_back(buffer.poses.rotations(i)[j]);
+    }
+    turn(frames, legs, buffer, reached);
+    for (int i = 0; i < 4; ++i) trial.reached[frames[i]] = reached[i];
+  }
+  trial.missing.resize(n);
+  return true;
 }
 
 // Share of its length to which a leg behind stretches: less around lift-off.
@@ -97,17 +177,64 @@ double FootController::heelReach(double at) {
   return LegReach::kHeel - LegReach::kPreSwing * rise * fall;
 }
 
-// Leaves in `joints` where those of the legs are.
-FootController::Targets FootController::targetsOf(const AnimationBuffer& buffer, int frame,
-                                                  double heel_share,
-                                                  std::vector<JointFrame>& joints) const {
-  forwardKinematics(skeleton_, buffer.poses[frame], legs_, joints);
-  const auto target = [&](Side side) {
-    const FootState& foot = buffer.states[frame].feet[side];
-    return footTarget(foot, blend_.foot(side), shapes_[side], joints[roles_.legs[side].up_leg].p_WJ,
-                      heelReach(foot.at) * leg_lengths_[side], heel_share);
-  };
-  return {target(kLeft), target(kRight)};
+// Where the legs are and their feet are to be. Behind the walker, where a leg would be too long,
+// the heel rises: only there it is asked how far.
+void FootController::aim(const AnimationBuffer& buffer, const Four& frames, double heel_share,
+                         LaneLegFrames& legs) const {
+  const double* position[4];
+  const double* rotations[4];
+  for (int i = 0; i < 4; ++i) {
+    position[i] = buffer.poses.p_WR(frames[i]).data();
+    rotations[i] = buffer.poses.rotations(frames[i])[0].coeffs().data();
+  }
+  const LegKernel& kernel = legKernel();
+  kernel.placeChain(view(), position, rotations, legs);
+  for (const Side side : {kLeft, kRight}) {
+    std::array<Sole, 4> soles;
+    for (int i = 0; i < 4; ++i)
+      soles[i] = soleOf(buffer.states[frames[i]].feet[side], blend_.foot(side));
+    LaneSoles lanes = sideBySide(soles);
+    kernel.aim(lanes_[side], lanes, legs);
+    bool risen = false;
+    for (int i = 0; i < 4; ++i) {
+      const double at = buffer.states[frames[i]].feet[side].at;
+      lanes.pitch[i] = risenPitch(soles[i], at, heel_share, side, i, legs);
+      risen = risen || lanes.pitch[i] != soles[i].pitch;
+    }
+    if (risen) kernel.aim(lanes_[side], lanes, legs);
+  }
+}
+
+// Of one of four soles, at a time of its foot (FootState::at).
+double FootController::risenPitch(const Sole& sole, double at, double heel_share, Side side,
+                                  int lane, const LaneLegFrames& legs) const {
+  const double distance = legs.targets[side].distance[lane];
+  const double least = (LegReach::kHeel - LegReach::kPreSwing) * leg_lengths_[side] - kHeelRests;
+  if (distance < least) return sole.pitch;
+  const LaneLeg& leg = lanes_[side];
+  const Eigen::Vector3d hip(legs.hip(leg, 0, lane), legs.hip(leg, 1, lane), legs.hip(leg, 2, lane));
+  return raisedPitch(sole, shapes_[side], hip, distance, heelReach(at) * leg_lengths_[side],
+                     heel_share);
+}
+
+void FootController::turn(const Four& frames, const LaneLegFrames& legs, AnimationBuffer& buffer,
+                          bool reached[4]) const {
+  double* rotations[4];
+  for (int i = 0; i < 4; ++i) rotations[i] = buffer.poses.rotations(frames[i])[0].coeffs().data();
+  legKernel().reach(view(), legs, rotations, reached);
+}
+
+std::vector<double> FootController::missingHeights(const AnimationBuffer& buffer, double share,
+                                                   double heel_share) const {
+  const int n = buffer.size();
+  std::vector<double> joints(kLaneJoint * chain_.size()), missing(n + 3);
+  LaneLegFrames legs{joints.data(), {}};
+  for (int first = 0; first < n; first += 4) {
+    aim(buffer, fourFrom(first, n - 1), heel_share, legs);
+    legKernel().lower(view(), legs, share, &missing[first]);
+  }
+  missing.resize(n);
+  return missing;
 }
 
 // Around frames in which a leg would be too short.
@@ -140,49 +267,6 @@ std::vector<double> FootController::sinks(const std::vector<double>& missing, do
   for (int pass = 0; pass < 2; ++pass) smoothed(sunk, reach / 2);
   fadeToStances(sunk, HipDip::kUnevenSpeed, frame_time);
   return sunk;
-}
-
-bool FootController::placeLeg(Side side, const FootTarget& target,
-                              std::span<const JointFrame> joints,
-                              std::span<Eigen::Quaterniond> rotations) const {
-  const LegJoints& leg = roles_.legs[side];
-  const TwoLink links{joints[leg.up_leg].p_WJ, joints[leg.leg].p_WJ, joints[leg.foot].p_WJ,
-                      joints[leg.up_leg].q_WJ * knee_axes_[side]};
-  const double length = (links.knee - links.hip).norm() + (links.ankle - links.knee).norm();
-  if ((target.ankle - links.hip).norm() > LegReach::kLongest * length) return false;
-  const auto solved = solveTwoLink(links, target.ankle);
-  if (!solved) return false;
-  // Joints between (twist joints of some rigs) turn with the link above them.
-  const auto parentRotation = [&](int joint, const Eigen::Quaterniond& turned) {
-    return turned * joints[skeleton_.joint(joint).parent].q_WJ;
-  };
-  const Eigen::Quaterniond q_WThigh = solved->thigh * joints[leg.up_leg].q_WJ;
-  const Eigen::Quaterniond q_WShank = solved->shank * joints[leg.leg].q_WJ;
-  const Eigen::Quaterniond& q_WParent = joints[skeleton_.joint(leg.up_leg).parent].q_WJ;
-  rotations[leg.up_leg] = (q_WParent.conjugate() * q_WThigh).normalized();
-  rotations[leg.leg] = (parentRotation(leg.leg, solved->thigh).conjugate() * q_WShank).normalized();
-  rotations[leg.foot] =
-      (parentRotation(leg.foot, solved->shank).conjugate() * target.q_WF).normalized();
-  rotations[leg.toe] = shapes_[side].q_FT * Eigen::Quaterniond(Eigen::AngleAxisd(
-                                                -target.toe_bend, shapes_[side].lateral_T));
-  return true;
-}
-
-double FootController::missingHeight(const AnimationBuffer& buffer, int frame, double share,
-                                     std::vector<JointFrame>& joints, double heel_share) const {
-  return missingHeight(targetsOf(buffer, frame, heel_share, joints), joints, share);
-}
-
-double FootController::missingHeight(const Targets& targets, std::span<const JointFrame> joints,
-                                     double share) const {
-  double missing = 0.0;
-  for (const Side side : {kLeft, kRight}) {
-    const Eigen::Vector3d d = joints[roles_.legs[side].up_leg].p_WJ - targets[side].ankle;
-    const double longest = share * leg_lengths_[side];
-    const double room = longest * longest - d.head<2>().squaredNorm();
-    missing = std::max(missing, d.z() - std::sqrt(std::max(room, 0.0)));
-  }
-  return missing;
 }
 
 }  // namespace amble

@@ -7,10 +7,12 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "animation/body/foot_shape.h"
 #include "animation/steps/foot_target.h"
 #include "animation/synthesis/gait_blend.h"
+#include "animation/synthesis/leg_lanes.h"
 #include "animation/synthesis/sub_controller.h"
 
 namespace amble {
@@ -27,10 +29,10 @@ class FootController : public SubController {
   /// dip deeper, in longer curves.
   bool applyUneven(AnimationBuffer& buffer) const;
 
-  /// How much lower the root has to be for no leg to reach farther than `share`, in a frame [m, >=
-  /// 0]. `joints` is scratch.
-  double missingHeight(const AnimationBuffer& buffer, int frame, double share,
-                       std::vector<JointFrame>& joints, double heel_share = 1.0) const;
+  /// How much lower the root has to be in each frame for no leg to reach farther than `share` [m,
+  /// >= 0].
+  std::vector<double> missingHeights(const AnimationBuffer& buffer, double share,
+                                     double heel_share = 1.0) const;
 
  private:
   // How hips give way where legs are too short: see HipDip.
@@ -41,28 +43,38 @@ class FootController : public SubController {
     // How far the root is lowered at each frame, by how much is missing there [m].
     std::vector<double> (*lowering)(const std::vector<double>& missing, double frame_time);
   };
-  using Targets = std::array<FootTarget, 2>;  // by Side
+  using Four = std::array<int, 4>;  // frames that are made side by side
 
-  Targets targetsOf(const AnimationBuffer& buffer, int frame, double heel_share,
-                    std::vector<JointFrame>& joints) const;
-  double missingHeight(const Targets& targets, std::span<const JointFrame> joints,
-                       double share) const;
+  static Four fourFrom(int first, int last);
+  LaneLeg laneLeg(Side side, const Eigen::Vector3d& knee_axis) const;
+  LaneLegs view() const;
+  void aim(const AnimationBuffer& buffer, const Four& frames, double heel_share,
+           LaneLegFrames& legs) const;
+  double risenPitch(const Sole& sole, double at, double heel_share, Side side, int lane,
+                    const LaneLegFrames& legs) const;
+  void turn(const Four& frames, const LaneLegFrames& legs, AnimationBuffer& buffer,
+            bool reached[4]) const;
   static double heelReach(double at);
   static std::vector<double> dips(const std::vector<double>& missing, double frame_time);
   static std::vector<double> sinks(const std::vector<double>& missing, double frame_time);
+  // Legs under hips that are where they were.
+  struct Trial {
+    std::vector<Eigen::Quaterniond> captured;  // [frame][chain_], as they were
+    std::vector<double> missing;               // that much too short is a leg at each frame [m]
+    std::vector<char> reached;                 // whether both reach their targets
+  };
   bool place(AnimationBuffer& buffer, const Manner& manner) const;
-  bool placeLegs(const Targets& targets, std::span<const JointFrame> joints,
-                 std::span<Eigen::Quaterniond> rotations) const;
-  bool placeLeg(Side side, const FootTarget& target, std::span<const JointFrame> joints,
-                std::span<Eigen::Quaterniond> rotations) const;
+  bool tryLegs(AnimationBuffer& buffer, const Manner& manner, LaneLegFrames& legs,
+               Trial& trial) const;
 
-  const Skeleton& skeleton_;
   JointRoles roles_;
   std::array<FootShape, 2> shapes_;
   std::array<double, 2> leg_lengths_;  // by Side [m]
   const GaitBlend& blend_;
-  std::array<Eigen::Vector3d, 2> knee_axes_;
-  std::vector<int> legs_;  // both, with what they hang on (chainOf)
+  std::vector<int> chain_;        // both legs, with what they hang on (chainOf)
+  std::vector<int> parents_;      // of these, in the chain; of the first -1
+  std::vector<double> offsets_;   // of these, three each [m]
+  std::array<LaneLeg, 2> lanes_;  // by Side
 };
 
 }  // namespace amble

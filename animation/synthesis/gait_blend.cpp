@@ -53,6 +53,18 @@ Between between(size_t count, At at, double value) {
   return {count - 1, 0.0};
 }
 
+// Paces stay in one order, so that what a frame is does not depend on those beside it.
+void addWeight(LaneBlend& blend, const LanePace& pace, int frame, double weight) {
+  int i = 0;
+  while (i < blend.count && blend.paces[i].pace < &pace) ++i;
+  if (i == blend.count || blend.paces[i].pace != &pace) {
+    std::copy_backward(blend.paces + i, blend.paces + blend.count, blend.paces + blend.count + 1);
+    blend.paces[i] = {&pace, {}};
+    ++blend.count;
+  }
+  blend.paces[i].weight[frame] = weight;
+}
+
 // Amplitudes times `warp`; that of the root's height once more.
 Eigen::MatrixXd warped(Eigen::MatrixXd coefficients, double warp) {
   const Eigen::Index amplitudes = coefficients.cols() - 2;
@@ -107,6 +119,7 @@ GaitBlend::GaitBlend(const MotionLibrary& library, double scale, double speed) {
              scale);
   }
   const bool both = !turns_[0].empty() && !turns_[1].empty();
+  layOut();
   max_turn_rate_ =
       both ? std::min(turns_[0].back().turn_rate, -turns_[1].back().turn_rate) : kNoTurns;
 }
@@ -201,41 +214,59 @@ void GaitBlend::addTurns(const std::vector<Cycles>& turns, int harmonics, double
   }
 }
 
-void GaitBlend::add(const Pace& pace, double weight, double step, const double* basis,
-                    Eigen::VectorXd& channels) const {
-  if (weight <= 0.0) return;
-  const double warp = step / pace.step;
-  const Eigen::Index columns = pace.coefficients.cols();
-  std::array<double, 2 * kMaxHarmonics + 2> amplitudes = {};
-  for (Eigen::Index k = 0; k < columns; ++k)
-    amplitudes[k] = weight * basis[k] * (k < 2 ? 1.0 : warp);
-  const double height = channels[2];
-  channels.noalias() +=
-      pace.coefficients * Eigen::Map<const Eigen::VectorXd>(amplitudes.data(), columns);
-  const double mean = weight * pace.coefficients(2, 0);  // height: warped once, here once more
-  channels[2] = height + mean + warp * (channels[2] - height - mean);
+// Harmonics that a pace has none of are left out.
+void GaitBlend::layOut() {
+  std::vector<const Pace*> all = {&straight_};
+  for (const std::vector<Pace>& side : turns_)
+    for (const Pace& turn : side) all.push_back(&turn);
+  for (const Pace* pace : all) {
+    int harmonics = static_cast<int>(pace->coefficients.cols()) / 2 - 1;
+    while (harmonics > 0 && pace != &straight_ &&
+           pace->coefficients.middleCols(2 * harmonics, 2).isZero(0.0))
+      --harmonics;
+    rows_.emplace_back(channels(), 2 * harmonics + 1);
+    rows_.back() << pace->coefficients.col(0), pace->coefficients.middleCols(2, 2 * harmonics);
+    paces_.push_back({rows_.back().data(), harmonics, pace->step});
+  }
 }
 
-void GaitBlend::evaluate(double phase, double turn_rate, double step_length,
-                         Eigen::VectorXd& channels) const {
-  std::array<double, 2 * kMaxHarmonics + 2> basis;
-  fourierBasis(phase, static_cast<int>(straight_.coefficients.cols() / 2) - 1, basis.data());
-  channels.setZero(straight_.coefficients.rows());
-  add(straight_, 1.0, step_length, basis.data(), channels);
+// Of all paces at a turn rate. Rates change quickly where a curve begins: shares without a kink do
+// not show as a jerk of the head.
+void GaitBlend::weigh(double turn_rate, int frame, LaneBlend& blend) const {
+  addWeight(blend, paces_[0], frame, 1.0);
   const std::vector<Pace>& turns = turns_[turn_rate > 0.0 ? 0 : 1];
   if (turns.empty() || turn_rate == 0.0) return;
-  // Rates change quickly where a curve begins: shares without a kink do not show as a jerk of the
-  // head.
   const double rate = std::abs(turn_rate);
   const auto rateOf = [&](size_t i) { return std::abs(turns[i].turn_rate); };
+  const LanePace* paces = &paces_[1 + (turn_rate > 0.0 ? 0 : turns_[0].size())];
   if (rate <= rateOf(0)) {
-    add(turns[0], smoothstep(rate / rateOf(0)), step_length, basis.data(), channels);
+    addWeight(blend, paces[0], frame, smoothstep(rate / rateOf(0)));
     return;
   }
   const Between turn = between(turns.size(), rateOf, rate);
   const double share = smoothstep(turn.share);
-  add(turns[turn.low], 1.0 - share, step_length, basis.data(), channels);
-  if (share > 0.0) add(turns[turn.low + 1], share, step_length, basis.data(), channels);
+  addWeight(blend, paces[turn.low], frame, 1.0 - share);
+  if (share > 0.0) addWeight(blend, paces[turn.low + 1], frame, share);
+}
+
+void GaitBlend::evaluate(const Frames& frames, std::span<double> values) const {
+  LaneBlend blend;
+  for (int frame = 0; frame < 4; ++frame) {
+    blend.phase[frame] = frames.phase[frame];
+    blend.step_length[frame] = frames.step_length[frame];
+    weigh(frames.turn_rate[frame], frame, blend);
+  }
+  cycleKernel().blend(blend, channels(), values.data());
+}
+
+void GaitBlend::evaluate(double phase, double turn_rate, double step_length,
+                         Eigen::VectorXd& channels) const {
+  channels.resize(straight_.coefficients.rows());
+  std::vector<double> values(4 * channels.size());
+  const auto four = [](double value) { return std::array{value, value, value, value}; };
+  evaluate(Frames{four(phase), four(turn_rate), four(step_length)}, values);
+  channels =
+      Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<4>>(values.data(), channels.size());
 }
 
 }  // namespace amble

@@ -12,10 +12,12 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "animation/library/motion_library.h"
 #include "animation/steps/stride_law.h"
+#include "animation/synthesis/cycle_lanes.h"
 
 namespace amble {
 
@@ -25,6 +27,8 @@ class GaitBlend {
   /// turn rates by Froude's law with its root and the inverse of it. The walker is to walk at
   /// `speed` [m/s, > 0]. @throws std::invalid_argument without a straight walk.
   GaitBlend(const MotionLibrary& library, double scale, double speed = 1.2);
+  GaitBlend(const GaitBlend&) = delete;
+  GaitBlend& operator=(const GaitBlend&) = delete;
 
   const StrideLaw& law() const { return law_; }
   /// Fastest turn of the library's walks; without turns in the library kNoTurns [rad/s, > 0].
@@ -38,10 +42,16 @@ class GaitBlend {
 
   /// Channels of WalkCycle::series at a phase [cycles], blended for a turn rate [rad/s] and warped
   /// to a step length [m]. Amplitudes are proportional to step length, that of the root's height to
-  /// its square as an inverted pendulum's; means stay. Not for two threads at a time on one
-  /// `channels`; allocates nothing once that has its size.
+  /// its square as an inverted pendulum's; means stay. Allocates nothing once `channels` has its
+  /// size.
   void evaluate(double phase, double turn_rate, double step_length,
                 Eigen::VectorXd& channels) const;
+  /// The same at four frames at once, into values[4 * channel + frame].
+  struct Frames {
+    std::array<double, 4> phase, turn_rate, step_length;
+  };
+  void evaluate(const Frames& frames, std::span<double> values) const;
+  int channels() const { return static_cast<int>(straight_.coefficients.rows()); }
 
   /// Walks whose speeds, or turn rates, differ by less than this share are one pace: two captures
   /// of one manner differ by as much [1].
@@ -64,6 +74,7 @@ class GaitBlend {
     double turn_rate = 0.0;        ///< [rad/s]
     double step = 0.0;             ///< planted [m]
   };
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   using Cycles = std::vector<const WalkCycle*>;
 
   static Pace meanPace(const Cycles& cycles, int harmonics, double scale);
@@ -72,12 +83,14 @@ class GaitBlend {
   void mixStraight(const std::vector<Pace>& paces, const std::vector<Cycles>& cycles, double scale,
                    double speed);
   void addTurns(const std::vector<Cycles>& turns, int harmonics, double scale);
-  void add(const Pace& pace, double weight, double step, const double* basis,
-           Eigen::VectorXd& channels) const;
+  void layOut();
+  void weigh(double turn_rate, int frame, LaneBlend& blend) const;
 
   StrideLaw law_;
   Pace straight_;                           // at the plan's speed
   std::array<std::vector<Pace>, 2> turns_;  // left, right, by rate: what they add to the straight
+  std::vector<RowMajor> rows_;   // of the straight walk, then of the turns: as LanePace has them
+  std::vector<LanePace> paces_;  // the same
   double max_turn_rate_ = 0.0, step_width_ = 0.0, foot_forward_ = 0.0, toe_out_ = 0.0;
   std::array<FootCycle, 2> feet_;
 };

@@ -7,18 +7,21 @@
 
 namespace amble {
 
-void projectChannels(const Eigen::VectorXd& channels,
+void projectChannels(std::span<const double> channels,
                      const std::vector<Eigen::Quaterniond>& reference,
-                     const Eigen::Vector3d& position, double heading, Eigen::Vector3d& p_WR,
-                     std::span<Eigen::Quaterniond> rotations) {
-  const double c = std::cos(heading), s = std::sin(heading);
-  p_WR = position + Eigen::Vector3d(c * channels[0] - s * channels[1],
-                                    s * channels[0] + c * channels[1], channels[2]);
-  for (size_t j = 0; j < rotations.size(); ++j) {
-    const Eigen::Vector3d v = channels.segment<3>(3 + 3 * static_cast<Eigen::Index>(j));
-    rotations[j] = reference[j] * expRotation(v);
+                     const std::array<const FrameState*, 4>& states,
+                     const std::array<int, 4>& frames, PoseArray& poses) {
+  LaneRoots roots;
+  std::array<double*, 4> position, rotations;
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 3; ++k) roots.position[4 * k + i] = states[i]->position[k];
+    roots.heading[i] = states[i]->heading;
+    roots.lean[i] = states[i]->lean;
+    position[i] = poses.p_WR(frames[i]).data();
+    rotations[i] = poses.rotations(frames[i])[0].coeffs().data();
   }
-  rotations[0] = aboutZ(heading) * rotations[0];
+  cycleKernel().project(poses.joints(), reference[0].coeffs().data(), channels.data(), roots,
+                        position.data(), rotations.data());
 }
 
 WalkController::WalkController(const GaitBlend& blend,
@@ -49,27 +52,40 @@ double WalkController::loweringShare(double phase) {
   return kLeastLowering + (1.0 - kLeastLowering) * 0.5 * (1.0 + std::cos(4.0 * kPi * phase));
 }
 
+// Of a frame beside three others: what walking and standing add to its cycle.
+void WalkController::carry(const FrameState& state, int frame, std::span<double> channels) const {
+  const auto channel = [&](Eigen::Index i) -> double& { return channels[4 * i + frame]; };
+  if (state.standing < 1.0) {
+    channel(0) += carriage_.lead;
+    channel(2) -= lowering(state.step_length) * loweringShare(state.phase);
+  }
+  if (state.standing > 0.0) {
+    for (Eigen::Index i = 0; i < stand_.size(); ++i) {
+      double& value = channel(i);
+      value = state.standing >= 1.0 ? stand_[i] : value + state.standing * (stand_[i] - value);
+    }
+  }
+  channel(1) += state.sway;
+  channel(2) -= state.crouch;
+}
+
+// Four frames at a time; the last ones fewer, of which one stands for what is missing.
 bool WalkController::apply(AnimationBuffer& buffer) const {
-  Eigen::VectorXd channels(stand_.size());
-  for (int i = 0; i < buffer.size(); ++i) {
-    const FrameState& state = buffer.states[i];
-    if (state.standing >= 1.0) {
-      channels = stand_;
-    } else {
-      blend_.evaluate(state.phase, state.blended_turn_rate, state.step_length, channels);
-      channels[0] += carriage_.lead;
-      channels[2] -= lowering(state.step_length) * loweringShare(state.phase);
-      if (state.standing > 0.0) channels += state.standing * (stand_ - channels);
+  std::vector<double> channels(4 * stand_.size());
+  for (int first = 0; first < buffer.size(); first += 4) {
+    std::array<int, 4> frames;
+    std::array<const FrameState*, 4> states;
+    GaitBlend::Frames moments;
+    for (int i = 0; i < 4; ++i) {
+      frames[i] = std::min(first + i, buffer.size() - 1);
+      states[i] = &buffer.states[frames[i]];
+      moments.phase[i] = states[i]->phase;
+      moments.turn_rate[i] = states[i]->blended_turn_rate;
+      moments.step_length[i] = states[i]->step_length;
     }
-    channels[1] += state.sway;
-    channels[2] -= state.crouch;
-    projectChannels(channels, reference_, state.position, state.heading, buffer.poses.p_WR(i),
-                    buffer.poses.rotations(i));
-    if (state.lean != 0.0) {
-      const Eigen::Vector3d left(-std::sin(state.heading), std::cos(state.heading), 0.0);
-      Eigen::Quaterniond& root = buffer.poses.rotations(i)[0];
-      root = Eigen::AngleAxisd(state.lean, left) * root;
-    }
+    blend_.evaluate(moments, channels);
+    for (int i = 0; i < 4; ++i) carry(*states[i], i, channels);
+    projectChannels(channels, reference_, states, frames, buffer.poses);
   }
   return true;
 }

@@ -9,11 +9,12 @@
 
 namespace amble {
 
-/// Root and joints of a pose from channels (WalkCycle::series), on a path's point and heading.
-void projectChannels(const Eigen::VectorXd& channels,
+/// Root and joints of four frames of `poses` from channels[4 * channel + i] (WalkCycle::series), on
+/// their states' positions and headings, leant as these say.
+void projectChannels(std::span<const double> channels,
                      const std::vector<Eigen::Quaterniond>& reference,
-                     const Eigen::Vector3d& position, double heading, Eigen::Vector3d& p_WR,
-                     std::span<Eigen::Quaterniond> rotations);
+                     const std::array<const FrameState*, 4>& states,
+                     const std::array<int, 4>& frames, PoseArray& poses);
 
 class WalkController : public SubController {
  public:
@@ -43,6 +44,8 @@ class WalkController : public SubController {
   static constexpr double kLeastLowering = 0.5;
 
  private:
+  void carry(const FrameState& state, int frame, std::span<double> channels) const;
+
   const GaitBlend& blend_;
   const std::vector<Eigen::Quaterniond>& reference_;
   Eigen::VectorXd stand_;

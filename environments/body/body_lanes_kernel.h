@@ -1,92 +1,23 @@
-/// What body_lanes.h says, of four poses at once, written once for every instruction set: the files
-/// that include it are compiled for one each. Nothing here has a name outside of its file, or the
-/// linker would take one of them for all; nothing includes Eigen, for the same reason.
-///
-/// Sums are in one order and products are not fused: results are the same to the bit.
+/// What body_lanes.h says, of four poses at once, written once for every instruction set (lanes.h).
 #pragma once
 
-#include <cmath>
-#include <cstring>
-
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
-
+#include "base/lanes.h"
 #include "environments/body/body_lanes.h"
 
 namespace amble {
 namespace {
 
-using Lanes = double __attribute__((vector_size(4 * sizeof(double))));
 constexpr int kFrameLanes = 7;  // of a joint's scratch: q_WJ (x, y, z, w), p_WJ
 // The same: theta_1 + ... + theta_j down to it, how far its origin moves at most, A of that.
 constexpr int kTurnedLanes = 3;
 constexpr int kCapsuleDoubles = 7;
 
-inline Lanes loaded(const double* from) {
-  Lanes v;
-  std::memcpy(&v, from, sizeof v);
-  return v;
-}
-inline void store(double* to, const Lanes& v) { std::memcpy(to, &v, sizeof v); }
-
-struct Four {
-  Lanes v[4];
-};
-
-// Row i of the result is the i-th number of every vector.
-inline Four transposed(const Four& m) {
-  const Lanes a = __builtin_shufflevector(m.v[0], m.v[1], 0, 4, 2, 6),
-              b = __builtin_shufflevector(m.v[0], m.v[1], 1, 5, 3, 7),
-              c = __builtin_shufflevector(m.v[2], m.v[3], 0, 4, 2, 6),
-              d = __builtin_shufflevector(m.v[2], m.v[3], 1, 5, 3, 7);
-  return {{__builtin_shufflevector(a, c, 0, 1, 4, 5), __builtin_shufflevector(b, d, 0, 1, 4, 5),
-           __builtin_shufflevector(a, c, 2, 3, 6, 7), __builtin_shufflevector(b, d, 2, 3, 6, 7)}};
-}
-
-inline Lanes root(const Lanes& v) {
-#if defined(__AVX2__)
-  return (Lanes)_mm256_sqrt_pd((__m256d)v);
-#else
-  return Lanes{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
-#endif
-}
-inline Lanes lesser(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
-inline Lanes larger(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
-
-struct Point {
-  Lanes x, y, z;
-};
-struct Turn {
-  Lanes x, y, z, w;
-};
-
-inline Turn turnAt(const double* const rotations[4], int joint) {
-  const Four q = transposed({{loaded(rotations[0] + 4 * joint), loaded(rotations[1] + 4 * joint),
-                              loaded(rotations[2] + 4 * joint), loaded(rotations[3] + 4 * joint)}});
-  return {q.v[0], q.v[1], q.v[2], q.v[3]};
-}
 inline Point rootAt(const LanePoses& poses) {
   const auto along = [&](int k) {
     return Lanes{poses.position[0][k], poses.position[1][k], poses.position[2][k],
                  poses.position[3][k]};
   };
   return {along(0), along(1), along(2)};
-}
-
-inline Turn product(const Turn& a, const Turn& b) {
-  return {
-      a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
-      a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
-}
-
-// A joint's frame applied to a point given in it.
-inline Point placed(const Turn& q, const Point& p, const double* v) {
-  const Lanes ux = 2.0 * (q.y * v[2] - q.z * v[1]), uy = 2.0 * (q.z * v[0] - q.x * v[2]),
-              uz = 2.0 * (q.x * v[1] - q.y * v[0]);
-  return {p.x + (v[0] + q.w * ux + (q.y * uz - q.z * uy)),
-          p.y + (v[1] + q.w * uy + (q.z * ux - q.x * uz)),
-          p.z + (v[2] + q.w * uz + (q.x * uy - q.y * ux))};
 }
 
 inline void keep(double* to, const Turn& q, const Point& p) {

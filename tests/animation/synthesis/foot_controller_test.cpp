@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "animation/body/pelvis.h"
@@ -38,12 +39,10 @@ struct Standing {
       foot.strike_roll = foot.lift_roll = 0.0;
       foot.from.position = foot.to.position = {0.0, side == kLeft ? 0.08 : -0.08, 0.0};
     }
-    Eigen::VectorXd channels = Eigen::VectorXd::Zero(3 + 3 * library.skeleton.size());
-    channels[2] = root_height;
     for (int i = 0; i < frames; ++i) {
       out.states.push_back(state);
-      projectChannels(channels, library.stand().rotations, {0, 0, 0}, 0.0, out.poses.p_WR(i),
-                      out.poses.rotations(i));
+      out.poses.p_WR(i) = {0.0, 0.0, root_height};
+      std::ranges::copy(library.stand().rotations, out.poses.rotations(i).begin());
     }
     return out;
   }
@@ -96,21 +95,19 @@ TEST(FootController, FeetComeToTheirTargetsAndNothingElseMoves) {
 
 TEST(FootController, MissingHeightIsWhatTheRootMustBeLowered) {
   const Standing s;
-  std::vector<JointFrame> scratch(s.library.skeleton.size());
   const double high = s.library.stand().root_height + 0.05;
-  const double missing = s.feet.missingHeight(s.buffer(1, high), 0, 0.99, scratch);
+  const double missing = s.feet.missingHeights(s.buffer(1, high), 0.99)[0];
   ASSERT_GT(missing, 0.0);
-  EXPECT_NEAR(s.feet.missingHeight(s.buffer(1, high - missing), 0, 0.99, scratch), 0.0, 1e-3);
-  EXPECT_EQ(s.feet.missingHeight(s.buffer(1, high - 0.2), 0, 0.99, scratch), 0.0);
+  EXPECT_NEAR(s.feet.missingHeights(s.buffer(1, high - missing), 0.99)[0], 0.0, 1e-3);
+  EXPECT_EQ(s.feet.missingHeights(s.buffer(1, high - 0.2), 0.99)[0], 0.0);
 }
 
 TEST(FootController, HipsDipWhereALegIsTooShortAndNotAtTheEnds) {
   const Standing s;
   AnimationBuffer buffer = s.buffer(121, s.low());
-  std::vector<JointFrame> scratch(s.library.skeleton.size());
-  buffer.poses.p_WR(60).z() += s.feet.missingHeight(buffer, 60, 1.0, scratch);
+  buffer.poses.p_WR(60).z() += s.feet.missingHeights(buffer, 1.0)[60];
   // Raised until the legs are a centimetre too short.
-  while (s.feet.missingHeight(buffer, 60, LegReach::kDip, scratch) < 0.01) {
+  while (s.feet.missingHeights(buffer, LegReach::kDip)[60] < 0.01) {
     buffer.poses.p_WR(60).z() += 0.001;
   }
   const AnimationBuffer before = buffer;
@@ -124,10 +121,9 @@ TEST(FootController, HipsDipWhereALegIsTooShortAndNotAtTheEnds) {
 // Whether hips were lowered on the way or before makes no difference to the legs.
 TEST(FootController, LegsUnderHipsThatDippedAreThoseOfHipsThatWereAsLow) {
   const Standing s;
-  std::vector<JointFrame> scratch(s.library.skeleton.size());
   for (const bool uneven : {false, true}) {
     AnimationBuffer dipped = s.buffer(61, s.low());
-    while (s.feet.missingHeight(dipped, 30, LegReach::kDip, scratch) < 0.01)
+    while (s.feet.missingHeights(dipped, LegReach::kDip)[30] < 0.01)
       for (int i = 25; i <= 35; ++i) dipped.poses.p_WR(i).z() += 0.001;
     AnimationBuffer low = dipped;
     const auto place = [&](AnimationBuffer& buffer) {

@@ -50,38 +50,63 @@ FrameState walking(double phase) {
   return state;
 }
 
+/// Channels of one frame, as a pose.
+Pose projected(const Eigen::VectorXd& channels, const std::vector<Eigen::Quaterniond>& reference,
+               const FrameState& state) {
+  PoseArray poses(static_cast<int>(reference.size()));
+  poses.resize(1);
+  std::vector<double> values;
+  for (const double c : channels) values.insert(values.end(), 4, c);
+  projectChannels(values, reference, {&state, &state, &state, &state}, {0, 0, 0, 0}, poses);
+  return {poses.p_WR(0), {poses.rotations(0).begin(), poses.rotations(0).end()}};
+}
+
+FrameState randomState(Generator& generator) {
+  FrameState state;
+  state.position = randomVector(generator, 3.0);
+  state.heading = uniform(generator, -4.0, 4.0);
+  state.lean = uniform(generator, -0.3, 0.3);
+  return state;
+}
+
+Eigen::Quaterniond leant(const FrameState& state) {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(
+      state.lean, Eigen::Vector3d(-std::sin(state.heading), std::cos(state.heading), 0.0)));
+}
+
 TEST(ProjectChannels, IsTheReferenceTurnedByRotationVectorsOnThePathsPointAndHeading) {
   Generator generator(91);
   const std::vector<Eigen::Quaterniond> reference = {
       randomRotation(generator), randomRotation(generator), randomRotation(generator)};
   Eigen::VectorXd channels(12);
-  for (double& c : channels) c = uniform(generator, -0.5, 0.5);
-  const Eigen::Vector3d position = randomVector(generator, 3.0);
-  const double heading = 2.0;
-  Eigen::Vector3d p_WR;
-  std::vector<Eigen::Quaterniond> q(3);
-  projectChannels(channels, reference, position, heading, p_WR, q);
-  EXPECT_LT((p_WR - position - aboutZ(heading) * Eigen::Vector3d(channels.head<3>())).norm(),
-            1e-14);
-  for (int j = 0; j < 3; ++j) {
-    const Eigen::Vector3d v = channels.segment<3>(3 + 3 * j);
-    const double angle = v.norm();
-    Eigen::Quaterniond expected =
-        reference[j] * Eigen::Quaterniond(Eigen::AngleAxisd(angle, v / angle));
-    if (j == 0) expected = aboutZ(heading) * expected;
-    EXPECT_LT((q[j].coeffs() - expected.coeffs()).norm(), 1e-14);
+  for (double size : {0.5, 3.0}) {  // turns by up to 50 and by up to 300 degrees
+    for (double& c : channels) c = uniform(generator, -size, size);
+    const FrameState state = randomState(generator);
+    const Pose pose = projected(channels, reference, state);
+    EXPECT_LT(
+        (pose.p_WR - state.position - aboutZ(state.heading) * Eigen::Vector3d(channels.head<3>()))
+            .norm(),
+        1e-14);
+    for (int j = 0; j < 3; ++j) {
+      const Eigen::Vector3d v = channels.segment<3>(3 + 3 * j);
+      const double angle = v.norm();
+      Eigen::Quaterniond expected =
+          reference[j] * Eigen::Quaterniond(Eigen::AngleAxisd(angle, v / angle));
+      if (j == 0) expected = leant(state) * aboutZ(state.heading) * expected;
+      EXPECT_LT((pose.rotations[j].coeffs() - expected.coeffs()).norm(), 2e-15);
+    }
   }
 }
 
 TEST(ProjectChannels, ZeroChannelsAreTheReferenceItself) {
-  Eigen::Vector3d p_WR;
-  std::vector<Eigen::Quaterniond> q(library().stand().rotations.size());
-  projectChannels(Eigen::VectorXd::Zero(3 + 3 * library().skeleton.size()),
-                  library().stand().rotations, {1, 2, 3}, 0.0, p_WR, q);
-  EXPECT_EQ(p_WR, Eigen::Vector3d(1, 2, 3));
-  for (size_t j = 0; j < q.size(); ++j) {
-    EXPECT_LT(q[j].angularDistance(library().stand().rotations[j]), 1e-12);
-  }
+  FrameState state;
+  state.position = {1, 2, 3};
+  const std::vector<Eigen::Quaterniond>& reference = library().stand().rotations;
+  const Pose pose =
+      projected(Eigen::VectorXd::Zero(3 + 3 * library().skeleton.size()), reference, state);
+  EXPECT_EQ(pose.p_WR, Eigen::Vector3d(1, 2, 3));
+  for (size_t j = 0; j < reference.size(); ++j)
+    EXPECT_EQ(pose.rotations[j].coeffs(), reference[j].coeffs());
 }
 
 TEST(WalkController, WalkingItIsTheBlendedCycleOnTheRootPath) {
@@ -89,10 +114,7 @@ TEST(WalkController, WalkingItIsTheBlendedCycleOnTheRootPath) {
   const Pose pose = posed(controllerOf(), state);
   Eigen::VectorXd channels;
   blend().evaluate(0.35, 0.3, 0.6, channels);
-  Pose expected;
-  expected.rotations.resize(pose.rotations.size());
-  projectChannels(channels, library().stand().rotations, state.position, state.heading,
-                  expected.p_WR, expected.rotations);
+  const Pose expected = projected(channels, library().stand().rotations, state);
   EXPECT_EQ(pose.p_WR, expected.p_WR);
   for (size_t j = 0; j < pose.rotations.size(); ++j) {
     EXPECT_EQ(pose.rotations[j].coeffs(), expected.rotations[j].coeffs());
