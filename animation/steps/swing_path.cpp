@@ -54,7 +54,7 @@ struct SwingClearance::Strip {
   double from_side = 0.0, to_side = 0.0;  // of a sole's higher side over its middle [m]
   double from_tilt = 0.0, to_tilt = 0.0;  // of the soles along the swing [1]
   std::vector<double> height;  // crest of each cell over the first print [m]; -infinity: none
-  std::vector<bool> own;       // whether that is the plane of a print
+  std::vector<char> own;       // whether that is the plane of a print
 };
 
 SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPlace& to,
@@ -126,21 +126,22 @@ SwingClearance::Needs SwingClearance::needs(const Strip& strip, const FootCycle&
     const double side = strip.from_side + ease * (strip.to_side - strip.from_side);
     const double sole = along * strip.rise + swingHeight(shape, cycle, tau) + side;
     const double tilt = strip.from_tilt + ease * (strip.to_tilt - strip.from_tilt);
+    // Beside a print, not under it: a foot that goes up or comes down there passes it by.
+    const double passed_from = s < Margins::kBeside ? strip.ahead + Search::kCell : -HUGE_VAL;
+    const double passed_to =
+        strip.length - s < Margins::kBeside ? strip.length - strip.back - Search::kCell : HUGE_VAL;
+    double need = 0.0;
     const int first = static_cast<int>(std::floor((s - strip.back - strip.begin) / Search::kCell));
     const int last =
         static_cast<int>(std::floor((s + strip.ahead + strip.keep - strip.begin) / Search::kCell));
     for (int i = std::max(first, 0); i <= std::min(last, cells - 1); ++i) {
       const double x = strip.begin + (i + 0.5) * Search::kCell;
-      // Beside a print, not under it: a foot that goes up or comes down there passes it by.
-      const bool beside =
-          (x < strip.ahead + Search::kCell && s < Margins::kBeside) ||
-          (x > strip.length - strip.back - Search::kCell && strip.length - s < Margins::kBeside);
-      if (beside && !strip.own[i]) continue;
+      if (!strip.own[i] && (x < passed_from || x > passed_to)) continue;
       const double at = std::clamp(x - s, -strip.back, strip.ahead);
       const double margin = strip.own[i] ? own : Margins::kOver;
-      needs[k] = std::max(needs[k], strip.height[i] + margin - sole - tilt * at);
+      need = std::max(need, strip.height[i] + margin - sole - tilt * at);
     }
-    if (needs[k] < Search::kCoarseness) needs[k] = 0.0;
+    if (need >= Search::kCoarseness) needs[k] = need;
   }
   return needs;
 }
@@ -183,9 +184,10 @@ bool SwingClearance::clear(const FootPlace& from, const FootPlace& to, Side side
   for (const double delay : Search::kDelays) {
     for (const double early : Search::kDelays) {
       tried.delay = delay, tried.early = early;
-      const Needs curve = needs(between, cycle, tried);
       // Accelerations, of the foot going on, and below going up and coming down.
       const double on = length / std::pow(1.0 - delay - early, 2);
+      if (on * on >= least) continue;
+      const Needs curve = needs(between, cycle, tried);
       for (const double up : Search::kRamps) {
         for (const double down : Search::kRamps) {
           SwingShape shaped = tried;
