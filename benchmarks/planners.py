@@ -23,7 +23,7 @@ def measure(scenarios, runs, seconds, tell):
             tell(" | ".join(lines[-1]))
     about = "\n".join(f"- {line}" for line in run.machine())
     table = "\n".join("| " + " | ".join(line) + " |" for line in lines)
-    return f"{about}\n- a limit of {seconds:g} s a run, seeds 1 to {runs}, one thread\n\n{table}\n"
+    return f"# Planners on the same validator\n\n{about}\n- a limit of {seconds:g} s a run, seeds 1 to {runs}, one thread\n\n{table}\n"
 
 
 def figures(scenario, planner, runs, seconds):

@@ -23,10 +23,9 @@ NOT_CLAIMED = """\
 
 
 def si(value):
-    for size, prefix in ((1e6, " million"), (1e3, ",000")):
-        if value >= size:
-            return f"{value / size:.3g}{prefix}"
-    return f"{value:.3g}"
+    if value >= 1e6:
+        return f"{value / 1e6:.3g} million"
+    return f"{float(f'{value:.3g}'):,.0f}" if value >= 100 else f"{value:.3g}"
 
 
 def rate(value):
@@ -66,7 +65,7 @@ class Table:
         head = ("measure", "ours", "peer", "times", "at least, or at most")
         lines = ["| " + " | ".join(row) + " |" for row in (head, ("---",) * len(head), *self.rows)]
         about = "\n".join(f"- {line}" for line in run.machine())
-        return f"{about}\n\n" + "\n".join(lines) + f"\n\nNot claimed:\n\n{NOT_CLAIMED}\n"
+        return f"# What scripts/bench measured\n\n{about}\n\n" + "\n".join(lines) + f"\n\nNot claimed:\n\n{NOT_CLAIMED}\n"
 
 
 def collision(table):
@@ -169,7 +168,12 @@ def halls(table):
 def plan(table):
     whole = run.plans(LIVING_ROOM, 5)
     table.within("living-room, whole process", whole["wall"], 0.4)
-    found = {row.split("/")[1]: entry for row, entry in run.rows("plan", repetitions=3, only="^planScenario/").items()}
+    rows = run.rows("plan", repetitions=3, only="^(planScenario|newEnds)/")
+    warm, cold = rows["newEnds/warm"], rows["newEnds/cold"]
+    table.within("a kept roadmap of the living-room, new start and goal: the walk", warm["search_median_s"], 0.005)
+    values = run.seconds(warm), run.seconds(cold)
+    table.compare("with its refinement", *values, "without a kept roadmap", show=duration)
+    found = {row.split("/")[1]: entry for row, entry in rows.items() if row.startswith("planScenario/")}
 
     def planning(name):
         return sum(found[name][part] for part in ("roadmap_s", "query_s", "refine_s"))
