@@ -155,8 +155,8 @@ void addBuild(CLI::App& roadmap, Command& chosen) {
   command->add_option("--seed", options->seed, "Instead of the scenario's")
       ->check(wholeNumber(0, 2147483647));
   command
-      ->add_option("--m,--max-failures", options->max_failures,
-                   "Failures in a row to add a guard that end it")
+      ->add_option("--m", options->max_failures,
+                   "Failures in a row to add a guard that end it: the visibility PRM's M")
       ->check(wholeNumber(1, 1000000))
       ->capture_default_str();
   command->add_option("--threads", options->threads, "Threads; changes no result")

@@ -59,9 +59,9 @@ TEST_F(RoadmapCommand, OptionsOfBuild) {
           EXPECT_EQ(shown("a.roadmap")["seed"], 4);
           EXPECT_NE(shown("a.roadmap")["nodes"], shown("b.roadmap")["nodes"]);
         }},
-       {"--max-failures",
+       {"--m",
         [this] {
-          good(kBuild + "-o a.roadmap --max-failures 7");
+          good(kBuild + "-o a.roadmap --m 7");
           EXPECT_EQ(shown("a.roadmap")["max_failures"], 7);
           EXPECT_NEAR(shown("a.roadmap")["coverage"].get<double>(), 1.0 - 1.0 / 7.0, 1e-12);
         }},

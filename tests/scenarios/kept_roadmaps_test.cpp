@@ -1,5 +1,6 @@
 #include "scenarios/kept_roadmaps.h"
 
+#include "animation/library/motion_library_reader.h"
 #include "planner/roadmap/roadmap_file.h"
 #include "scenarios/run_scenario.h"
 #include "tests/scenarios/small_room.h"
@@ -136,10 +137,12 @@ TEST_F(Queries, OneAloneIsThePlanWithThatRoadmap) {
   KeptRoadmap roadmap = Planner::grow(request);
   roadmap.source = roadmapSource(problem);
   writeRoadmap(roadmap, folder_ / "it.roadmap");
-  const RunResult kept = runScenario(plain, {.roadmap = folder_ / "it.roadmap"});
+  RunOptions from_file;
+  from_file.roadmap = folder_ / "it.roadmap";
+  const RunResult kept = runScenario(plain, from_file);
   ASSERT_EQ(kept.report.status, PlanStatus::kSolved);
   EXPECT_TRUE(kept.report.inputs.contains("it.roadmap"));
-  for (const RunOptions& options : {RunOptions{}, RunOptions{.roadmap = folder_ / "it.roadmap"}}) {
+  for (const RunOptions& options : {RunOptions{}, from_file}) {
     const std::vector<Ran> all = run(kQueries, options);
     EXPECT_EQ(all.front().bvh, kept.bvh);
     EXPECT_EQ(all.front().report.poses_checked, kept.report.poses_checked);
