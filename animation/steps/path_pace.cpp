@@ -6,6 +6,7 @@
 
 #include "animation/steps/slope_gait.h"
 #include "animation/steps/stance_feet.h"
+#include "base/parts.h"
 
 namespace amble {
 
@@ -13,7 +14,7 @@ std::function<double(double)> paceAlong(const StepSettings& settings, const Foot
                                         const RootPath& path, const Stance& from,
                                         const Stance& to) {
   constexpr double kSpacing = 0.25;  // of the points: a step's slope changes no faster [m]
-  const int count = std::max(1, static_cast<int>(std::ceil(path.length() / kSpacing)));
+  const int count = partsOf(path.length(), kSpacing);
   const double spacing = path.length() / count;
   const auto paceAt = [&](const Stance& stance) {
     return slopePace(slopeUnder(settings, holds, stance));

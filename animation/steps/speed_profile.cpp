@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/ease.h"
+#include "base/parts.h"
 
 namespace amble {
 namespace {
@@ -67,7 +68,7 @@ double SpeedProfile::allowedSpeed(double arc) const {
 
 // Wanted speed at every knot: the plan's, less in turns, with bounded changes; as step length.
 void SpeedProfile::limitSpeed(const RootPath& path) {
-  const int count = std::max(8, static_cast<int>(std::ceil(length_ / StepFit::kSpacing)));
+  const int count = std::max(8, partsOf(length_, StepFit::kSpacing));
   const double spacing = length_ / count;
   const double fade =
       std::min(StepFit::kFadeSteps * limits_.law.stepLength(limits_.speed), 0.5 * length_);

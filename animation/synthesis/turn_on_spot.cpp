@@ -4,16 +4,15 @@
 #include <cmath>
 
 #include "base/ease.h"
+#include "base/parts.h"
 #include "base/rotation.h"
 
 namespace amble {
 
 SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, double scale,
                       double frame_time, const Eigen::Vector3d& shift) {
-  constexpr double kRounding = 1e-9;  // a quarter turn is two pairs, not three
   SpotTurn turn;
-  const int pairs =
-      std::max(1, static_cast<int>(std::ceil(std::abs(angle) / SpotTurnGait::kPair - kRounding)));
+  const int pairs = partsOf(std::abs(angle), SpotTurnGait::kPair);
   turn.steps = 2 * pairs;
   turn.step_time = SpotTurnGait::kStepTime * std::sqrt(scale);
   turn.frames =

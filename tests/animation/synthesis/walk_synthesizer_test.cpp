@@ -145,6 +145,34 @@ void expectGoodWalk(const WalkSynthesizer& character, const AnimationBuffer& buf
   EXPECT_LT(unit, 1e-9) << "a rotation is no unit quaternion";
 }
 
+// Whole metres are whole numbers of the parts in which a path is looked at; what a rounding adds to
+// their length may not add a part.
+TEST(WalkSynthesizer, AWalkIsTheSameWhereverItIsAndWhicheverWayItFaces) {
+  const WalkSynthesizer synthesizer = walker();
+  AnimationBuffer here, there;
+  for (const double length : {2.0, 5.0, 6.0}) {
+    for (int i = 0; i < 12; ++i) {
+      const double heading = i == 0 ? 0.0 : 0.5 * i;
+      const Eigen::Vector2d place = i * Eigen::Vector2d(-13.0, 7.1);
+      Stance from, to;
+      from.position << place, 0.0;
+      to.position << place + length * Eigen::Vector2d(std::cos(heading), std::sin(heading)), 0.0;
+      from.heading = to.heading = heading;
+      const RootPath path(
+          {makeBezier(from.position.head<2>(), heading, to.position.head<2>(), heading)});
+      ASSERT_EQ(synthesizer.walk(from, to, path, true, there).refused, WalkRule::kNone);
+      if (i == 0) here = there;
+      ASSERT_EQ(there.size(), here.size()) << length << " at " << heading;
+      for (int k = 0; k < here.size(); ++k) {
+        for (int j = 1; j < here.poses.joints(); ++j) {
+          ASSERT_LT(here.poses.rotations(k)[j].angularDistance(there.poses.rotations(k)[j]), 1e-7)
+              << length << " at " << heading << ", frame " << k << ", joint " << j;
+        }
+      }
+    }
+  }
+}
+
 TEST(WalkSynthesizer, RefusesSettingsOutOfRange) {
   EXPECT_THROW(walker(0.29), std::invalid_argument);
   EXPECT_THROW(walker(2.01), std::invalid_argument);
