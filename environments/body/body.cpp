@@ -152,11 +152,12 @@ class BodyMaker {
     addAcross("abdomen", spine, 0.5 * (pose_.at[roles_.hips] + p_chest), kWaistBreadth,
               kWaistDepth);
     addAcross("chest", chest, 0.5 * (p_chest + shoulders), kChestBreadth, kChestDepth);
+    const Eigen::Vector3d nape = pose_.at[roles_.head] + neckAboveHead() * pose_.up;
     if (roles_.neck >= 0 && roles_.neck != roles_.head)
-      add("neck", roles_.neck, Eigen::Vector3d::Zero(),
-          pose_.at[roles_.head] - pose_.at[roles_.neck], kNeck * stature_);
+      add("neck", roles_.neck, Eigen::Vector3d::Zero(), nape - pose_.at[roles_.neck],
+          kNeck * stature_);
     else
-      add("neck", chest, shoulders - p_chest, pose_.at[roles_.head] - p_chest, kNeck * stature_);
+      add("neck", chest, shoulders - p_chest, nape - p_chest, kNeck * stature_);
     addHead();
   }
 
@@ -173,9 +174,14 @@ class BodyMaker {
     return std::clamp(stature_ - joint_height, least, kHeadHeight * stature_);
   }
 
+  double chin() const { return crown() - kHeadHeight * stature_; }
+
+  // How far the neck goes on over the head's joint: to the head, where a rig has that joint so low
+  // that they would not meet.
+  double neckAboveHead() const { return chin() > kNeck * stature_ ? chin() : 0.0; }
+
   void addHead() {
-    const double crown = this->crown();
-    const double chin = crown - kHeadHeight * stature_, radius = kHead * stature_;
+    const double crown = this->crown(), chin = this->chin(), radius = kHead * stature_;
     body_.head = static_cast<int>(body_.parts.size());
     add("head", roles_.head, pose_.up * (chin + radius), pose_.up * (crown - radius), radius);
   }

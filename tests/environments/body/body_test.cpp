@@ -169,6 +169,33 @@ TEST(Body, CanBeMadeOfEveryCommonRig) {
   }
 }
 
+// Else a bar might go through a throat that is not there.
+TEST(Body, HeadAndNeckMeetInEveryCommonRig) {
+  const std::filesystem::path mocap = std::filesystem::path(AMBLE_SHARED) / "mocap";
+  if (!std::filesystem::exists(mocap)) GTEST_SKIP() << mocap << " is not there";
+  for (const char* name : {"accad_female1/Female1_B03_Walk1.bvh", "accad_male1/Male1_B3_Walk.bvh",
+                           "cmu_mb2/07_01.bvh", "cmu_daz/07_01.bvh", "cmu_max/131_01.bvh"}) {
+    const CapturedMotion motion = readMotion(mocap / name);
+    const double stature = statureOf(motion.clip.skeleton, motion.roles);
+    for (const bool upright : {false, true}) {
+      BodyStance options;
+      if (upright) options.upright = referenceOf(motion.clip, motion.roles);
+      const Body body = makeBody(motion.clip.skeleton, motion.roles, stature,
+                                 {0.039 * stature, 0.0095 * stature}, options);
+      const BodyPart& head = body.parts[body.head];
+      const auto neck = std::find_if(body.parts.begin(), body.parts.end(),
+                                     [](const BodyPart& part) { return part.name == "neck"; });
+      ASSERT_NE(neck, body.parts.end());
+      const Placed placed =
+          place(motion.clip.skeleton, body, motion.clip.poses[motion.clip.frames() / 2]);
+      const size_t at_head = body.head, at_neck = neck - body.parts.begin();
+      const double gap =
+          (placed.to[at_neck] - placed.from[at_head]).norm() - head.radius - neck->radius;
+      EXPECT_LT(gap, 0.0) << name;
+    }
+  }
+}
+
 // Of rigs whose joints point along their bones the rest pose is nobody's: their trunks lie across
 // it.
 TEST(Body, TrunksAreWhereTheirJointsAreInAnyRigThatWalks) {
