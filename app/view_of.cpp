@@ -26,6 +26,7 @@ WalkView viewOf(const RunResult& result) {
   view.title = problem.scenario.name;
   view.scene = &problem.scene;
   view.floor = problem.floor;
+  view.ground = &problem.ground;
   view.skeleton = &problem.synthesizer.skeleton();
   view.body = &problem.body;
   if (walk.buffer.size() > 0) {

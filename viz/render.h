@@ -30,7 +30,8 @@ struct StripSettings {
   int columns = 8;        ///< [>= 1]
   int tile_width = 240;   ///< [pixels, >= 16]
   int tile_height = 320;  ///< [pixels, >= 16]
-  double window = 2.1;    ///< height of what a tile shows [m, > 0]
+  double window =
+      2.1;  ///< height of what a tile shows of an adult; of others in proportion [m, > 0]
   /// Where the eye is, from the walker's heading, left positive: -pi/2 shows the right side, 0 the
   /// front [rad].
   double side = -1.5707963267948966;
@@ -42,9 +43,9 @@ struct StripSettings {
 StripSettings stripOfWhole(const AnimationBuffer& walk);
 
 /// strip.png: a film strip to look at feet with: frames one after another, seen in parallel from
-/// the walker's side, root held in the middle, the ground under it as a line with a mark every 10
-/// cm; left limbs blue, right orange, a bar under each foot that is planted, the frame's number and
-/// time above.
+/// the walker's side, root held in the middle, the ground and all else in the walker's plane as
+/// lines, the ground with a mark every 10 cm; left limbs blue, right orange, a bar under each foot
+/// that is planted, the frame's number and time above.
 Image renderStrip(const WalkView& view, const StripSettings& settings = {});
 
 }  // namespace amble

@@ -6,6 +6,7 @@
 #include "viz/draw_mesh.h"
 #include "viz/lighting.h"
 #include "viz/render.h"
+#include "viz/section.h"
 #include "viz/tiny_text.h"
 
 namespace amble {
@@ -15,7 +16,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double kBelow = 0.16;      // how much is shown below the floor [m]
+constexpr double kBelow = 0.076;     // how much is shown below the floor [window]
 constexpr double kTick = 0.1;        // between the marks of the floor [m]
 constexpr double kLevelView = 0.02;  // an eye lower than this sees the floor as a line [rad]
 constexpr float kSinkTint = 0.75f;   // how red a body is drawn below the floor
@@ -50,7 +51,7 @@ Camera tileCamera(const WalkView& view, int frame, const StripSettings& settings
   const Vector3d back(level * std::cos(azimuth), level * std::sin(azimuth),
                       std::sin(settings.lift));
   const Vector3d middle(root.x(), root.y(),
-                        groundUnder(view, frame) + settings.window / 2 - kBelow);
+                        groundUnder(view, frame) + (0.5 - kBelow) * settings.window);
   Camera camera;
   camera.parallel = true;
   camera.axes = viewAxes((-back).cast<float>());
@@ -78,9 +79,29 @@ std::vector<Footprint> printsAround(const WalkView& view, int frame) {
   return around;
 }
 
-// The floor's row in each column of a tile: a print's under its sole, the lower of two that lie
-// behind one another; elsewhere that of the lowest print, since the ground between is not known.
-std::vector<int> floorRows(const WalkView& view, int frame, const Camera& camera, int width) {
+// What the camera has to its right, level.
+Vector3d rightOf(const Camera& camera) { return camera.axes.row(0).transpose().cast<double>(); }
+
+// The ground's row in each column of a tile, in the walker's plane: -1 where there is none.
+std::vector<int> groundRows(const WalkView& view, int frame, const Camera& camera, int width) {
+  constexpr double kReach = 1.0;  // from where the walker stands to what is ground beside him [m]
+  const Vector3d root = view.animation->poses.p_WR(frame), right = rightOf(camera);
+  const double level = groundUnder(view, frame);
+  std::vector<int> rows(width, -1);
+  for (int x = 0; x < width; ++x) {
+    const Vector3d at = root + (x + 0.5 - 0.5 * width) / camera.scale * right;
+    const auto height = view.ground->height(at.x(), at.y(), level, kReach);
+    if (!height) continue;
+    const Vector3f on(static_cast<float>(at.x()), static_cast<float>(at.y()),
+                      static_cast<float>(*height));
+    rows[x] = static_cast<int>(std::lround(camera.toPixel(camera.toView(on)).y()));
+  }
+  return rows;
+}
+
+// The same where the ground is not known: a print's under its sole, the lower of two that lie
+// behind one another; elsewhere that of the lowest print.
+std::vector<int> printRows(const WalkView& view, int frame, const Camera& camera, int width) {
   const auto pixel = [&](const Vector3d& p) {
     return camera.toPixel(camera.toView(p.cast<float>()));
   };
@@ -111,7 +132,8 @@ std::vector<int> floorRows(const WalkView& view, int frame, const Camera& camera
 void drawFloorLine(const std::vector<int>& rows, double floor, const Camera& camera,
                    const SampleBuffer& samples, Image& tile) {
   for (int x = 0; x < tile.width; ++x) {
-    for (int y = std::max(0, rows[x]); y < tile.height; ++y) {
+    if (rows[x] < 0) continue;
+    for (int y = rows[x]; y < tile.height; ++y) {
       const bool body = samples.depth[samples.index(x * kSupersampling, y * kSupersampling)] > 0;
       const uint8_t* old = tile.pixel(x, y);
       const Color sunk = mix(rgb(old[0], old[1], old[2]), rgb(220, 20, 20), kSinkTint);
@@ -120,7 +142,7 @@ void drawFloorLine(const std::vector<int>& rows, double floor, const Camera& cam
     fillRect(tile, x, rows[x], 1, 1, kInk);
   }
   const Vector3d on_floor(camera.eye.x(), camera.eye.y(), floor);
-  const Vector3d right = camera.axes.row(0).transpose().cast<double>();
+  const Vector3d right = rightOf(camera);
   const double middle = right.dot(on_floor);
   const double half = tile.width / (2.0 * camera.scale);
   for (int i = static_cast<int>(std::ceil((middle - half) / kTick)); i * kTick <= middle + half;
@@ -128,7 +150,28 @@ void drawFloorLine(const std::vector<int>& rows, double floor, const Camera& cam
     const Vector3d mark = on_floor + (i * kTick - middle) * right;
     const int x =
         static_cast<int>(std::lround(camera.toPixel(camera.toView(mark.cast<float>())).x()));
-    if (x >= 0 && x < tile.width) fillRect(tile, x, rows[x], 1, i % 5 == 0 ? 12 : 5, kInk);
+    if (x >= 0 && x < tile.width && rows[x] >= 0)
+      fillRect(tile, x, rows[x], 1, i % 5 == 0 ? 12 : 5, kInk);
+  }
+}
+
+// What the walker's plane cuts of the scene, as lines.
+void drawSection(const WalkView& view, int frame, const SceneSection& section, const Camera& camera,
+                 Image& tile) {
+  const Vector3d root = view.animation->poses.p_WR(frame), right = rightOf(camera);
+  const auto pixel = [&](const Vector2d& p) -> Eigen::Vector2f {
+    const Vector3d at(root.x() + p.x() * right.x(), root.y() + p.x() * right.y(), p.y());
+    return camera.toPixel(camera.toView(at.cast<float>()));
+  };
+  const double reach = tile.width / (2.0 * camera.scale);
+  for (const SectionLine& line : section.cut(root, right, reach)) {
+    const Eigen::Vector2f a = pixel(line.from), b = pixel(line.to);
+    const int steps = std::clamp(static_cast<int>((b - a).cwiseAbs().maxCoeff()) + 1, 1, 4096);
+    for (int i = 0; i <= steps; ++i) {
+      const Eigen::Vector2f at = a + static_cast<float>(i) / static_cast<float>(steps) * (b - a);
+      fillRect(tile, static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y())),
+               1, 1, kInk);
+    }
   }
 }
 
@@ -171,7 +214,8 @@ void addFloorAround(const WalkView& view, int frame, std::vector<DrawTriangle>& 
                  mix(sideColor(print.side), kEarth, 0.35f), triangles);
 }
 
-Image renderTile(const WalkView& view, int frame, const StripSettings& settings) {
+Image renderTile(const WalkView& view, int frame, const SceneSection& section,
+                 const StripSettings& settings) {
   const bool level = std::abs(settings.lift) < kLevelView;
   std::vector<DrawTriangle> triangles;
   addBody(view, frame, limbColors(*view.body), triangles);
@@ -191,14 +235,28 @@ Image renderTile(const WalkView& view, int frame, const StripSettings& settings)
   Image tile = lightSamples(samples, camera, triangles, light);
   const Camera small = tileCamera(view, frame, settings, 1);
   if (level) {
-    drawFloorLine(floorRows(view, frame, small, tile.width), groundUnder(view, frame), small,
-                  samples, tile);
+    const auto rows = view.ground != nullptr ? groundRows : printRows;
+    drawFloorLine(rows(view, frame, small, tile.width), groundUnder(view, frame), small, samples,
+                  tile);
+    drawSection(view, frame, section, small, tile);
     drawPlants(view, frame, small, tile);
   }
   const double time = frame * view.animation->frame_time;
   drawText(tile, 6, 6, std::to_string(frame) + "  " + fixedNumber(time, 3) + " s", 2, kInk);
   fillRect(tile, 0, 0, 1, tile.height, mix(kInk, light.background, 0.7f));
   return tile;
+}
+
+// The window of a tile is told for an adult.
+StripSettings fitted(const WalkView& view, StripSettings settings) {
+  constexpr double kAdult = 1.75;  // [m]
+  const PlacedBody placed = placeBodyAt(view, 0);
+  double crown = 0.0;
+  for (size_t i = 0; i < placed.to.size(); ++i)
+    crown = std::max(crown, std::max(placed.from[i].z(), placed.to[i].z()) +
+                                view.body->parts[i].radius - groundUnder(view, 0));
+  settings.window *= crown / kAdult;
+  return settings;
 }
 
 }  // namespace
@@ -214,8 +272,10 @@ StripSettings stripOfWhole(const AnimationBuffer& walk) {
   return settings;
 }
 
-Image renderStrip(const WalkView& view, const StripSettings& settings) {
-  if (!view.hasBody()) return Image(settings.tile_width, settings.tile_height);
+Image renderStrip(const WalkView& view, const StripSettings& asked) {
+  if (!view.hasBody()) return Image(asked.tile_width, asked.tile_height);
+  const StripSettings settings = fitted(view, asked);
+  const SceneSection section(*view.scene);
   const int left = view.animation->size() - std::max(0, settings.first);
   const int count = std::clamp((left + settings.step - 1) / settings.step, 1, settings.pictures);
   const int columns = std::min(settings.columns, count);
@@ -224,7 +284,7 @@ Image renderStrip(const WalkView& view, const StripSettings& settings) {
   std::fill(strip.rgb.begin(), strip.rgb.end(), uint8_t{250});
   for (int i = 0; i < count; ++i) {
     const int frame = std::min(settings.first + i * settings.step, view.animation->size() - 1);
-    const Image tile = renderTile(view, frame, settings);
+    const Image tile = renderTile(view, frame, section, settings);
     const int x = i % columns * settings.tile_width, y = i / columns * settings.tile_height;
     for (int row = 0; row < tile.height; ++row)
       std::copy_n(tile.pixel(0, row), static_cast<size_t>(tile.width) * 3, strip.pixel(x, y + row));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "animation/body/skeleton.h"
+#include "animation/ground/ground.h"
 #include "animation/steps/root_path.h"
 #include "animation/synthesis/animation_buffer.h"
 #include "environments/body/body.h"
@@ -41,8 +42,9 @@ struct RoadmapView {
 /// Borrowed: what the pointers name outlives the view.
 struct WalkView {
   std::string title;
-  const Scene* scene = nullptr;  ///< never null where a picture is made
-  double floor = 0.0;            ///< height of the floor that is walked on [m]
+  const Scene* scene = nullptr;    ///< never null where a picture is made
+  double floor = 0.0;              ///< height of the floor that is walked on [m]
+  const Ground* ground = nullptr;  ///< what feet stand on, all over the scene
   const Skeleton* skeleton = nullptr;
   const Body* body = nullptr;
   const AnimationBuffer* animation = nullptr;

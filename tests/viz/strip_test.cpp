@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "animation/ground/slope_ground.h"
 #include "tests/viz/test_walk.h"
 #include "viz/color.h"
 #include "viz/render.h"
@@ -54,6 +55,49 @@ TEST(RenderStrip, FollowsAWalkOntoHigherGround) {
   long differ = 0;
   for (size_t i = 0; i < a.rgb.size(); ++i) differ += std::abs(a.rgb[i] - b.rgb[i]) > 8;
   EXPECT_LT(differ, static_cast<long>(a.rgb.size() / 100));  // but for rounding at edges
+}
+
+TEST(RenderStrip, ABodyOfAnySizeIsShownWhole) {
+  for (const double size : {0.3, 1.0, 1.4}) {
+    const auto walk = makeTestWalk();
+    for (BodyPart& part : walk->body.parts) {
+      part.from *= size;
+      part.to *= size;
+      part.radius *= size;
+    }
+    for (int i = 0; i < walk->animation.size(); ++i) walk->animation.poses.p_WR(i).z() *= size;
+    const Image tile = renderStrip(walk->view, {.pictures = 1, .columns = 1});
+    const auto dark = [&](int x, int y) { return tile.pixel(x, y)[0] < 220; };
+    constexpr int kLabel = 16;  // it ends above the head
+    int head = 0;
+    while (head < tile.height && !dark(tile.width / 2 + 10, head)) ++head;
+    EXPECT_GE(head, kLabel) << size;
+    EXPECT_LT(head, tile.height / 4) << size;
+  }
+}
+
+TEST(RenderStrip, WhatIsInTheWalkersPlaneIsDrawn) {
+  const auto plain = makeTestWalk(), with = makeTestWalk(), beside = makeTestWalk();
+  with->scene.objects.push_back(testBox("log", {0.2, 1.0, 0.2}, {1.4, 2.0, 0.1}));
+  beside->scene.objects.push_back(testBox("log", {0.2, 1.0, 0.2}, {1.4, 3.0, 0.1}));
+  const StripSettings one{.pictures = 1, .columns = 1};
+  EXPECT_NE(renderStrip(plain->view, one).rgb, renderStrip(with->view, one).rgb);
+  EXPECT_EQ(renderStrip(plain->view, one).rgb, renderStrip(beside->view, one).rgb);
+}
+
+// Where the ground is known a sole on a slope is not in it.
+TEST(RenderStrip, OnARampNothingIsRed) {
+  const auto walk = makeTestWalk();
+  const SlopeGround ramp(0.2);
+  for (int i = 0; i < walk->animation.size(); ++i) {
+    walk->animation.poses.p_WR(i).z() += std::tan(0.2) * walk->animation.poses.p_WR(i).x() + 0.03;
+    walk->animation.states[i].position = walk->animation.poses.p_WR(i);
+    walk->animation.states[i].position.z() -= 0.93;
+  }
+  walk->view.ground = &ramp;
+  const Image strip = renderStrip(walk->view, {.pictures = 4, .columns = 4});
+  for (size_t i = 0; i < strip.rgb.size(); i += 3)
+    ASSERT_FALSE(strip.rgb[i] > 150 && strip.rgb[i + 1] < 60 && strip.rgb[i + 2] < 60) << i;
 }
 
 TEST(StripOfWhole, ShowsAWalkOfAnyLengthToItsEnd) {
