@@ -83,6 +83,19 @@ bool printQuality(const WalkSynthesizer& synthesizer, const Clip& clip, const An
   return all;
 }
 
+// What the character takes, of the rules that a number of the command line breaks.
+std::string limitText(WalkRule rule, const GroundLimits& limits) {
+  switch (rule) {
+    case WalkRule::kStepHeight:
+      return fmt::format("; steps are at most {:g} m up and {:g} m down", limits.max_climb,
+                         limits.max_drop);
+    case WalkRule::kSlope:
+      return fmt::format("; ground is at most {:g} degrees steep", limits.max_slope / kDegree);
+    default:
+      return "";
+  }
+}
+
 int run(const Options& options) {
   const MotionLibrary library = openMotionLibrary(options.library);
   keepInputs(options.out, {library.file, library.file.parent_path() / library.skeleton_file});
@@ -112,7 +125,8 @@ int run(const Options& options) {
   AnimationBuffer walk;
   const WalkResult result = demoWalk(synthesizer, *ground, request, walk);
   if (result.refused != WalkRule::kNone) {
-    say(stderr, "amble animate: there is no such walk: {} refused\n", walkRuleName(result.refused));
+    say(stderr, "amble animate: there is no such walk: {} refused{}\n",
+        walkRuleName(result.refused), limitText(result.refused, settings.limits));
     return kExitNone;
   }
   const Clip clip{"walk", synthesizer.skeleton(), walk.frame_time, walk.poses, {}};

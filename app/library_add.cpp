@@ -104,11 +104,16 @@ MotionLibrary libraryAt(const std::filesystem::path& file) {
 int run(const Options& options) {
   const std::filesystem::path file = options.library;
   MotionLibrary library = libraryAt(file);
-  for (const std::string& clip : options.clips) {
-    for (const MotionRequest& request : requestsOf(clip, options)) {
-      addMotion(library, request);
-      sayAdded(library.motions.back());
+  try {
+    for (const std::string& clip : options.clips) {
+      for (const MotionRequest& request : requestsOf(clip, options)) {
+        addMotion(library, request);
+        sayAdded(library.motions.back());
+      }
     }
+  } catch (const InputError&) {
+    say(stderr, "{}: nothing is written\n", file.string());
+    throw;
   }
   writeMotionLibrary(library, file);
   sayWritten(library, file);

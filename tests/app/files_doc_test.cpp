@@ -149,6 +149,19 @@ TEST_F(FilesPage, ItsExamplesAndTheReadmesAreRight) {
   }
 }
 
+TEST_F(FilesPage, ItSaysWhatIsMeasuredOfAWalk) {
+  run("plan " + (kSource / "scenarios/log.yaml").string() + " -o log --formats json");
+  const std::string page = textOf(kSource / "docs/files.md");
+  const nlohmann::json quality = nlohmann::json::parse(read("log/report.json"))["quality"];
+  EXPECT_GE(quality.size(), 15u);
+  for (const nlohmann::json& line : quality) {
+    const std::string measure = line["measure"];
+    EXPECT_TRUE(page.find("| " + measure) != std::string::npos ||
+                page.find("; " + measure) != std::string::npos)
+        << measure;
+  }
+}
+
 TEST_F(FilesPage, ItHasTheKeysThatTheReadersKnow) {
   EXPECT_EQ(leavesOf(documentedKeys("Scene")), leavesOf(knownKeys("room.yaml")));
   Keys scenario = knownKeys("walk.yaml");
