@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "base/parallel.h"
+#include "base/processor.h"
 #include "environments/scene/parity.h"
 
 namespace amble {
@@ -178,74 +180,58 @@ void markBeyond(const VoxelGrid& grid, const Eigen::AlignedBox3d& obstacles,
   }
 }
 
-// The first axis, x: squared distance in voxels of each voxel to the last and the next occupied one
-// in its row.
-void measureRows(const std::vector<uint8_t>& occupied, std::vector<int16_t>& squared, size_t length,
-                 int window) {
-  const int far = window + 1;
-  for (size_t row = 0; row < occupied.size(); row += length) {
-    const uint8_t* in = &occupied[row];
-    int16_t* out = &squared[row];
-    int since = far;
-    for (size_t x = 0; x < length; ++x) {
-      since = in[x] ? 0 : std::min(since + 1, far);
-      out[x] = static_cast<int16_t>(since);
-    }
-    since = far;
-    for (size_t x = length; x-- > 0;) {
-      since = in[x] ? 0 : std::min(since + 1, far);
-      const int d = std::min<int>(out[x], since), apart = std::max(0, d - 1);
-      out[x] = d >= far ? kFarSquared : static_cast<int16_t>(apart * apart);
-    }
-  }
-}
+// Rows of the transform are so many voxels at a time, which compilers keep in registers; what is
+// over at a row's end is far from everything.
+constexpr size_t kBlock = 32;
 
-// Where `outer` slabs of `count` runs of `run` neighbouring voxels lie in memory, along one axis.
+// Lines of voxels along one axis, where its next voxel is `stride` numbers on.
 struct Axis {
   int count;
-  size_t stride, outer, outer_step, run;
+  size_t stride;
 };
 
-// One run of `out`: the least of `in` over a window of voxels along an axis, with the squared
-// distance in voxels added that points of the two voxels are apart at least. In blocks of a fixed
-// size, which compilers keep in registers.
-void spreadRun(const std::vector<int16_t>& in, std::vector<int16_t>& out, const Axis& axis,
-               int window, size_t slab, int at) {
-  constexpr size_t kBlock = 32;
-  const int first = std::max(-window, -at), last = std::min(window, axis.count - 1 - at);
-  const size_t row = slab * axis.outer_step + at * axis.stride;
-  for (size_t x = 0; x < axis.run; x += kBlock) {
-    const size_t width = std::min(kBlock, axis.run - x);
-    std::array<int16_t, kBlock> least, from;
-    least.fill(kFarSquared);
-    from.fill(kFarSquared);
-    for (int d = first; d <= last; ++d) {
-      const int apart = std::max(0, std::abs(d) - 1);
-      const int16_t add = static_cast<int16_t>(apart * apart);
-      const int16_t* source = &in[row + x] + d * static_cast<ptrdiff_t>(axis.stride);
-      if (width == kBlock)
-        std::copy_n(source, kBlock, from.data());
-      else
-        std::copy_n(source, width, from.data());
-      for (size_t k = 0; k < kBlock; ++k) {
-        const int16_t sum = static_cast<int16_t>(from[k] + add);
-        least[k] = sum < least[k] ? sum : least[k];
-      }
-    }
-    std::copy_n(least.data(), width, &out[row + x]);
+// The first axis, x: squared distance in voxels of each voxel to the last and the next occupied one
+// in its row.
+void measureRow(const uint8_t* in, int16_t* out, size_t length, int window) {
+  const int far = window + 1;
+  int since = far;
+  for (size_t x = 0; x < length; ++x) {
+    since = in[x] ? 0 : std::min(since + 1, far);
+    out[x] = static_cast<int16_t>(since);
+  }
+  since = far;
+  for (size_t x = length; x-- > 0;) {
+    since = in[x] ? 0 : std::min(since + 1, far);
+    const int d = std::min<int>(out[x], since), apart = std::max(0, d - 1);
+    out[x] = d >= far ? kFarSquared : static_cast<int16_t>(apart * apart);
   }
 }
 
-// All runs, on all threads: each is of its own.
-void spread(const std::vector<int16_t>& in, std::vector<int16_t>& out, const Axis& axis,
-            int window) {
-  constexpr size_t kParts = 32;
-  const size_t runs = axis.outer * axis.count;
-  parallelFor(kParts, usualThreads(), [&](int part, int) {
-    const size_t end = (part + 1) * runs / kParts;
-    for (size_t run = part * runs / kParts; run < end; ++run)
-      spreadRun(in, out, axis, window, run / axis.count, static_cast<int>(run % axis.count));
-  });
+// A run of `out`, `at` along the axis: the least of `in` over a window of voxels, with the squared
+// distance in voxels added that points of the two voxels are apart at least. Outwards, until no
+// voxel of the block can gain.
+AMBLE_FOR_EACH_PROCESSOR
+void spreadRun(const int16_t* in, int16_t* out, size_t run, const Axis& axis, int at, int window) {
+  for (size_t x = 0; x < run; x += kBlock) {
+    std::array<int16_t, kBlock> least;
+    const int16_t* const own = in + x + at * axis.stride;
+    std::copy_n(own, kBlock, least.data());
+    for (int d = 1; d <= window; ++d) {
+      const int16_t add = static_cast<int16_t>((d - 1) * (d - 1));
+      int16_t most = 0;
+      for (size_t k = 0; k < kBlock; ++k) most = std::max(most, least[k]);
+      if (most <= add) break;
+      for (const int side : {-d, d}) {
+        if (at + side < 0 || at + side >= axis.count) continue;
+        const int16_t* const other = own + side * static_cast<ptrdiff_t>(axis.stride);
+        for (size_t k = 0; k < kBlock; ++k) {
+          const int16_t sum = static_cast<int16_t>(other[k] + add);
+          least[k] = std::min(least[k], sum);
+        }
+      }
+    }
+    std::copy_n(least.data(), kBlock, out + x);
+  }
 }
 
 }  // namespace
@@ -274,24 +260,45 @@ ClearanceField::ClearanceField(const std::vector<Obstacle>& obstacles,
 }
 
 void ClearanceField::transform(const std::vector<uint8_t>& occupied) {
-  const size_t total = occupied.size();
   const size_t nx = grid_.count.x(), ny = grid_.count.y(), nz = grid_.count.z();
+  const size_t row = (nx + kBlock - 1) / kBlock * kBlock, plane = row * ny;
   // Farther than this many voxels is kFarthest anyway.
   const int window = 1 + static_cast<int>(std::ceil(kFarthest / grid_.size));
-  std::vector<int16_t> a(total), b(total);
-  measureRows(occupied, a, nx, window);
-  spread(a, b, {grid_.count.y(), nx, nz, nx * ny, nx}, window);
-  spread(b, a, {grid_.count.z(), nx * ny, 1, 0, nx * ny}, window);
-  // Rounded down, with a thousandth of a voxel against the rounding of places.
-  const auto toByte = [&](int squared) {
-    const double distance =
-        std::max(0.0, (std::sqrt(static_cast<double>(squared)) - 1e-3) * grid_.size);
-    return static_cast<uint8_t>(std::min(255.0, std::floor(distance / kQuantum)));
-  };
-  std::vector<uint8_t> table(static_cast<size_t>(std::numeric_limits<int16_t>::max()) + 1);
-  for (size_t i = 0; i < table.size(); ++i) table[i] = toByte(static_cast<int>(i));
-  bound_.resize(total);
-  for (size_t i = 0; i < total; ++i) bound_[i] = table[a[i]];
+  const auto squared = std::make_unique_for_overwrite<int16_t[]>(plane * nz);
+  // By height along x and y, in a plane for each thread.
+  std::vector<std::vector<int16_t>> rows(usualThreads());
+  parallelFor(grid_.count.z(), usualThreads(), [&](int k, int thread) {
+    rows[thread].resize(plane, kFarSquared);
+    int16_t* const own = rows[thread].data();
+    for (size_t j = 0; j < ny; ++j)
+      measureRow(&occupied[grid_.index(0, static_cast<int>(j), k)], own + j * row, nx, window);
+    const Axis axis{grid_.count.y(), row};
+    for (size_t j = 0; j < ny; ++j)
+      spreadRun(own, &squared[k * plane + j * row], row, axis, static_cast<int>(j), window);
+  });
+  // Along z.
+  const std::vector<uint8_t> quanta = quantaOfSquares(grid_.size);
+  bound_.resize(occupied.size());
+  parallelFor(grid_.count.y(), usualThreads(), [&](int j, int) {
+    std::vector<int16_t> least(row);
+    const Axis axis{grid_.count.z(), plane};
+    for (int k = 0; k < grid_.count.z(); ++k) {
+      spreadRun(&squared[j * row], least.data(), row, axis, k, window);
+      uint8_t* const bound = &bound_[grid_.index(0, j, k)];
+      for (size_t i = 0; i < nx; ++i) bound[i] = quanta[least[i]];
+    }
+  });
+}
+
+// Distances of so many squared voxels, rounded down, with a thousandth of a voxel against the
+// rounding of places.
+std::vector<uint8_t> ClearanceField::quantaOfSquares(double voxel) {
+  std::vector<uint8_t> table(static_cast<size_t>(kFarSquared) + 1);
+  for (size_t i = 0; i < table.size(); ++i) {
+    const double distance = std::max(0.0, (std::sqrt(static_cast<double>(i)) - 1e-3) * voxel);
+    table[i] = static_cast<uint8_t>(std::min(255.0, std::floor(distance / kQuantum)));
+  }
+  return table;
 }
 
 bool ClearanceField::halvesAreFree(const Capsule& capsule, double square) const {

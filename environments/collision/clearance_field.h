@@ -71,6 +71,7 @@ class ClearanceField {
   static constexpr double kQuantum = kFarthest / 255.0;  // [m] of a byte
 
   void transform(const std::vector<uint8_t>& occupied);
+  static std::vector<uint8_t> quantaOfSquares(double voxel);
   // @param square  of its axis' length [m^2]
   bool halvesAreFree(const Capsule& capsule, double square) const;
 

@@ -86,6 +86,26 @@ TEST(ClearanceField, IsNoMoreThanTwoVoxelsShort) {
   }
 }
 
+// In all directions and at all distances that are told apart: along each axis two voxels are known
+// to within one each, and a thing's own voxel is a little larger than it.
+TEST(ClearanceField, IsFewVoxelsShortOfASmallBallInAnyDirection) {
+  const Eigen::Vector3d middle(0.31, -0.47, 1.02);
+  const double radius = 0.03;
+  const ClearanceField field(obstaclesOf({makeObject("ball", Sphere{radius}, middle)}), kRoom);
+  const double short_of = 3.5 * std::sqrt(3.0) * field.voxel();
+  std::mt19937_64 generator(13);
+  int far = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const Eigen::Vector3d p = randomCapsule(generator, kRoom, 0.0).from;
+    const double distance = (p - middle).norm() - radius, bound = field.lowerBound(p);
+    if (bound == 0.0) continue;  // beyond the voxels that fill the region
+    EXPECT_LE(bound, distance);
+    EXPECT_GE(bound, std::min(distance, ClearanceField::kFarthest) - short_of);
+    far += bound > 0.9 * ClearanceField::kFarthest;
+  }
+  EXPECT_GT(far, 5000);
+}
+
 TEST(ClearanceField, NeverCallsATouchingCapsuleFree) {
   const std::vector<Obstacle> obstacles = obstaclesOf(furniture());
   const ClearanceField field(obstacles, kRoom);
