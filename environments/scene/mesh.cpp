@@ -1,8 +1,10 @@
 #include "environments/scene/mesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <tuple>
 
@@ -12,23 +14,26 @@
 namespace amble {
 namespace {
 
-bool lexicographicLess(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::tie(a.x(), a.y(), a.z()) < std::tie(b.x(), b.y(), b.z());
+uint64_t hashOf(const Eigen::Vector3d& p) {
+  uint64_t hash = 0;
+  for (int k = 0; k < 3; ++k) {
+    hash = (hash ^ std::bit_cast<uint64_t>(p[k] + 0.0)) * 0x9e3779b97f4a7c15;  // -0.0 is 0.0
+    hash ^= hash >> 32;
+  }
+  return hash;
 }
 
 // For each vertex the first vertex of the same place.
 std::vector<int> firstOfEqual(const std::vector<Eigen::Vector3d>& vertices) {
-  std::vector<int> order(vertices.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    if (lexicographicLess(vertices[a], vertices[b])) return true;
-    if (lexicographicLess(vertices[b], vertices[a])) return false;
-    return a < b;
-  });
+  // By hash, with a search to the next place that is free: half of them stay so.
+  std::vector<int> table(std::bit_ceil(2 * vertices.size() + 1), -1);
+  const size_t mask = table.size() - 1;
   std::vector<int> first(vertices.size());
-  for (size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    size_t slot = hashOf(vertices[i]) & mask;
+    while (table[slot] >= 0 && vertices[table[slot]] != vertices[i]) slot = (slot + 1) & mask;
+    if (table[slot] < 0) table[slot] = static_cast<int>(i);
+    first[i] = table[slot];
   }
   return first;
 }
@@ -58,21 +63,30 @@ TriangleMesh subMesh(const TriangleMesh& mesh, const std::vector<int>& chosen,
 struct EdgeUse {
   int low, high;  // vertices, low < high
   int triangle;
-  bool operator<(const EdgeUse& o) const {
-    return std::tie(low, high, triangle) < std::tie(o.low, o.high, o.triangle);
-  }
 };
 
+// By low, then high, then triangle: counted by low, and sorted among the few of one.
 std::vector<EdgeUse> sortedEdges(const TriangleMesh& mesh) {
-  std::vector<EdgeUse> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), static_cast<int>(t)});
+  std::vector<size_t> next(mesh.vertices.size() + 1, 0);
+  const auto visitEdges = [&](const auto& visit) {
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
+        visit(EdgeUse{low, high, static_cast<int>(t)});
+      }
     }
+  };
+  visitEdges([&](const EdgeUse& edge) { ++next[edge.low + 1]; });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<EdgeUse> edges(3 * mesh.triangles.size());
+  visitEdges([&](const EdgeUse& edge) { edges[next[edge.low]++] = edge; });
+  for (auto begin = edges.begin(); begin != edges.end();) {
+    const auto end = edges.begin() + static_cast<ptrdiff_t>(next[begin->low]);
+    std::sort(begin, end, [](const EdgeUse& a, const EdgeUse& b) {
+      return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
+    });
+    begin = end;
   }
-  std::sort(edges.begin(), edges.end());
   return edges;
 }
 

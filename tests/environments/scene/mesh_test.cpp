@@ -122,6 +122,14 @@ TEST(CleanMesh, JoinsSoupAndIsDoneAtOnce) {
   EXPECT_NEAR(volumeOf(once), volumeOf(ball), 1e-12);
 }
 
+TEST(CleanMesh, ZerosOfEitherSignAreOnePlace) {
+  const TriangleMesh mesh{{{0.0, 0.0, 0.0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0.0, -0.0}, {0, 0, 1}},
+                          {{0, 1, 2}, {3, 4, 1}}};
+  const TriangleMesh clean = cleanMesh(mesh);
+  EXPECT_EQ(clean.vertices.size(), 4u);
+  EXPECT_EQ(clean.triangles[0][0], clean.triangles[1][0]);
+}
+
 TEST(CleanMesh, DropsWhatHasNoAreaWhereverItIs) {
   TriangleMesh mesh = makeBox({1, 1, 1});
   const size_t before = mesh.triangles.size();
