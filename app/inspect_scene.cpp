@@ -183,7 +183,7 @@ Findings inspectMesh(const std::filesystem::path& file, const MotionReadOptions&
 
 Findings inspectScenario(const ScenarioFile& file, const LoadLimits& limits) {
   const Scenario scenario = readScenario(file);
-  const Scene scene = loadScene(scenario, limits);
+  const Scene scene = beginScene(scenario, limits).finish();
   const SceneGround ground(scene, groundSettings(scenario, loadLibrary(scenario)), limits.stop);
   Findings out{file.file.string(), "scenario", {}, {}, {}};
   const CharacterSpec& who = scenario.character;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -22,7 +23,11 @@ class Packer {
   }
   template <int rows, int columns>
   void operator()(const Eigen::Matrix<double, rows, columns>& matrix) {
-    for (int i = 0; i < rows * columns; ++i) (*this)(matrix.data()[i]);
+    bytes_.append(reinterpret_cast<const char*>(matrix.data()), sizeof(double) * rows * columns);
+  }
+  template <size_t count>
+  void operator()(const std::array<int, count>& values) {
+    bytes_.append(reinterpret_cast<const char*>(values.data()), sizeof values);
   }
   void operator()(const Eigen::Quaterniond& q) { (*this)(q.coeffs()); }
   void operator()(const std::string& text) {
@@ -51,7 +56,12 @@ class Unpacker {
   }
   template <int rows, int columns>
   void operator()(Eigen::Matrix<double, rows, columns>& matrix) {
-    for (int i = 0; i < rows * columns; ++i) (*this)(matrix.data()[i]);
+    constexpr size_t kBytes = sizeof(double) * rows * columns;
+    std::memcpy(matrix.data(), take(kBytes).data(), kBytes);
+  }
+  template <size_t count>
+  void operator()(std::array<int, count>& values) {
+    std::memcpy(values.data(), take(sizeof values).data(), sizeof values);
   }
   void operator()(Eigen::Quaterniond& q) { (*this)(q.coeffs()); }
   void operator()(std::string& text) { text = take(takeCount()); }

@@ -122,32 +122,52 @@ void keepFreedMemory() {
 
 }  // namespace
 
-GuardedAnswer runGuarded(const std::function<std::string()>& work, const GuardLimits& limits) {
+GuardedWork::GuardedWork(const std::function<std::string()>& work, GuardLimits limits)
+    : limits_(std::move(limits)) {
   std::array<int, 2> pipe_ends;
   if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) {
     throw std::system_error(errno, std::generic_category(), "pipe");
   }
-  const pid_t copy = fork();
-  if (copy == 0) {
+  copy_ = fork();
+  if (copy_ == 0) {
     close(pipe_ends[0]);
-    runCopy(work, limits, pipe_ends[1]);
+    runCopy(work, limits_, pipe_ends[1]);
   }
   const int problem = errno;
   close(pipe_ends[1]);
-  if (copy < 0) {
-    close(pipe_ends[0]);
+  from_ = pipe_ends[0];
+  if (copy_ < 0) {
+    close(from_);
     throw std::system_error(problem, std::generic_category(), "fork");
   }
-  GuardedAnswer answer;
-  const bool whole = readAll(pipe_ends[0], limits.stopped, answer.bytes);
-  close(pipe_ends[0]);
-  if (!whole) kill(copy, SIGKILL);
+}
+
+GuardedWork::~GuardedWork() {
+  if (copy_ >= 0) end(true);
+}
+
+// Its exit status.
+int GuardedWork::end(bool kill_it) {
+  close(from_);
+  if (kill_it) kill(copy_, SIGKILL);
   int status = 0;
-  while (waitpid(copy, &status, 0) < 0 && errno == EINTR) {
+  while (waitpid(copy_, &status, 0) < 0 && errno == EINTR) {
   }
+  copy_ = -1;
+  return status;
+}
+
+GuardedAnswer GuardedWork::answer() {
+  GuardedAnswer answer;
+  const bool whole = readAll(from_, limits_.stopped, answer.bytes);
+  const int status = end(!whole);
   answer.end = whole ? endOf(status) : GuardEnd::kStopped;
   if (!answer.done()) answer.bytes.clear();
   return answer;
+}
+
+GuardedAnswer runGuarded(const std::function<std::string()>& work, const GuardLimits& limits) {
+  return GuardedWork(work, limits).answer();
 }
 
 std::string GuardedAnswer::why(const GuardLimits& limits) const {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace amble {
 
@@ -32,10 +33,34 @@ struct GuardedAnswer {
   std::string why(const GuardLimits& limits) const;
 };
 
-/// Calls `work` in a copy of this process and returns what it returned, or which limit it went
-/// beyond; kBroken where it threw or crashed. The copy shares no memory, writes nothing to the
-/// terminal and ends without destructors. Costs a millisecond and the copying of the result. Under
-/// a sanitizer memory is not bounded.
+/// Work that a copy of this process does meanwhile. The copy shares no memory, writes nothing to
+/// the terminal and ends without destructors. Costs a millisecond and the copying of the result.
+/// Under a sanitizer memory is not bounded.
+class GuardedWork {
+ public:
+  /// Begins it. @throws std::system_error where there can be no more processes
+  explicit GuardedWork(const std::function<std::string()>& work, GuardLimits limits = {});
+  /// Ends it where nobody asked for its answer.
+  ~GuardedWork();
+  GuardedWork(GuardedWork&& other) noexcept
+      : limits_(std::move(other.limits_)),
+        copy_(std::exchange(other.copy_, -1)),
+        from_(other.from_) {}
+  GuardedWork& operator=(GuardedWork&&) = delete;
+
+  /// Waits for what it returned, or which limit it went beyond; kBroken where it threw or crashed.
+  /// @pre asked once
+  GuardedAnswer answer();
+
+ private:
+  int end(bool kill_it);
+
+  GuardLimits limits_;
+  int copy_ = -1;  // process; -1 once it has ended
+  int from_ = -1;  // where its answer comes out
+};
+
+/// The same, with nothing done meanwhile.
 GuardedAnswer runGuarded(const std::function<std::string()>& work, const GuardLimits& limits = {});
 
 }  // namespace amble

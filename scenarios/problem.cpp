@@ -93,12 +93,12 @@ std::string degrees(double angle) {
 
 }  // namespace
 
-Scene loadScene(const Scenario& scenario, const LoadLimits& limits) {
+SceneReading beginScene(const Scenario& scenario, const LoadLimits& limits) {
   if (!std::filesystem::exists(scenario.scene)) {
     scenario.source.fail("scene", "the scene '" + scenario.scene.string() + "' is not there",
                          "the path of a scene file, relative to this one");
   }
-  return readScene(scenario.scene, limits);
+  return SceneReading(scenario.scene, limits);
 }
 
 MotionLibrary loadLibrary(const Scenario& scenario) {
@@ -201,10 +201,18 @@ double chooseFloor(const Scene& scene, const SceneGround& ground, const Scenario
 
 Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& limits,
                  Checker checker)
+    : Problem(problem, frame_time, limits, checker, Stopwatch(), beginScene(problem, limits)) {}
+
+Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& limits,
+                 Checker checker, const Stopwatch& begun, SceneReading reading)
     : keys(problem.queries.empty() ? "" : keysOf(0)),
       scenario(problem),
-      scene(timed(times.scene, [&] { return loadScene(scenario, limits); })),
       library(timed(times.library, [&] { return loadLibrary(scenario); })),
+      scene([&] {
+        Scene read = reading.finish();
+        times.scene = begun.seconds() - times.library;
+        return read;
+      }()),
       ground(
           timed(times.ground, [&] { return makeGround(scene, scenario, library, limits.stop); })),
       floor(startFloor(scene, ground, scenario, keys)),

@@ -4,6 +4,7 @@
 
 #include "animation/library/motion_library.h"
 #include "animation/synthesis/walk_synthesizer.h"
+#include "base/stopwatch.h"
 #include "environments/body/body.h"
 #include "environments/collision/collision_world.h"
 #include "environments/ground/scene_ground.h"
@@ -28,8 +29,8 @@ struct Problem {
   std::string keys;  ///< of the query that is asked, before its places' own: "queries[1]."
   LoadTimes times;   ///< what making the parts below took; first, since they tell it
   Scenario scenario;
+  const MotionLibrary library;  // read while other processes read the scene's meshes
   const Scene scene;
-  const MotionLibrary library;
   const SceneGround ground;  ///< what the character can stand on, in all layers
   double floor;              ///< height of that which the start stands on [m, World]
   const WalkSynthesizer synthesizer;
@@ -49,10 +50,14 @@ struct Problem {
   Eigen::Vector3d stand(const Place& place, const std::string& key) const;
   /// Where to look: the scenario's bounds, or the extent of what can be walked on [m].
   Eigen::AlignedBox2d bounds() const;
+
+ private:
+  Problem(const Scenario& scenario, double frame_time, const LoadLimits& limits, Checker checker,
+          const Stopwatch& begun, SceneReading reading);
 };
 
 /// What a scenario names, as Problem reads it. @throws InputError; Stopped
-Scene loadScene(const Scenario& scenario, const LoadLimits& limits);
+SceneReading beginScene(const Scenario& scenario, const LoadLimits& limits);
 MotionLibrary loadLibrary(const Scenario& scenario);
 /// What is ground to the scenario's character, whose places are ground.
 GroundSettings groundSettings(const Scenario& scenario, const MotionLibrary& library);

@@ -1,9 +1,11 @@
 #include "environments/scene/mesh_reader.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/byte_pack.h"
 #include "base/error.h"
+#include "base/parallel.h"
 #include "environments/scene/mesh_header.h"
 #include "environments/scene/mesh_import.h"
 
@@ -27,8 +29,7 @@ void visitMesh(Pack& pack, Mesh& mesh) {
   size_t count = mesh.triangles.size();
   pack(count);
   mesh.triangles.resize(count);
-  for (auto& t : mesh.triangles)
-    for (auto& v : t) pack(v);
+  for (auto& t : mesh.triangles) pack(t);
 }
 
 template <typename Pack>
@@ -56,9 +57,9 @@ Answer readUnguarded(const std::filesystem::path& file) {
 }
 
 // The answers of all, in their order.
-GuardedAnswer readTogether(const std::vector<std::filesystem::path>& files,
-                           const GuardLimits& limits) {
-  return runGuarded(
+GuardedWork beginReading(const std::vector<std::filesystem::path>& files,
+                         const GuardLimits& limits) {
+  return GuardedWork(
       [&] {
         Packer pack;
         for (const std::filesystem::path& file : files) {
@@ -74,6 +75,34 @@ bool isSmallMesh(const std::filesystem::path& file) {
   std::error_code error;
   return std::filesystem::is_regular_file(file, error) && isMeshEnding(meshEnding(file)) &&
          std::filesystem::file_size(file, error) <= kSmallMesh && !error;
+}
+
+// Each once, those of most bytes first.
+std::vector<std::filesystem::path> smallOnes(const std::vector<std::filesystem::path>& files) {
+  std::vector<std::pair<size_t, std::filesystem::path>> sized;
+  for (const std::filesystem::path& file : files)
+    if (isSmallMesh(file)) sized.emplace_back(std::filesystem::file_size(file), file);
+  std::sort(sized.begin(), sized.end(), std::greater<>());
+  sized.erase(std::unique(sized.begin(), sized.end()), sized.end());
+  std::vector<std::filesystem::path> small;
+  for (auto& [size, file] : sized) small.push_back(std::move(file));
+  return small;
+}
+
+// As many shares as there are processors, of about as much work: each of what comes, which is
+// sorted, goes where least is.
+std::vector<std::vector<std::filesystem::path>> sharedOut(
+    const std::vector<std::filesystem::path>& files) {
+  if (files.size() < 2) return {};
+  const size_t count = std::min<size_t>(files.size() / 2, usualThreads());
+  std::vector<std::vector<std::filesystem::path>> shares(std::max<size_t>(1, count));
+  std::vector<size_t> bytes(shares.size(), 0);
+  for (const std::filesystem::path& file : files) {
+    const size_t least = std::min_element(bytes.begin(), bytes.end()) - bytes.begin();
+    bytes[least] += std::filesystem::file_size(file);
+    shares[least].push_back(file);
+  }
+  return shares;
 }
 
 // What can be said without opening the file. Returns its size [bytes].
@@ -99,7 +128,7 @@ MeshFile readMesh(const std::filesystem::path& file, size_t memory,
                   const std::function<bool()>& stopped) {
   const size_t size = requireMeshFile(file);
   const GuardLimits limits{memory, kLeastTime + kTimeOfMiB * static_cast<int>(size >> 20), stopped};
-  const GuardedAnswer guarded = readTogether({file}, limits);
+  const GuardedAnswer guarded = beginReading({file}, limits).answer();
   if (!guarded.done())
     throw InputError(file.string(), 0, "cannot be read: " + guarded.why(limits),
                      guarded.end == GuardEnd::kMemory ? std::string(kMoreMemory)
@@ -111,23 +140,24 @@ MeshFile readMesh(const std::filesystem::path& file, size_t memory,
   return std::move(answer.mesh);
 }
 
-std::map<std::filesystem::path, MeshFile> readSmallMeshes(
-    const std::vector<std::filesystem::path>& files, size_t memory,
-    const std::function<bool()>& stopped) {
-  std::vector<std::filesystem::path> small;
-  for (const std::filesystem::path& file : files)
-    if (isSmallMesh(file)) small.push_back(file);
-  std::sort(small.begin(), small.end());
-  small.erase(std::unique(small.begin(), small.end()), small.end());
+SmallMeshes::SmallMeshes(const std::vector<std::filesystem::path>& files, size_t memory,
+                         const std::function<bool()>& stopped) {
+  const std::vector<std::vector<std::filesystem::path>> shares = sharedOut(smallOnes(files));
+  for (const std::vector<std::filesystem::path>& share : shares)
+    shares_.push_back({share, beginReading(share, {memory / shares.size(), kLeastTime, stopped})});
+}
+
+std::map<std::filesystem::path, MeshFile> SmallMeshes::take() {
   std::map<std::filesystem::path, MeshFile> meshes;
-  if (small.size() < 2) return meshes;
-  const GuardedAnswer guarded = readTogether(small, {memory, kLeastTime, stopped});
-  if (!guarded.done()) return meshes;
-  Unpacker unpack(guarded.bytes);
-  for (const std::filesystem::path& file : small) {
-    Answer answer;
-    visitAnswer(unpack, answer);
-    if (answer.problem.empty()) meshes.emplace(file, std::move(answer.mesh));
+  for (Share& share : shares_) {
+    const GuardedAnswer guarded = share.reading.answer();
+    if (!guarded.done()) continue;
+    Unpacker unpack(guarded.bytes);
+    for (const std::filesystem::path& file : share.files) {
+      Answer answer;
+      visitAnswer(unpack, answer);
+      if (answer.problem.empty()) meshes.emplace(file, std::move(answer.mesh));
+    }
   }
   return meshes;
 }

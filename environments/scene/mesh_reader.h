@@ -47,11 +47,24 @@ MeshFile readMesh(const std::filesystem::path& file, size_t memory = GuardLimits
 /// Files up to this size are read together [bytes].
 inline constexpr size_t kSmallMesh = size_t{1} << 20;
 
-/// What readMesh gives of those that are small, read in one process: to start one for each costs
-/// more than to read it. What cannot be read is left out, and so are all where one breaks the
-/// process or is beyond its limits: readMesh says what is wrong with it.
-std::map<std::filesystem::path, MeshFile> readSmallMeshes(
-    const std::vector<std::filesystem::path>& files, size_t memory = GuardLimits{}.memory,
-    const std::function<bool()>& stopped = {});
+/// Reads those that are small meanwhile, in a process for each processor and not for each of them:
+/// to start one costs more than to read it.
+class SmallMeshes {
+ public:
+  /// Begins. @param memory, stopped  as for readMesh, of all together
+  explicit SmallMeshes(const std::vector<std::filesystem::path>& files,
+                       size_t memory = GuardLimits{}.memory,
+                       const std::function<bool()>& stopped = {});
+  /// Waits for what readMesh gives of each. What cannot be read is left out, and so are all of a
+  /// process that one breaks or brings beyond its limits: readMesh says what is wrong with it.
+  std::map<std::filesystem::path, MeshFile> take();
+
+ private:
+  struct Share {
+    std::vector<std::filesystem::path> files;
+    GuardedWork reading;
+  };
+  std::vector<Share> shares_;
+};
 
 }  // namespace amble

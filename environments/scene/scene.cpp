@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <optional>
 
 #include "base/error.h"
 #include "base/file_axes.h"
@@ -45,20 +46,28 @@ std::string shortNumber(double value) {
   return text;
 }
 
+}  // namespace
+
 // What is read of a scene file so far; mesh files are read once each.
-class SceneReader {
+class SceneReading::Reader {
  public:
-  SceneReader(const std::filesystem::path& file, const LoadLimits& limits)
+  Reader(const std::filesystem::path& file, const LoadLimits& limits)
       : file_(file), limits_(limits) {}
 
-  Scene read() {
-    const YamlNode root = readYaml(file_, kSceneFile);
-    root.requireKeys({"name", "objects"});
+  // The file itself; its meshes are begun.
+  void begin() {
+    root_ = readYaml(file_, kSceneFile);
+    root_.requireKeys({"name", "objects"});
     scene_.file = file_;
     scene_.inputs.push_back(file_);
-    scene_.name = root.has("name") ? root.at("name").asString() : file_.stem().string();
-    const YamlNode objects = root.at("objects");
-    readAhead(objects);
+    scene_.name = root_.has("name") ? root_.at("name").asString() : file_.stem().string();
+    readAhead(root_.at("objects"));
+  }
+
+  Scene finish() {
+    const YamlNode objects = root_.at("objects");
+    ahead_ = small_->take();
+    limits_.stop.check();
     for (const YamlNode& item : objects.items()) readObject(item);
     checkSize(objects);
     return std::move(scene_);
@@ -73,8 +82,7 @@ class SceneReader {
       const YamlNode mesh = item["mesh"];
       if (mesh && mesh.isScalar() && !mesh.isNull()) files.push_back(mesh.asPath());
     }
-    ahead_ = readSmallMeshes(files, limits_.memory, stopped());
-    limits_.stop.check();
+    small_.emplace(files, limits_.memory, stopped());
   }
 
   std::function<bool()> stopped() const {
@@ -270,8 +278,10 @@ class SceneReader {
   }
 
   std::filesystem::path file_;
-  const LoadLimits& limits_;
+  const LoadLimits limits_;
+  YamlNode root_;
   Scene scene_;
+  std::optional<SmallMeshes> small_;
   std::map<std::string, int> line_of_;  // of objects by name
   std::map<std::filesystem::path, MeshFile> ahead_,
       meshes_;  // read and not yet asked for; the rest
@@ -279,6 +289,8 @@ class SceneReader {
   double widest_ = -1.0;  // largest coordinate of the object that reaches farthest [m]
   YamlNode widest_node_;
 };
+
+namespace {
 
 char lowerCase(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
@@ -301,8 +313,17 @@ int Scene::triangleCount() const {
   return static_cast<int>(count);
 }
 
+SceneReading::SceneReading(const std::filesystem::path& file, const LoadLimits& limits)
+    : reader_(std::make_unique<Reader>(file, limits)) {
+  reader_->begin();
+}
+
+SceneReading::~SceneReading() = default;
+
+Scene SceneReading::finish() { return reader_->finish(); }
+
 Scene readScene(const std::filesystem::path& file, const LoadLimits& limits) {
-  return SceneReader(file, limits).read();
+  return SceneReading(file, limits).finish();
 }
 
 std::string objectName(const SceneObject& object) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -63,6 +64,20 @@ struct LoadLimits {
 /// names, `up` missing or not wanted, a scene under 0.5 m or over 1 km with the `scale` it would
 /// need); Stopped.
 Scene readScene(const std::filesystem::path& file, const LoadLimits& limits = {});
+
+/// The same in two steps, between which other work is done: its meshes are read meanwhile.
+class SceneReading {
+ public:
+  /// Reads the scene's own file. @throws as readScene
+  explicit SceneReading(const std::filesystem::path& file, const LoadLimits& limits = {});
+  ~SceneReading();
+  /// Waits for the meshes. @throws as readScene. @pre asked once
+  Scene finish();
+
+ private:
+  class Reader;
+  std::unique_ptr<Reader> reader_;
+};
 
 /// An object as messages and reports name it: its name in the scene, with that of its part of a
 /// mesh file where it is one.

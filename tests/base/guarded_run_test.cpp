@@ -1,7 +1,9 @@
 #include "base/guarded_run.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <stdexcept>
 #include <thread>
@@ -81,6 +83,35 @@ TEST(GuardedRun, TheResultComesBackWhateverItsLength) {
     const std::string bytes(length, '\0');
     EXPECT_EQ(runGuarded([&] { return bytes; }).bytes, bytes);
   }
+}
+
+// Each waits for a word of the other's: done one after the other, the first would wait for good.
+TEST(GuardedWork, SeveralAreDoneAtOnce) {
+  std::array<int, 2> forth, back;
+  ASSERT_EQ(pipe(forth.data()), 0);
+  ASSERT_EQ(pipe(back.data()), 0);
+  const auto greet = [](int to, int from) {
+    char word = 'x';
+    const bool met = write(to, &word, 1) == 1 && read(from, &word, 1) == 1;
+    return std::string(met ? "met" : "alone");
+  };
+  GuardedWork one([&] { return greet(forth[1], back[0]); });
+  GuardedWork other([&] { return greet(back[1], forth[0]); });
+  EXPECT_EQ(one.answer().bytes, "met");
+  EXPECT_EQ(other.answer().bytes, "met");
+  for (const int end : {forth[0], forth[1], back[0], back[1]}) close(end);
+}
+
+TEST(GuardedWork, WhatNobodyAsksForEndsWithItsOwner) {
+  std::array<int, 2> ends;
+  ASSERT_EQ(pipe(ends.data()), 0);
+  {
+    const GuardedWork work(forever);
+    close(ends[1]);
+  }
+  char word = 0;  // the copy held the other end of the pipe, and would for its minute of time
+  EXPECT_EQ(read(ends[0], &word, 1), 0);
+  close(ends[0]);
 }
 
 TEST(GuardedRun, NothingElseOfTheWorkIsSeen) {

@@ -323,7 +323,7 @@ TEST(ReadMesh, WhatTakesTooMuchMemorySaysHowToLetIt) {
 #endif
   const TestFolder folder;
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (int i = 0; i < 200000; ++i) text += "f 1 2 3\n";
+  for (int i = 0; i < 400000; ++i) text += "f 1 2 3\n";
   const auto file = folder.write("faces.obj", text);
   const std::string error = errorOf([&] { readMesh(file, size_t{32} << 20); });
   EXPECT_NE(error.find("more than 32 MB of memory"), std::string::npos) << error;
@@ -333,12 +333,12 @@ TEST(ReadMesh, WhatTakesTooMuchMemorySaysHowToLetIt) {
 
 const std::string kFlat = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-TEST(ReadSmallMeshes, GiveWhatEachAloneGives) {
+TEST(SmallMeshes, GiveWhatEachAloneGives) {
   const TestFolder folder;
   const std::vector<std::filesystem::path> files = {
       folder.write("a.obj", kFlat), folder.write("b.obj", "o two\n" + kFlat),
       folder.write("ramp.dae", collada("0.01", "Z_UP"))};
-  const auto together = readSmallMeshes(files);
+  const auto together = SmallMeshes(files).take();
   ASSERT_EQ(together.size(), files.size());
   for (const std::filesystem::path& file : files) {
     const MeshFile alone = readMesh(file);
@@ -351,18 +351,34 @@ TEST(ReadSmallMeshes, GiveWhatEachAloneGives) {
   }
 }
 
-TEST(ReadSmallMeshes, LeaveOutWhatCannotBeRead) {
+TEST(SmallMeshes, OfManyFilesEachIsItsOwn) {
+  const TestFolder folder;
+  std::vector<std::filesystem::path> files;
+  for (int k = 1; k <= 9; ++k) {
+    const std::string end = std::to_string(k);
+    std::string text = "v 0 0 0\nv " + end + " 0 0\nv 0 1 0\nf 1 2 3\n";
+    for (int line = 0; line < 40 * k; ++line) text += "# of different lengths\n";
+    files.push_back(folder.write("m" + end + ".obj", text));
+  }
+  const auto together = SmallMeshes(files).take();
+  ASSERT_EQ(together.size(), files.size());
+  for (int k = 1; k <= 9; ++k)
+    EXPECT_EQ(together.at(files[k - 1]).parts[0].mesh.vertices[1].x(), k);
+}
+
+TEST(SmallMeshes, LeaveOutWhatCannotBeRead) {
   const TestFolder folder;
   const auto good = folder.write("good.obj", kFlat), other = folder.write("other.obj", kFlat);
   const auto broken = folder.write("broken.obj", "this is\nno mesh\n");
-  const auto together = readSmallMeshes(
-      {folder.write("chair.txt", "chair"), broken, good, other, "/nowhere/chair.obj", good});
+  const std::vector<std::filesystem::path> files = {
+      folder.write("chair.txt", "chair"), broken, good, other, "/nowhere/chair.obj", good};
+  const auto together = SmallMeshes(files).take();
   ASSERT_EQ(together.size(), 2u);
   EXPECT_TRUE(together.contains(good) && together.contains(other));
 }
 
 // Nodes so deep that Assimp's parser runs out of stack.
-TEST(ReadSmallMeshes, WhereOneBreaksTheReaderTheOthersAreReadAlone) {
+TEST(SmallMeshes, WhereOneBreaksTheReaderTheOthersAreReadAlone) {
   const TestFolder folder;
   std::string deep = collada("1", "Z_UP");
   const size_t at = deep.find("<node ");
@@ -375,7 +391,9 @@ TEST(ReadSmallMeshes, WhereOneBreaksTheReaderTheOthersAreReadAlone) {
   deep.insert(at, down);
   folder.write("deep.dae", deep);
   folder.write("a.obj", kFlat);
-  EXPECT_TRUE(readSmallMeshes({folder.path() / "a.obj", folder.path() / "deep.dae"}).empty());
+  const std::vector<std::filesystem::path> both = {folder.path() / "a.obj",
+                                                   folder.path() / "deep.dae"};
+  EXPECT_TRUE(SmallMeshes(both).take().empty());
   const auto scene = folder.write("s.yaml",
                                   "objects:\n  - {name: a, mesh: a.obj, up: z}\n"
                                   "  - {name: deep, mesh: deep.dae}\n");
