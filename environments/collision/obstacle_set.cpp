@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.h"
 #include "environments/collision/fcl_surface.h"
 #include "environments/collision/segment_distance.h"
 #include "environments/collision/triangle_tree.h"
@@ -131,10 +132,14 @@ ObstacleSet::ScratchPtr ObstacleSet::makeScratch() { return ScratchPtr(new Scrat
 ObstacleSet::ObstacleSet(const std::vector<Obstacle>& obstacles, const StopRequest& stop,
                          Checker checker)
     : impl_(std::make_unique<Impl>()) {
-  std::vector<Eigen::AlignedBox3d> boxes;
-  for (const Obstacle& obstacle : obstacles) {
+  const int count = static_cast<int>(obstacles.size());
+  std::vector<Piece> pieces(obstacles.size());
+  parallelFor(count, usualThreads(), [&](int i, int) {
     stop.check();
-    Piece piece = makePiece(obstacle, checker);
+    pieces[i] = makePiece(obstacles[i], checker);
+  });
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (Piece& piece : pieces) {
     if (piece.bounds.isEmpty()) continue;
     impl_->bounds.extend(piece.bounds);
     boxes.push_back(piece.bounds);
