@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/parallel.h"
 #include "environments/scene/parity_column.h"
 
 namespace amble {
@@ -21,6 +22,10 @@ const TriangleMesh& meshOf(const Obstacle& surface) {
 std::vector<Obstacle> withoutSolids(std::vector<Obstacle> surfaces) {
   for (Obstacle& surface : surfaces) surface.solid = {};
   return surfaces;
+}
+
+Triangle3 cornersOf(const TriangleMesh& mesh, const std::array<int, 3>& t) {
+  return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
 }
 
 // Of all triangles, seen from above [m^2].
@@ -91,7 +96,7 @@ GroundLayer::GroundLayer(std::vector<Obstacle> surfaces, const StopRequest& stop
   for (const Obstacle& surface : surfaces) {
     const TriangleMesh& mesh = meshOf(surface);
     for (const std::array<int, 3>& t : mesh.triangles) {
-      triangles.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
+      triangles.push_back(cornersOf(mesh, t));
       const auto& [a, b, c] = triangles.back();
       normals_.push_back((b - a).cross(c - a).normalized());
       objects_.push_back(surface.object);
@@ -118,47 +123,71 @@ Eigen::Vector2i GroundLayer::cellOf(const Eigen::Vector2d& p) const {
   return cell;
 }
 
-// The heights that each triangle has over each cell.
-void GroundLayer::collect(const TriangleMesh& mesh, int solid, std::vector<Entry>& entries) const {
+// The columns of a row that a triangle lies over, first and last, or a few more.
+std::pair<int, int> GroundLayer::columnsOf(const Triangle3& t, int row, int low, int high) const {
+  constexpr int kFew = 4;  // for which it is not worth it
+  if (high - low < kFew) return {low, high};
+  const double y = extent_.min().y() + cell_ * row;
+  const auto part = boundsWithin(
+      t, {Eigen::Vector2d(-HUGE_VAL, y - kSeam), Eigen::Vector2d(HUGE_VAL, y + cell_ + kSeam)});
+  if (!part) return {0, -1};
+  const double margin = 2.0 * kSeam;
+  return {cellOf({part->min().x() - margin, y}).x(), cellOf({part->max().x() + margin, y}).x()};
+}
+
+// The heights that a triangle has over each cell of the rows.
+void GroundLayer::collect(const Triangle3& t, int solid, int first_row, int last_row,
+                          std::vector<Entry>& entries) const {
   constexpr double kRounding = 1e-9;  // [m]
-  for (const std::array<int, 3>& t : mesh.triangles) {
-    const Triangle3 corners = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
-    Eigen::AlignedBox2d plan;
-    for (const Eigen::Vector3d& corner : corners) plan.extend(Eigen::Vector2d(corner.head<2>()));
-    const Eigen::Vector2i low = cellOf(plan.min().array() - kSeam),
-                          high = cellOf(plan.max().array() + kSeam);
-    for (int j = low.y(); j <= high.y(); ++j) {
-      for (int i = low.x(); i <= high.x(); ++i) {
-        const Eigen::Vector2d corner = extent_.min() + cell_ * Eigen::Vector2d(i, j);
-        const auto heights = heightsWithin(
-            corners, {corner.array() - kSeam, (corner.array() + (cell_ + kSeam)).matrix()});
-        if (heights)
-          entries.push_back(
-              {j * count_.x() + i, solid, {heights->low - kRounding, heights->high + kRounding}});
-      }
+  Eigen::AlignedBox2d plan;
+  for (const Eigen::Vector3d& corner : t) plan.extend(Eigen::Vector2d(corner.head<2>()));
+  const Eigen::Vector2i low = cellOf(plan.min().array() - kSeam),
+                        high = cellOf(plan.max().array() + kSeam);
+  for (int j = std::max(low.y(), first_row); j <= std::min(high.y(), last_row); ++j) {
+    const auto [first, last] = columnsOf(t, j, low.x(), high.x());
+    for (int i = first; i <= last; ++i) {
+      const Eigen::Vector2d corner = extent_.min() + cell_ * Eigen::Vector2d(i, j);
+      const auto heights =
+          heightsWithin(t, {corner.array() - kSeam, (corner.array() + (cell_ + kSeam)).matrix()});
+      if (heights)
+        entries.push_back(
+            {j * count_.x() + i, solid, {heights->low - kRounding, heights->high + kRounding}});
     }
   }
 }
 
-// By cells, and the lowest first.
-std::vector<GroundLayer::Entry> GroundLayer::entriesOf(const std::vector<Obstacle>& surfaces,
-                                                       const StopRequest& stop) const {
-  std::vector<Entry> entries;
+// The triangles of surfaces and solids that lie over each strip of rows. What of a solid is in the
+// surface too, in the same order, is taken once.
+std::vector<std::vector<GroundLayer::Face>> GroundLayer::facesByStrip(
+    const std::vector<Obstacle>& surfaces, int strips) const {
+  std::vector<std::vector<Face>> by_strip(strips);
+  const auto add = [&](const Triangle3& t, int solid) {
+    const auto [low, high] = std::minmax({t[0].y(), t[1].y(), t[2].y()});
+    const int first = cellOf({extent_.min().x(), low - kSeam}).y() / kStripRows;
+    const int last = cellOf({extent_.min().x(), high + kSeam}).y() / kStripRows;
+    for (int strip = first; strip <= last; ++strip) by_strip[strip].push_back({t, solid});
+  };
   for (size_t k = 0; k < surfaces.size(); ++k) {
-    stop.check();
-    collect(meshOf(surfaces[k]), static_cast<int>(k), entries);
-    collect(surfaces[k].solid, static_cast<int>(k), entries);
+    const TriangleMesh &mesh = meshOf(surfaces[k]), &solid = surfaces[k].solid;
+    for (const std::array<int, 3>& t : mesh.triangles) add(cornersOf(mesh, t), static_cast<int>(k));
+    size_t next = 0;
+    for (const std::array<int, 3>& t : solid.triangles) {
+      const Triangle3 corners = cornersOf(solid, t);
+      const bool known =
+          next < mesh.triangles.size() && corners == cornersOf(mesh, mesh.triangles[next]);
+      if (known)
+        ++next;
+      else
+        add(corners, static_cast<int>(k));
+    }
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return std::tie(a.cell, a.span.low, a.span.high) < std::tie(b.cell, b.span.low, b.span.high);
-  });
-  return entries;
+  return by_strip;
 }
 
 // Spans are the heights of surfaces, what lies between two of them where it is inside a solid, and
 // whatever is below the lowest. Within a cell no surface lies between two spans, so one point tells
 // for all, and a solid that is met has surfaces over the cell.
-void GroundLayer::fillCell(std::span<const Entry> entries) {
+void GroundLayer::fillCell(std::span<const Entry> entries, std::vector<Span>& spans) const {
   const int cell = entries.front().cell;
   std::vector<int> over;
   for (const Entry& entry : entries)
@@ -170,28 +199,52 @@ void GroundLayer::fillCell(std::span<const Entry> entries) {
   ParityColumn column(
       extent_.min() + cell_ * Eigen::Vector2d(cell % count_.x() + 0.5, cell / count_.x() + 0.5),
       0.5 * cell_, std::move(solids));
-  spans_.push_back({kNone, entries.front().span.high});
+  spans.push_back({kNone, entries.front().span.high});
   for (const Entry& entry : entries.subspan(1)) {
     const Span& span = entry.span;
-    const double top = spans_.back().high;
+    const double top = spans.back().high;
     if (span.low <= top || column.isInside(0.5 * (top + span.low))) {
-      spans_.back().high = std::max(top, span.high);
+      spans.back().high = std::max(top, span.high);
     } else {
-      spans_.push_back(span);
+      spans.push_back(span);
     }
   }
 }
 
-void GroundLayer::fillSpans(const std::vector<Obstacle>& surfaces, const StopRequest& stop) {
-  const std::vector<Entry> entries = entriesOf(surfaces, stop);
-  const int cells = count_.x() * count_.y();
+// The cells of some rows, in their order.
+GroundLayer::Strip GroundLayer::fillStrip(const std::vector<Face>& faces, int first_row,
+                                          int last_row) const {
+  std::vector<Entry> entries;
+  for (const Face& face : faces) collect(face.corners, face.solid, first_row, last_row, entries);
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.cell, a.span.low, a.span.high) < std::tie(b.cell, b.span.low, b.span.high);
+  });
+  Strip strip;
   size_t next = 0;
-  for (int cell = 0; cell < cells; ++cell) {
-    start_.push_back(static_cast<int>(spans_.size()));
-    if (cell % count_.x() == 0) stop.check();
+  for (int cell = first_row * count_.x(); cell < (last_row + 1) * count_.x(); ++cell) {
+    strip.start.push_back(static_cast<int>(strip.spans.size()));
     const size_t first = next;
     while (next < entries.size() && entries[next].cell == cell) ++next;
-    if (next > first) fillCell(std::span(entries).subspan(first, next - first));
+    if (next > first) fillCell(std::span(entries).subspan(first, next - first), strip.spans);
+  }
+  return strip;
+}
+
+// By strips of rows, on all threads: each is of its own.
+void GroundLayer::fillSpans(const std::vector<Obstacle>& surfaces, const StopRequest& stop) {
+  const int strips = (count_.y() + kStripRows - 1) / kStripRows;
+  std::vector<std::vector<Face>> faces = facesByStrip(surfaces, strips);
+  std::vector<Strip> filled(strips);
+  parallelFor(strips, usualThreads(), [&](int k, int) {
+    stop.check();
+    const int first_row = k * kStripRows;
+    filled[k] = fillStrip(faces[k], first_row, std::min(first_row + kStripRows, count_.y()) - 1);
+    faces[k] = {};
+  });
+  for (const Strip& strip : filled) {
+    const int before = static_cast<int>(spans_.size());
+    for (const int start : strip.start) start_.push_back(before + start);
+    spans_.insert(spans_.end(), strip.spans.begin(), strip.spans.end());
   }
   start_.push_back(static_cast<int>(spans_.size()));
   for (const Span& span : spans_) top_ = std::max(top_, span.high);

@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "environments/body/capsule.h"
@@ -63,11 +64,25 @@ class GroundLayer {
     Span span;
   };
 
+  struct Face {
+    Triangle3 corners;
+    int solid;  // in solids_
+  };
+  // Cells of some rows: start of each one's spans, which are lowest first.
+  struct Strip {
+    std::vector<int> start;
+    std::vector<Span> spans;
+  };
+  static constexpr int kStripRows = 16;
+
   void fillSpans(const std::vector<Obstacle>& surfaces, const StopRequest& stop);
-  std::vector<Entry> entriesOf(const std::vector<Obstacle>& surfaces,
-                               const StopRequest& stop) const;
-  void collect(const TriangleMesh& mesh, int solid, std::vector<Entry>& entries) const;
-  void fillCell(std::span<const Entry> entries);
+  std::vector<std::vector<Face>> facesByStrip(const std::vector<Obstacle>& surfaces,
+                                              int strips) const;
+  Strip fillStrip(const std::vector<Face>& faces, int first_row, int last_row) const;
+  void collect(const Triangle3& t, int solid, int first_row, int last_row,
+               std::vector<Entry>& entries) const;
+  std::pair<int, int> columnsOf(const Triangle3& t, int row, int low, int high) const;
+  void fillCell(std::span<const Entry> entries, std::vector<Span>& spans) const;
   void fillNearTops();
   Eigen::Vector2i cellOf(const Eigen::Vector2d& p) const;
   bool meetsSpan(const Eigen::AlignedBox3d& box) const;

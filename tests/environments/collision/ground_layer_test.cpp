@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "tests/environments/test_scenes.h"
 
@@ -49,6 +51,33 @@ TEST(GroundLayer, WhatLiesUnderTheGroundIsTouchedThoughItTouchesNoSurface) {
   EXPECT_GE(rug.touched({5, 0, -0.05}, {5.1, 0, -0.05}, 0.0), 0);   // within the slab
   EXPECT_GE(rug.touched({5, 0, -3.0}, {5.1, 0, -3.0}, 0.005), 0);   // a storey below
   EXPECT_EQ(rug.touched({15, 0, -3.0}, {15.1, 0, -3.0}, 0.0), -1);  // beside the floor
+}
+
+// The layer takes triangles that the solid shares with the surface once, whatever comes between.
+TEST(GroundLayer, ASolidThatIsTheSurfaceInAnotherOrderIsTheSame) {
+  const TriangleMesh slab = makeBox({6, 5, 0.4});
+  TriangleMesh shuffled = slab, top = slab;
+  std::swap(shuffled.triangles[1], shuffled.triangles[7]);
+  std::reverse(shuffled.triangles.begin() + 3, shuffled.triangles.end());
+  std::erase_if(top.triangles, [&](const std::array<int, 3>& t) {
+    return slab.vertices[t[0]].z() + slab.vertices[t[1]].z() + slab.vertices[t[2]].z() < 0.5;
+  });
+  ASSERT_EQ(top.triangles.size(), 2u);
+  const auto here = Eigen::Isometry3d::Identity();
+  const GroundLayer same({{0, slab, here, slab}}), other({{0, slab, here, shuffled}}),
+      covered({{0, top, here, slab}});
+  const auto scratch = ObstacleSet::makeScratch();
+  std::mt19937_64 generator(21);
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(-3.5, -3, -0.5), Eigen::Vector3d(3.5, 3, 0.6));
+  int touching = 0;
+  for (int n = 0; n < 5000; ++n) {
+    const Capsule capsule = randomCapsule(generator, box, 0.3);
+    const int object = same.touched(capsule, 0.0, *scratch);
+    EXPECT_EQ(other.touched(capsule, 0.0, *scratch), object);
+    EXPECT_EQ(same.isAbove(capsule, 0.0), covered.isAbove(capsule, 0.0));
+    touching += object >= 0;
+  }
+  EXPECT_GT(touching, 1000);
 }
 
 TEST(GroundLayer, TheEdgeOfARugIsTouchedFromTheSideOnly) {
