@@ -16,6 +16,8 @@ std::string readWholeStream(std::istream& in, const std::string& name, const Fil
   constexpr size_t kBlock = 1 << 16;
   std::vector<char> block(std::min(kBlock, kind.limit + 1));
   std::string bytes;
+  const std::streamsize ready = in.rdbuf()->in_avail();  // of a file, all; -1 where none knows
+  if (ready > 0) bytes.reserve(std::min(static_cast<size_t>(ready), kind.limit));
   while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
     bytes.append(block.data(), static_cast<size_t>(in.gcount()));
     if (bytes.size() <= kind.limit) continue;

@@ -10,6 +10,7 @@
 #include "animation/captures/text_cursor.h"
 #include "base/error.h"
 #include "base/rotation.h"
+#include "base/trigonometry.h"
 
 namespace amble {
 namespace {
@@ -53,15 +54,16 @@ class BvhReader {
   double readFrameTime();
   void makeRoom(Clip& clip, size_t frames) const;
   void readFrame(Clip& clip, int frame);
-  void setPose(Clip& clip, int frame) const;
+  void setPose(Clip& clip, int frame);
 
   TextCursor in_;
   std::optional<double> frame_time_;
   BvhNotes& notes_;
   Hierarchy tree_;
-  std::vector<Eigen::Vector3d> positions_;  // of the frame being read, by joint, file units
-  std::vector<Eigen::Vector3d> angles_;     // the same, in each joint's order [rad]
-  bool moving_joints_ = false;              // a joint other than the root has position channels
+  std::vector<Eigen::Vector3d> positions_;        // of the frame being read, by joint, file units
+  std::vector<Eigen::Vector3d> half_angles_;      // half of the same, in each joint's order [rad]
+  std::vector<Eigen::Vector3d> sines_, cosines_;  // of these
+  bool moving_joints_ = false;  // a joint other than the root has position channels
 };
 
 Clip BvhReader::read() {
@@ -201,7 +203,8 @@ void BvhReader::readMotion(Clip& clip) {
   const size_t room = in_.remaining() / (2 * std::max<size_t>(1, tree_.columns.size())) + 1;
   makeRoom(clip, std::min<size_t>(frames, room));
   positions_.resize(tree_.joints.size());
-  angles_.assign(tree_.joints.size(), Eigen::Vector3d::Zero());
+  half_angles_.assign(tree_.joints.size(), Eigen::Vector3d::Zero());
+  sines_ = cosines_ = half_angles_;
   for (size_t j = 0; j < tree_.joints.size(); ++j) positions_[j] = tree_.joints[j].offset;
   const std::string promised =
       std::to_string(frames) + " as line " + std::to_string(count_line) + " says";
@@ -259,7 +262,7 @@ void BvhReader::readFrame(Clip& clip, int frame) {
     if (column.quantity == Quantity::kPosition) {
       positions_[column.joint][column.axis] = value;
     } else {
-      angles_[column.joint][column.axis] = value * kDegree;
+      half_angles_[column.joint][column.axis] = 0.5 * kDegree * value;
     }
   }
   if (!in_.atLineEnd()) {
@@ -268,9 +271,14 @@ void BvhReader::readFrame(Clip& clip, int frame) {
   setPose(clip, frame);
 }
 
-void BvhReader::setPose(Clip& clip, int frame) const {
+void BvhReader::setPose(Clip& clip, int frame) {
   const std::span<Eigen::Quaterniond> q = clip.poses.rotations(frame);
-  for (size_t j = 0; j < q.size(); ++j) q[j] = fromEuler(angles_[j], tree_.joints[j].order);
+  const auto numbers = [](std::vector<Eigen::Vector3d>& vectors) {
+    return std::span(vectors.front().data(), 3 * vectors.size());
+  };
+  sinesAndCosines(numbers(half_angles_), numbers(sines_), numbers(cosines_));
+  for (size_t j = 0; j < q.size(); ++j)
+    q[j] = fromHalfEuler(sines_[j], cosines_[j], tree_.joints[j].order);
   clip.poses.p_WR(frame) = positions_[0];
   if (!moving_joints_) return;
   clip.joint_positions.insert(clip.joint_positions.end(), positions_.begin(), positions_.end());

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <set>
 #include <stdexcept>
 
@@ -12,6 +13,7 @@
 #include "base/error.h"
 #include "base/output_file.h"
 #include "base/rotation.h"
+#include "base/trigonometry.h"
 
 namespace amble {
 namespace {
@@ -42,7 +44,11 @@ int64_t toTicks(double value, double ticks_per_unit) {
   if (!(std::abs(value) <= kMaxLength)) {
     throw std::invalid_argument("writeBvh: a number is not finite or above 1e9");
   }
-  return std::llround(value * ticks_per_unit);
+  // To the nearest, halves away from zero: std::llround in line.
+  const double scaled = value * ticks_per_unit;
+  const int64_t whole = static_cast<int64_t>(scaled);
+  const double rest = scaled - static_cast<double>(whole);
+  return whole + (rest >= 0.5) - (rest <= -0.5);
 }
 
 // Two digits at a time: "00" to "99".
@@ -55,35 +61,53 @@ constexpr std::array<char, 200> kPairs = [] {
   return pairs;
 }();
 
-/// `count` digits of a number, the last ones, before `end`; where they begin.
-char* putDigits(uint64_t number, int count, char* end) {
-  for (; count >= 2; count -= 2, number /= 100) {
-    end -= 2;
-    std::copy_n(kPairs.data() + 2 * (number % 100), 2, end);
-  }
-  if (count > 0) *--end = static_cast<char>('0' + number % 10);
-  return end;
+char* putPair(uint64_t number, char* at) {
+  std::memcpy(at, kPairs.data() + 2 * number, 2);
+  return at + 2;
 }
 
-/// Fixed point, never in an exponent, never "-0.000000", the same in every locale.
+/// All digits of a number, none before the first.
+char* putWhole(uint64_t number, char* at) {
+  if (number >= 100) {
+    at = putWhole(number / 100, at);
+  } else if (number < 10) {
+    *at++ = static_cast<char>('0' + number);
+    return at;
+  }
+  return putPair(number % 100, at);
+}
+
+constexpr size_t kLongest = 24;  // of a number's text: sign, 19 digits, point
+
+/// Fixed point, never in an exponent, never "-0.000000", the same in every locale. Returns its end.
 template <int kPlaces>
-void appendFixed(std::string& out, int64_t ticks) {
+char* putFixed(int64_t ticks, char* at) {
   constexpr uint64_t kWhole = [] {
     uint64_t power = 1;
     for (int i = 0; i < kPlaces; ++i) power *= 10;
     return power;
   }();
-  char digits[32];
   const uint64_t magnitude =
       ticks < 0 ? static_cast<uint64_t>(-ticks) : static_cast<uint64_t>(ticks);
-  char* const end = digits + sizeof digits;
-  char* at = putDigits(magnitude % kWhole, kPlaces, end);
-  *--at = '.';
-  uint64_t whole = magnitude / kWhole;
-  for (; whole >= 100; whole /= 100) at = putDigits(whole, 2, at);
-  at = putDigits(whole, whole >= 10 ? 2 : 1, at);
-  if (ticks < 0) *--at = '-';
-  out.append(at, static_cast<size_t>(end - at));
+  if (ticks < 0) *at++ = '-';
+  at = putWhole(magnitude / kWhole, at);
+  *at++ = '.';
+  uint64_t left = magnitude % kWhole, power = kWhole;
+// So that it is divided by constants.
+#pragma GCC unroll 4
+  for (int place = 0; place + 2 <= kPlaces; place += 2) {
+    power /= 100;
+    at = putPair(left / power, at);
+    left %= power;
+  }
+  if (kPlaces % 2 > 0) *at++ = static_cast<char>('0' + left);
+  return at;
+}
+
+template <int kPlaces>
+void appendFixed(std::string& out, int64_t ticks) {
+  char text[kLongest];
+  out.append(text, putFixed<kPlaces>(ticks, text));
 }
 
 int64_t nearestTurn(int64_t angle, int64_t target) {
@@ -101,9 +125,42 @@ double squaredDistance(const Ticks& a, const Ticks& b) {
   return sum;
 }
 
-/// The Z X Y angles of `q` that continue `previous` best: unwrapEuler in whole ticks.
-Ticks continuedAngles(const Eigen::Quaterniond& q, const Ticks& previous) {
-  const Eigen::Vector3d degrees = toEuler(q.normalized(), kOrder) / kDegree;
+/// The Z X Y angles of many rotations at once: for each three quotients of its matrix's entries,
+/// which whatever it is scaled by leaves the same. With a, b, c the angles,
+///   R01 = -sin a cos b,  R11 = cos a cos b,  R21 = sin b,  R20 = -cos b sin c,  R22 = cos b cos c.
+class ManyAngles {
+ public:
+  explicit ManyAngles(size_t rotations)
+      : y_(3 * rotations), x_(3 * rotations), angle_(3 * rotations) {}
+
+  void set(size_t i, const Eigen::Quaterniond& q) {
+    const double w = q.w(), x = q.x(), y = q.y(), z = q.z();
+    const double r20 = 2.0 * (x * z - w * y), r22 = (w * w + z * z) - (x * x + y * y);
+    y_[3 * i] = 2.0 * (w * z - x * y);
+    x_[3 * i] = (w * w + y * y) - (x * x + z * z);
+    y_[3 * i + 1] = 2.0 * (y * z + w * x);
+    x_[3 * i + 1] = std::sqrt(r20 * r20 + r22 * r22);
+    y_[3 * i + 2] = -r20;
+    x_[3 * i + 2] = r22;
+  }
+  void solve() { arcTangents(y_, x_, angle_); }
+
+  /// Of q, which was set as i [degrees]. Near gimbal lock the outer angles are so small parts of
+  /// the matrix that they are taken one after the other.
+  Eigen::Vector3d degrees(size_t i, const Eigen::Quaterniond& q) const {
+    constexpr double kSteep = 10.0;  // of the middle angle's tangent: 84 degrees
+    if (std::abs(y_[3 * i + 1]) < kSteep * x_[3 * i + 1])
+      return Eigen::Vector3d(angle_[3 * i], angle_[3 * i + 1], angle_[3 * i + 2]) / kDegree;
+    return toEuler(q.normalized(), kOrder) / kDegree;
+  }
+
+ private:
+  std::vector<double> y_, x_, angle_;
+};
+
+/// The Z X Y angles that mean the same as these and continue `previous` best: unwrapEuler in whole
+/// ticks.
+Ticks continuedAngles(const Eigen::Vector3d& degrees, const Ticks& previous) {
   Ticks a = {toTicks(degrees[0], kTicks), toTicks(degrees[1], kTicks), toTicks(degrees[2], kTicks)};
   if (std::abs(a[1]) >= kQuarterTurn - kGimbal) {
     // Only the sum (at +90, the difference at -90) of the outer angles is known: the last stays as
@@ -146,6 +203,8 @@ class BvhWriter {
   std::vector<int> order_;                  // joints in the order of the file
   std::vector<Ticks> angles_;               // last written, by joint
   std::vector<std::string> names_;
+  ManyAngles solved_;             // of a frame, in the order of the file
+  std::vector<char> frame_text_;  // room for a frame's numbers
   int depth_ = 0;
   std::string text_;
 };
@@ -155,7 +214,9 @@ BvhWriter::BvhWriter(const Clip& clip, const BvhWriteOptions& options)
       units_per_metre_(1.0 / options.metres_per_unit),
       children_(clip.skeleton.size()),
       angles_(clip.skeleton.size(), Ticks{0, 0, 0}),
-      names_(bvhJointNames(clip.skeleton)) {
+      names_(bvhJointNames(clip.skeleton)),
+      solved_(clip.skeleton.size()),
+      frame_text_(3 * (1 + clip.skeleton.size()) * (1 + kLongest)) {
   if (clip.skeleton.size() == 0 || clip.poses.joints() != clip.skeleton.size()) {
     throw std::invalid_argument("writeBvh: the clip's poses are not its skeleton's");
   }
@@ -244,20 +305,25 @@ void BvhWriter::appendOffset(const Eigen::Vector3d& p) {
 void BvhWriter::appendFrame(int frame) {
   const Eigen::Vector3d& p_WR = clip_.poses.p_WR(frame);
   const Eigen::Vector3d p_file = units_per_metre_ * Eigen::Vector3d(p_WR.x(), p_WR.z(), -p_WR.y());
-  for (int i = 0; i < 3; ++i) {
-    if (i > 0) text_ += ' ';
-    appendFixed<kDecimals>(text_, toTicks(p_file[i], kTicks));
-  }
+  char* at = frame_text_.data();
+  const auto put = [&](int64_t ticks) {
+    at = putFixed<kDecimals>(ticks, at);
+    *at++ = ' ';
+  };
+  for (int i = 0; i < 3; ++i) put(toTicks(p_file[i], kTicks));
   const std::span<const Eigen::Quaterniond> rotations = clip_.poses.rotations(frame);
-  for (const int j : order_) {
-    const Eigen::Quaterniond q = j == 0 ? yUpToWorld().conjugate() * rotations[0] : rotations[j];
-    angles_[j] = continuedAngles(q, angles_[j]);
-    for (const int64_t angle : angles_[j]) {
-      text_ += ' ';
-      appendFixed<kDecimals>(text_, angle);
-    }
+  const auto inFile = [&](int j) {
+    return j == 0 ? yUpToWorld().conjugate() * rotations[0] : rotations[j];
+  };
+  for (size_t i = 0; i < order_.size(); ++i) solved_.set(i, inFile(order_[i]));
+  solved_.solve();
+  for (size_t i = 0; i < order_.size(); ++i) {
+    const int j = order_[i];
+    angles_[j] = continuedAngles(solved_.degrees(i, inFile(j)), angles_[j]);
+    for (const int64_t angle : angles_[j]) put(angle);
   }
-  text_ += '\n';
+  at[-1] = '\n';
+  text_.append(frame_text_.data(), at);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "animation/captures/text_cursor.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -23,32 +24,55 @@ std::string quoted(std::string_view text) {
   return "'" + shown + (text.size() > kMaxQuoted ? "..." : "") + "'";
 }
 
-// Whole numbers up to 10^15 and powers of ten up to 10^15 are doubles without rounding, so that
-// their quotient is the nearest double (Clinger 1990).
-constexpr int kExactDigits = 15;
-constexpr double kPowers[kExactDigits + 1] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                              1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+// Whole numbers up to 2^53 and powers of ten up to 10^22 are doubles without rounding, so that
+// their product or quotient is the nearest double (Clinger 1990).
+constexpr int kMostDigits = 19;  // that a uint64_t holds, whatever they are
+constexpr uint64_t kMostExact = uint64_t{1} << 53;
+constexpr std::array<double, 23> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                            1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                            1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-/// A number as captures have them, `-12.345678` with a blank behind it, and where it ends; null for
-/// any other.
+/// The digits from `at` on, behind those that are known; where they end.
+const char* addDigits(const char* at, const char* end, uint64_t& digits) {
+  for (; at != end && isDigit(*at); ++at) digits = 10 * digits + static_cast<uint64_t>(*at - '0');
+  return at;
+}
+
+/// An exponent of up to three digits behind its e; null for any other.
+const char* parseExponent(const char* at, const char* end, int& exponent) {
+  const bool negative = at != end && *at == '-';
+  if (at != end && (*at == '-' || *at == '+')) ++at;
+  uint64_t digits = 0;
+  const char* const after = addDigits(at, end - at > 3 ? at + 3 : end, digits);
+  if (after == at) return nullptr;
+  exponent += (negative ? -1 : 1) * static_cast<int>(digits);
+  return after;
+}
+
+/// A number as captures have them, `-12.345678` or `1.2e-05` with a blank behind it, and where it
+/// ends; null for any other, and for one that takes more than an exact step.
 const char* parsePlain(const char* at, const char* end, double& value) {
   const bool negative = at != end && *at == '-';
   at += negative;
-  int64_t digits = 0;
-  int count = 0, point = -1;
-  for (; at != end && count <= kExactDigits; ++at) {
-    if (*at >= '0' && *at <= '9') {
-      digits = 10 * digits + (*at - '0');
-      ++count;
-    } else if (*at == '.' && point < 0) {
-      point = count;
-    } else {
-      break;
-    }
+  // As many digits as are safe at once; a longer number has others behind them.
+  const char* const begin = at;
+  const char* const last = end - at > kMostDigits ? at + kMostDigits : end;
+  uint64_t digits = 0;
+  int exponent = 0;
+  at = addDigits(at, last, digits);
+  ptrdiff_t count = at - begin;
+  if (at != last && *at == '.') {
+    const char* const point = at++;
+    at = addDigits(at, last, digits);
+    exponent = static_cast<int>(point + 1 - at);
+    count -= exponent;
   }
-  if (count == 0 || count > kExactDigits || at == end || !isSpace(*at)) return nullptr;
+  if (count == 0 || digits > kMostExact || at == end) return nullptr;
+  if ((*at | 0x20) == 'e') at = parseExponent(at + 1, end, exponent);
+  if (at == nullptr || at == end || !isSpace(*at)) return nullptr;
+  if (exponent < -22 || exponent > 22) return nullptr;
   value = static_cast<double>(digits);
-  if (point >= 0) value /= kPowers[count - point];
+  value = exponent < 0 ? value / kPowers[-exponent] : value * kPowers[exponent];
   if (negative) value = -value;
   return at;
 }

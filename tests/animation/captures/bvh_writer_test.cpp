@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <locale>
+#include <random>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -126,6 +129,42 @@ TEST(BvhWriter, CentimetresAreAHundredTimesTheMetres) {
   const Clip again = readAgain(written(clip, 0.01), 0.01);
   EXPECT_LT(largestDistance(readAgain(written(clip)), again), 1e-5);
   EXPECT_EQ(written(again, 0.01), written(clip, 0.01));
+}
+
+// Ties, zeros with a sign, what is just below the next digit, and the largest.
+TEST(BvhWriter, NumbersAreThoseThatPrintfWritesOfTheirMillionths) {
+  std::vector<double> values = {
+      0.0,       -0.0,   5e-7,   -5e-7,     4.9999999e-7,      -4e-7,
+      0.5,       2.5e-6, 1.5e-6, 9.9999995, 99.9999995,        999.9999995,
+      -999.9995, 1e9,    -1e9,   1e-300,    999999999.9999995, 123.456789};
+  std::mt19937_64 generator(4);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int n = 0; n < 100000; ++n)
+    values.push_back(unit(generator) * std::pow(10.0, 9.0 * std::abs(unit(generator))));
+  while (values.size() % 3 != 0) values.push_back(1.0);
+  Clip clip;
+  Joint root;
+  root.name = "root";
+  root.parent = -1;
+  clip.skeleton = Skeleton({root});
+  clip.frame_time = 0.01;
+  clip.poses = PoseArray(1);
+  clip.poses.resize(static_cast<int>(values.size() / 3));
+  for (int i = 0; i < clip.frames(); ++i)  // z up, and the file's y
+    clip.poses.p_WR(i) = {values[3 * i], -values[3 * i + 2], values[3 * i + 1]};
+  std::ostringstream out;
+  writeBvh(out, clip);
+  std::istringstream in(out.str().substr(out.str().find("Frame Time")));
+  std::string line, found;
+  std::getline(in, line);
+  for (size_t i = 0; i < values.size(); ++i) {
+    char right[64];
+    const auto millionths = static_cast<double>(std::llround(values[i] * 1e6));
+    std::snprintf(right, sizeof right, "%.6f", millionths == 0.0 ? 0.0 : millionths / 1e6);
+    in >> found;
+    ASSERT_EQ(found, right) << values[i];
+    if (i % 3 == 2) std::getline(in, line);
+  }
 }
 
 TEST(BvhWriter, NamesAreUniqueAndClean) {

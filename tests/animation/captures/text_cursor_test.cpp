@@ -2,7 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
+#include <limits>
+#include <random>
 
 #include "base/error.h"
 
@@ -52,6 +59,43 @@ TEST(TextCursor, ReadsNumbersAsCWritesThem) {
   for (const auto& [text, value] : numbers) {
     TextCursor in(text, "f");
     EXPECT_EQ(in.number(1000.0), value) << text;
+  }
+}
+
+constexpr double kAnySize = std::numeric_limits<double>::infinity();
+
+// Of up to 21 digits, with and without an exponent, as printf writes them.
+std::string randomNumber(std::mt19937_64& generator) {
+  const auto draw = [&](int low, int high) {
+    return std::uniform_int_distribution<int>(low, high)(generator);
+  };
+  const double value = std::uniform_real_distribution<double>(-1.0, 1.0)(generator);
+  constexpr const char* kFormats[] = {"%.*f", "%.*e", "%.*g", "%.*E"};
+  char text[64];
+  std::snprintf(text, sizeof text, kFormats[draw(0, 3)], draw(0, 20),
+                value * std::pow(10.0, draw(-30, 30) / 3));
+  return text;
+}
+
+TEST(TextCursor, NumbersAreTheNearestDoublesAsStrtodFindsThem) {
+  // At the ends of what is decided in one step, beyond them, and halfway between two doubles.
+  std::string text =
+      "9007199254740991 9007199254740992 9007199254740993 9007199254740993.0 9999999999999999999 "
+      "99999999999999999999 9223372036854775808 18446744073709551616 0.1e1 1e22 1e23 3e-22 3e-23 "
+      "9007199254740992e22 1.7976931348623157e308 2.2250738585072014e-308 4.9e-324 -0 -0.0 0e5 "
+      "123456789012345678.9 0.00000000000000000000001 1000000000000000000000000 0.1 .1 1. 00001.5 "
+      "1e+3 1E-03 8.5e0000002 1e000 0.500000000000000166533453693773481063544750213623046875 "
+      "1.00000000000000011102230246251565404236316680908203125 1234567890123456789.5 ";
+  std::mt19937_64 generator(3);
+  for (int n = 0; n < 1000000; ++n) text += randomNumber(generator) + " ";
+  TextCursor in(text, "f");
+  const char* at = text.c_str();
+  while (in.skipBlankLines()) {
+    char* end = nullptr;
+    const double right = std::strtod(at, &end), found = in.number(kAnySize);
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(found), std::bit_cast<std::uint64_t>(right))
+        << std::string_view(at, static_cast<size_t>(end - at));
+    at = end;
   }
 }
 
