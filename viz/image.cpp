@@ -9,7 +9,11 @@
 namespace amble {
 namespace {
 
-constexpr int kCompression = 6;  // zlib's level: 9 saves 2 % more and takes four times as long
+// zlib's level: 6 saves 5 % more and takes twice as long, 9 another 2 % and four times. Rows as
+// differences from those above: as small as with the best filter for each row, a third sooner
+// found.
+constexpr int kCompression = 4;
+constexpr int kFilter = PNG_FILTER_UP;
 
 void appendBytes(png_structp png, png_bytep data, png_size_t size) {
   static_cast<std::ostream*>(png_get_io_ptr(png))
@@ -45,6 +49,7 @@ void writePng(std::ostream& out, const Image& image) {
   PngWriter writer;
   png_set_write_fn(writer.png, &out, appendBytes, flushBytes);
   png_set_compression_level(writer.png, kCompression);
+  png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, kFilter);
   png_set_IHDR(writer.png, writer.info, image.width, image.height, 8, PNG_COLOR_TYPE_RGB,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_write_info(writer.png, writer.info);

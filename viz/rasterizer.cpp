@@ -41,6 +41,31 @@ struct ScreenTriangle {
   std::array<Vector3f, 3> normal;
 };
 
+// Cuts [x0, x1] down to where a row of samples may lie in the triangle: beside it each edge, seen
+// from the row's left end, is crossed. A sample more at both ends against rounding, which what is
+// far larger than a picture leaves no sense in.
+void narrowRow(const ScreenTriangle& t, double area, double y, int& x0, int& x1) {
+  constexpr float kFar = 1e5f;
+  double low = x0, high = x1;
+  for (int k = 0; k < 3; ++k) {
+    const Vector2f &p = t.at[k], &q = t.at[(k + 1) % 3];
+    if (p.cwiseAbs().maxCoeff() > kFar) return;
+    const double dx = static_cast<double>(q.x()) - p.x(), dy = static_cast<double>(q.y()) - p.y();
+    if (dy == 0.0) continue;
+    const double crossed = p.x() + (y - p.y()) / dy * dx - 0.5;
+    if ((dy > 0.0) == (area > 0.0))
+      high = std::min(high, crossed + 1.0);
+    else
+      low = std::max(low, crossed - 1.0);
+  }
+  if (low > high) {
+    x1 = x0 - 1;
+    return;
+  }
+  x0 = std::max(x0, static_cast<int>(std::floor(low)));
+  x1 = std::min(x1, static_cast<int>(std::ceil(high)));
+}
+
 // Calls visit(x, y, weights) for every sample of the triangle whose row is in [first, last).
 template <typename Visit>
 void coverSamples(const ScreenTriangle& t, int width, int first, int last, const Visit& visit) {
@@ -55,8 +80,11 @@ void coverSamples(const ScreenTriangle& t, int width, int first, int last, const
   const int y0 = std::max(first, static_cast<int>(std::max(low_y, -1.0f)));
   const int y1 = std::min(last - 1, static_cast<int>(std::min(high_y, 1e6f)));
   const float inverse = 1 / area;
+  constexpr int kNarrow = 8;  // samples, all of which are sooner asked
   for (int y = y0; y <= y1; ++y) {
-    for (int x = x0; x <= x1; ++x) {
+    int from = x0, to = x1;
+    if (to - from > kNarrow) narrowRow(t, area, y + 0.5, from, to);
+    for (int x = from; x <= to; ++x) {
       const Vector2f s(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
       const float w0 = ((b - s).x() * (c - s).y() - (b - s).y() * (c - s).x()) * inverse;
       const float w1 = ((c - s).x() * (a - s).y() - (c - s).y() * (a - s).x()) * inverse;
