@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "planner/steering/ground_range.h"
+
 namespace amble {
 namespace {
 
@@ -16,6 +18,9 @@ constexpr double kOfRadius = 0.4;
 // Of a leg from the path, at any height [m].
 constexpr double kStride = 0.5;
 constexpr double kLowestHips = 0.4;  // of stature
+// The feet of who has a ball at a place are no farther from there, of stature.
+constexpr double kFeet = 0.5;
+constexpr double kLevels = 0.04;  // between heights at which a ball is tried where ground is uneven
 constexpr double kThinnest = 0.01;   // a smaller ball is none [m]
 constexpr int kStopEvery = 1 << 10;  // squares between looks at the clock
 
@@ -47,7 +52,8 @@ std::vector<PartWay> waysOfParts(const StraightWalk& walk, const Skeleton& skele
 }  // namespace
 
 BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
-                     const Body& body, double stature, double highest_step) {
+                     const Body& body, double stature, double highest_step)
+    : stature_(stature) {
   if (walk.buffer.size() == 0) return;
   const std::vector<PartWay> ways = waysOfParts(walk, skeleton, body);
   for (int part = 0; part < static_cast<int>(body.parts.size()); ++part) {
@@ -56,15 +62,17 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
     const double low = way.middle.min()[0] - kDip, high = way.middle.max()[0] + kRise;
     const double aside = way.aside + kDip;
     if (part == body.head) {
-      balls_.push_back({high, std::max(high, body.upright - own.radius), own.radius, aside, part});
+      balls_.push_back(
+          {high, std::max(high, body.upright - own.radius), HUGE_VAL, own.radius, aside, part});
     } else if (own.joint == roles.hips || own.name == "chest") {
       const double middle = 0.5 * (low + high), radius = own.radius - 0.5 * (high - low);
-      if (radius > kThinnest) balls_.push_back({middle, middle, radius, aside, part});
+      if (radius > kThinnest) balls_.push_back({middle, middle, HUGE_VAL, radius, aside, part});
     } else if (own.joint == roles.legs[kLeft].leg || own.joint == roles.legs[kRight].leg) {
       // The leg, from the hip to the ankle, crosses this height once, with the thigh or the shank.
       const double height = highest_step + kAnkle * stature;
       if (height < kLowestHips * stature)
-        balls_.push_back({height, height, own.radius, kStride, part});
+        balls_.push_back(
+            {height, height, kLowestHips * stature - height, own.radius, kStride, part});
     }
   }
   std::stable_sort(balls_.begin(), balls_.end(),
@@ -75,8 +83,10 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
 class BodyReach::Flood {
  public:
   Flood(const Ball& ball, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-        const CollisionWorld& world, const SceneGround& ground, CollisionScratch& scratch)
+        const CollisionWorld& world, const SceneGround& ground, const GroundRange& range,
+        CollisionScratch& scratch)
       : ball_(ball),
+        range_(range),
         square_(std::min(kLargest, kOfRadius * std::sqrt(2.0) * ball.radius)),
         from_(from),
         to_(to),
@@ -105,11 +115,10 @@ class BodyReach::Flood {
     const Eigen::Vector2d p = middle(square);
     return (p - from_.head<2>()).norm() + (p - to_.head<2>()).norm();
   }
-  int object(const Eigen::Vector2d& p) const {
-    const Eigen::Vector3d low(p.x(), p.y(), from_.z() + ball_.height);
-    const Eigen::Vector3d high(p.x(), p.y(), from_.z() + ball_.top);
-    return world_.touched(low, high, ball_.radius - std::sqrt(0.5) * square_, scratch_);
+  int touched(const Eigen::Vector2d& p, double low, double high, double radius) const {
+    return world_.touched({p.x(), p.y(), low}, {p.x(), p.y(), high}, radius, scratch_);
   }
+  int object(const Eigen::Vector2d& p) const;
   Barrier between(const std::vector<int>& before, int last) const;
   bool begin(const Eigen::Vector3d& end, int side);
   bool reach(int square, int side);
@@ -117,6 +126,7 @@ class BodyReach::Flood {
   bool flood(int side, size_t most);
 
   const Ball& ball_;
+  const GroundRange& range_;
   const double square_;  // side [m]
   const Eigen::Vector3d from_, to_;
   const CollisionWorld& world_;
@@ -127,6 +137,30 @@ class BodyReach::Flood {
   std::array<std::vector<int>, 2> squares_;  // reached from each end, in order
   std::array<size_t, 2> next_ = {0, 0};      // of them whose neighbours are to be looked at
 };
+
+// What the ball touches wherever in the square it is, and whatever of the ground around the feet
+// stand on; -1: perhaps nothing.
+int BodyReach::Flood::object(const Eigen::Vector2d& p) const {
+  const Eigen::AlignedBox1d ground = range_.around(p);
+  if (ground.isEmpty()) return -1;
+  const double rise = ground.sizes()[0], radius = ball_.radius - std::sqrt(0.5) * square_;
+  const double low = ground.min()[0] + ball_.height, high = ground.max()[0] + ball_.height;
+  if (rise <= SceneGround::kLevel)
+    return touched(p, high, ground.min()[0] + std::max(ball_.top, ball_.height), radius);
+  if (ball_.most_rise < HUGE_VAL)
+    return rise > ball_.most_rise ? -1 : touched(p, high, high, radius);
+  if (ball_.top > ball_.height)
+    return rise > ball_.top - ball_.height ? -1
+                                           : touched(p, high, ground.min()[0] + ball_.top, radius);
+  const int first = touched(p, low, low, radius);
+  if (first < 0 || touched(p, high, high, radius) < 0) return -1;
+  const int count = static_cast<int>(std::ceil(rise / kLevels));
+  for (int i = 0; i <= count; ++i) {
+    const double height = low + rise * i / count;
+    if (touched(p, height, height, radius - 0.5 * kLevels) < 0) return -1;
+  }
+  return first;
+}
 
 // @return whether the other side has been there
 bool BodyReach::Flood::reach(int square, int side) {
@@ -213,11 +247,13 @@ BodyReach::Barrier BodyReach::Flood::between(const std::vector<int>& before, int
   while (before[way.back()] != way.back()) way.push_back(before[way.back()]);
   const Eigen::Vector2d far = middle(way.front()), near = middle(way.back());
   Barrier barrier{ball_.part, -1, from_, from_, from_};
-  barrier.far.head<2>() = far;
-  barrier.near.head<2>() = near;
   const Eigen::Vector2d at = middle(way[way.size() / 2]);
+  const Eigen::AlignedBox1d ground = range_.around(at);
+  const double z = ground.isEmpty() ? from_.z() : ground.min()[0];
+  barrier.far << far, z;
+  barrier.near << near, z;
   barrier.object = object(at);
-  barrier.at << at, from_.z() + ball_.height;
+  barrier.at << at, z + ball_.height;
   return barrier;
 }
 
@@ -227,9 +263,10 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(const Eigen::Vector3d& from
                                                      const SceneGround& ground,
                                                      CollisionScratch& scratch,
                                                      const std::function<bool()>& stopped) const {
-  if (!ground.isLevel()) return std::nullopt;
+  const GroundRange range(ground, kFeet * stature_);
+  if (!range.isKnown()) return std::nullopt;
   for (const Ball& ball : balls_) {
-    Flood flood(ball, from, to, world, ground, scratch);
+    Flood flood(ball, from, to, world, ground, range, scratch);
     if (flood.isShut(stopped)) return flood.barrier();
   }
   return std::nullopt;

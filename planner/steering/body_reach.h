@@ -13,8 +13,9 @@
 /// standing holds at every frame, and would hold kRise higher or kDip lower, as who turns, bends or
 /// steps over things is; squares are left across their corners too; ends count as all squares as
 /// far from them as a ball is from the path at most, and kDip more; and the flood may leave the
-/// ground by kBeyond. Asked where the ground is level: elsewhere the
-/// body is carried otherwise.
+/// ground by kBeyond. Where the ground around is uneven the body may be carried as over the lowest
+/// of it or as over the highest, or anyhow between: a ball is kept off by what it would touch at
+/// each of these heights. Ground in several layers it says nothing of.
 ///
 /// So "shut" is certain, up to walks that carry pelvis or chest otherwise than the straight one by
 /// more than that, of which tests find none; "not shut" says little.
@@ -52,7 +53,7 @@ class BodyReach {
   };
   /// None says nothing. Cost: a few hundred nanoseconds a square, of the smaller part at most
   /// twice.
-  /// @param from, to  on level ground [m, World]
+  /// @param from, to  on the ground [m, World]
   /// @param stopped  asked now and then; where it says so nothing is known
   std::optional<Barrier> barrier(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                  const CollisionWorld& world, const SceneGround& ground,
@@ -61,6 +62,7 @@ class BodyReach {
 
   struct Ball {
     double height = 0.0, top = 0.0;  ///< of its middle over the ground, and up to there [m]
+    double most_rise = 0.0;          ///< of ground around, over which it may be asked about [m]
     double radius = 0.0;             ///< [m, > 0]
     double aside = 0.0;              ///< from the path, at most [m]
     int part = -1;                   ///< of the body
@@ -70,6 +72,7 @@ class BodyReach {
 
  private:
   class Flood;
+  double stature_;
   std::vector<Ball> balls_;
 };
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/rotation.h"
+#include "base/sample_stream.h"
 #include "planner/obstruction.h"
 #include "planner/steering/walk_steering.h"
 #include "tests/planner/furnished_room.h"
@@ -145,6 +146,46 @@ TEST(PlanWalk, ThatASealedPassageLeavesNoWalkIsProvedAndSaysByWhat) {
   EXPECT_EQ(outcome.why->rule, WalkRule::kDisconnected);
   EXPECT_TRUE(outcome.why->object == "wall" || outcome.why->object == "door")
       << outcome.why->object;
+}
+
+// Want of width, of height or of a step, on level ground and beside a kerb.
+TEST(PlanWalk, DrawnRoomsThatNobodyGetsThroughEndWithAProofBeforeAnySample) {
+  SampleStream stream(9, 0);
+  const double stature = furnishedRoom().synthesizer.stature();
+  for (int i = 0; i < 20; ++i) {
+    Scene scene = furnishedScene();
+    scene.objects.resize(5);  // the floor and four walls
+    const auto add = [&](const std::string& name, const Eigen::Vector3d& size,
+                         const Eigen::Vector3d& at) {
+      scene.objects.push_back(boxObject(name, size, at));
+    };
+    const double x = stream.uniform(3.2, 4.0), thick = stream.uniform(0.05, 0.3);
+    double goal_height = 0.0;
+    if (i % 4 == 0) {
+      const double gap = stream.uniform(0.02, 0.08), south = stream.uniform(0.5, 3.0);
+      add("south of it", {thick, south, 2.5}, {x, 0.5 * south, 1.25});
+      add("north of it", {thick, 4 - south - gap, 2.5}, {x, 0.5 * (4 + south + gap), 1.25});
+    } else if (i % 4 == 1) {
+      const double under = stature - stream.uniform(0.04, 0.5);
+      add("beam", {thick, 4, 1.2}, {x, 2, under + 0.6});
+    } else if (i % 4 == 2) {
+      const double height = stream.uniform(0.5, 0.9);
+      add("log", {thick, 4, height}, {x, 2, 0.5 * height});
+    } else {
+      goal_height = stream.uniform(0.35, 0.9);
+      add("platform", {6 - x, 4, goal_height}, {0.5 * (6 + x), 2, 0.5 * goal_height});
+    }
+    if (i % 8 >= 4 && i % 4 != 3) add("kerb", {0.4, 4, 0.12}, {1.55, 2, 0.06});
+    const FurnishedRoom room(scene);
+    PlanRequest request = requestIn(room);
+    request.goal.position.z() = goal_height;
+    request.limits.max_failures = 1;
+    const PlanOutcome outcome = planWalk(request);
+    EXPECT_EQ(outcome.status, PlanStatus::kNoWalk) << i;
+    EXPECT_TRUE(outcome.proved) << i;
+    EXPECT_EQ(outcome.samples, 0) << i;
+    EXPECT_TRUE(outcome.why.has_value()) << i;
+  }
 }
 
 // A gap that is open, but for nobody: samples say so.

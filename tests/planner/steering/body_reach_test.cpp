@@ -6,6 +6,7 @@
 
 #include "base/rotation.h"
 #include "base/sample_stream.h"
+#include "planner/steering/ground_range.h"
 #include "planner/steering/walk_steering.h"
 #include "tests/planner/furnished_room.h"
 
@@ -152,6 +153,81 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
   }
   EXPECT_GE(reach.balls().size(), 5u);
   EXPECT_GT(lifted, highest);  // somebody stepped over a log
+}
+
+// A room of 6 x 4 m with a step up to a platform.
+std::vector<SceneObject> platform(double height) {
+  return {boxObject("platform", {2.0, 4.0, height}, {5, 2, 0.5 * height}),
+          boxObject("step", {0.4, 4.0, 0.5 * height}, {3.8, 2, 0.25 * height})};
+}
+
+TEST(BodyReach, WhatShutsOffDoesWhereTheGroundIsUneven) {
+  const auto shuts = [](double height, const SceneObject& thing) {
+    std::vector<SceneObject> things = platform(height);
+    things.push_back(thing);
+    const FurnishedRoom room(roomWith(things));
+    EXPECT_FALSE(room.ground.isLevel());
+    return shutOff(room, kWest, kEast + Eigen::Vector3d(0, 0, height)).has_value();
+  };
+  for (const double x : {2.5, 3.6, 4.2}) {  // far from the steps, before them and over them
+    EXPECT_TRUE(shuts(0.3, boxObject("wall", {0.1, 4.0, 2.5}, {x, 2, 1.25}))) << x;
+  }
+  EXPECT_FALSE(shuts(0.3, boxObject("wall", {0.1, 3.1, 2.5}, {3.6, 1.55, 1.25})));
+  EXPECT_TRUE(shuts(0.3, boxObject("log", {0.2, 4.0, 0.6}, {1.8, 2, 0.3})));
+  EXPECT_TRUE(shuts(0.3, boxObject("beam", {0.2, 4.0, 0.3}, {1.8, 2, 1.7})));
+  EXPECT_FALSE(shuts(0.3, boxObject("beam", {0.2, 4.0, 0.3}, {1.8, 2, 1.9})));
+}
+
+// What is walked over steps is not shut off, and pelvis and chest are carried between what would be
+// over the lowest ground and over the highest.
+TEST(BodyReach, NoWalkOverStepsWasShutOffAndTheirPosesHoldTheBalls) {
+  SampleStream stream(5, 0);
+  int walked = 0;
+  double least = HUGE_VAL;
+  for (const double height : {0.3, 0.45}) {
+    std::vector<SceneObject> things = platform(height);
+    things.push_back(boxObject("post", {0.3, 0.3, 2.0}, {stream.uniform(1.5, 4.5), 2.0, 1.0}));
+    const FurnishedRoom room(roomWith(things));
+    const WalkSteering steering(room.synthesizer, room.world, room.ground);
+    const double highest = room.ground.settings().limits.highestStep();
+    const double stature = room.synthesizer.stature();
+    const BodyReach reach(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
+                          room.synthesizer.roles(), room.body, stature, highest);
+    const GroundRange range(room.ground, 0.5 * stature);
+    const auto scratch = steering.makeScratch();
+    AnimationBuffer buffer;
+    std::vector<JointFrame> joints(room.synthesizer.skeleton().size());
+    std::vector<Eigen::Vector3d> a(room.body.parts.size()), b(room.body.parts.size());
+    for (int i = 0; i < 60; ++i) {
+      Waypoint from = anywhere(stream), to = anywhere(stream);
+      if (!steering.place(from.stance) || !steering.place(to.stance)) continue;
+      const auto result = steering.steer(from, to, *scratch);
+      if (!result.edge || from.stance.position.z() == to.stance.position.z()) continue;
+      ++walked;
+      EXPECT_FALSE(
+          steering.shutOff(from.stance.position, to.stance.position, never, *scratch).has_value());
+      steering.animate(*result.edge, buffer);
+      for (int frame = 0; frame < buffer.size(); ++frame) {
+        forwardKinematics(room.synthesizer.skeleton(), buffer.poses[frame], joints);
+        placeBody(room.body, joints, a, b);
+        for (const BodyReach::Ball& ball : reach.balls()) {
+          const BodyPart& part = room.body.parts[ball.part];
+          if (part.name != "pelvis" && part.name != "chest") continue;
+          const Eigen::Vector3d middle = 0.5 * (a[ball.part] + b[ball.part]);
+          const auto ground = range.around(middle.head<2>());
+          ASSERT_FALSE(ground.isEmpty());
+          const double spare = part.radius - ball.radius;
+          const double low = middle.z() - (ground.min()[0] + ball.height - spare);
+          const double high = ground.max()[0] + ball.height + spare - middle.z();
+          least = std::min({least, low, high});
+          ASSERT_GT(low, 0.0) << part.name;
+          ASSERT_GT(high, 0.0) << part.name;
+        }
+      }
+    }
+  }
+  EXPECT_GE(walked, 10);
+  EXPECT_LT(least, 0.1);  // somebody uses what is allowed for
 }
 
 TEST(BodyReach, WhoIsStoppedKnowsNothing) {
