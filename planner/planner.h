@@ -8,6 +8,9 @@
 /// the bit, and not on those before it, beside it, or on threads. What the roadmap does not answer
 /// is searched as planWalk searches it, so there is a walk wherever planWalk finds one. Every walk
 /// is refined, and checked as a whole, as planWalk's are.
+///
+/// A visibility roadmap is next to a tree: between rooms with several doors it knows one way, which
+/// may be a long one, and refinement leads by no other door.
 #pragma once
 
 #include <memory>

@@ -420,7 +420,7 @@ std::optional<std::pair<int, int>> SampledRoadmap::nearestOutside(int node) cons
   for (int inside = 0; inside < roadmap_.size(); ++inside) {
     if (piece[inside] != piece[node]) continue;
     for (int outside = 0; outside < roadmap_.size(); ++outside) {
-      const double distance = (at(inside) - at(outside)).norm();
+      const double distance = (at(inside) - at(outside)).squaredNorm();
       if (piece[outside] == piece[node] || distance >= least) continue;
       least = distance;
       nearest = {inside, outside};
@@ -429,7 +429,20 @@ std::optional<std::pair<int, int>> SampledRoadmap::nearestOutside(int node) cons
   return nearest;
 }
 
-// Each piece once, with the nearest of the others, there and back.
+// Ways from one node to the other over a map of what is around both.
+void SampledRoadmap::followWaysNear(int from, int to, const SearchLimits& limits) {
+  if (leads(from, to)) return;
+  const auto place = [&](int node) { return roadmap_.nodes()[node].at.stance.position; };
+  Eigen::AlignedBox2d ends(place(from).head<2>());
+  ends.extend(place(to).head<2>().eval());
+  const auto guide = steering_.guide(place(from), place(to),
+                                     sampler_.bounds().intersection(grown(ends, kFirstMargin)),
+                                     [&] { return limits.stopped(); });
+  if (guide) followWays(*guide, from, to, limits);
+}
+
+// Each piece once, with the nearest of the others, there and back: with more of them few more are
+// joined, and the stances of ways in vain are many.
 void SampledRoadmap::joinPieces(const SearchLimits& limits) {
   std::vector<int> first;  // node of each piece
   const std::vector<int> piece = roadmap_.components();
@@ -438,13 +451,8 @@ void SampledRoadmap::joinPieces(const SearchLimits& limits) {
   for (const int node : first) {
     const auto pair = nearestOutside(node);
     if (!pair || limits.stopped()) return;
-    for (const auto& [from, to] : {*pair, std::pair(pair->second, pair->first)}) {
-      if (leads(from, to)) continue;
-      const auto place = [&](int end) { return roadmap_.nodes()[end].at.stance.position; };
-      const auto guide = steering_.guide(place(from), place(to), sampler_.bounds(),
-                                         [&] { return limits.stopped(); });
-      if (guide) followWays(*guide, from, to, limits);
-    }
+    followWaysNear(pair->first, pair->second, limits);
+    followWaysNear(pair->second, pair->first, limits);
   }
 }
 

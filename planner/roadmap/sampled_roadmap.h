@@ -85,8 +85,8 @@ class SampledRoadmap {
   bool connect(int from, int to, const SearchLimits& limits);
 
   /// Without a query: adds the ends of all passages, and samples from all of the bounds until the
-  /// counted limit is reached or limits.stopped(). What then is in pieces is joined by ways over
-  /// the map where they are walked: from each piece to the nearest of the others.
+  /// counted limit is reached or limits.stopped(). What then is in pieces is joined by ways over a
+  /// map where they are walked: each piece with the nearest of the others.
   void fill(const SearchLimits& limits);
 
   void clear();  ///< as if made anew
@@ -135,6 +135,7 @@ class SampledRoadmap {
   bool leads(int from, int to) const;
   void joinPieces(const SearchLimits& limits);
   std::optional<std::pair<int, int>> nearestOutside(int node) const;
+  void followWaysNear(int from, int to, const SearchLimits& limits);
   int insert(Candidate candidate, SteeringScratch& scratch);
   std::optional<bool> askMap(WayGuide* guide, int from, int to, const SearchLimits& limits,
                              SteeringScratch& scratch);

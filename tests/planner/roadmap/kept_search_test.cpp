@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "planner/roadmap/visibility_roadmap.h"
 #include "tests/planner/disc_steering.h"
 #include "tests/planner/search_limits_of.h"
@@ -136,6 +138,40 @@ TEST_F(KeptTwoRooms, AFilledRoadmapEndsAtItsFailuresAndIsTheSameAtAnyNumberOfThr
   ASSERT_EQ(one.edges.size(), five.edges.size());
   for (size_t i = 0; i < one.edges.size(); ++i) EXPECT_EQ(one.edges[i].cost, five.edges[i].cost);
   EXPECT_EQ(one.samples, five.samples);
+}
+
+// Knows one way, through the gap.
+class GuidedDisc : public DiscSteering {
+ public:
+  std::unique_ptr<WayGuide> guide(const Eigen::Vector3d& from, const Eigen::Vector3d&,
+                                  const Eigen::AlignedBox2d&,
+                                  const std::function<bool()>&) const override {
+    struct Way : WayGuide {
+      std::vector<Stance> stances;
+      std::optional<std::vector<Stance>> next() override {
+        if (stances.empty()) return std::nullopt;
+        return std::exchange(stances, {});
+      }
+      void avoid(const Eigen::Vector3d&) override {}
+      std::optional<Narrow> narrowest() const override { return std::nullopt; }
+    };
+    auto way = std::make_unique<Way>();
+    way->stances = {standing(3.2, 4.5).stance, standing(4.8, 4.5).stance};
+    if (from.x() > 4.0) std::swap(way->stances[0], way->stances[1]);
+    return way;
+  }
+};
+
+TEST(FilledRoadmap, PiecesAreJoinedByWaysWhichCountAsNoSamples) {
+  DiscSteering alone;
+  GuidedDisc guided;
+  twoRooms(alone, 0.42);
+  twoRooms(guided, 0.42);
+  const KeptRoadmap apart = filled(alone, 1, 10), joined = filled(guided, 1, 10);
+  ASSERT_GE(apart.pieces(), 2);
+  EXPECT_EQ(joined.pieces(), 1);
+  EXPECT_EQ(joined.samples, apart.samples);
+  EXPECT_EQ(joined.coverage, apart.coverage);
 }
 
 }  // namespace
