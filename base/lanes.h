@@ -111,7 +111,7 @@ struct SinCos {
 // The nearest quarter turn is taken off in two parts, of which the first has few enough digits for
 // its multiples to be exact; the rest are fdlibm's polynomials (Sun Microsystems 1993) up to an
 // eighth of a turn. Within 3e-16 up to 1e5 radians.
-inline SinCos sinCos(const Lanes& angle) {
+inline __attribute__((always_inline)) SinCos sinCos(const Lanes& angle) {
   constexpr double kQuarters = 0.63661977236758134308;  // 2 / pi
   constexpr double kQuarter = 1.57079632673412561417, kQuarterRest = 6.07710050650619224932e-11;
   constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: what is added to it is rounded

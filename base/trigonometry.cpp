@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "base/lanes.h"
 #include "base/processor.h"
 
 #define AMBLE_INLINE inline __attribute__((always_inline))
@@ -15,30 +16,14 @@ namespace amble {
 namespace {
 
 constexpr size_t kLanes = 4;
-using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
-using Bits = int64_t __attribute__((vector_size(kLanes * sizeof(int64_t))));
+using Bits = LaneBits;
 
 AMBLE_INLINE Bits bitsOf(const Lanes& x) { return reinterpret_cast<Bits>(x); }
 AMBLE_INLINE Lanes numberOf(const Bits& x) { return reinterpret_cast<Lanes>(x); }
 
 constexpr int64_t kSign = std::numeric_limits<int64_t>::min();
 
-// Adding it to a number below 2^51 in size leaves the nearest whole number in the last bits.
-constexpr double kRounder = 6755399441055744.0;  // 1.5 * 2^52
-
-// A quarter turn in three pieces of 33 bits: whole multiples of the first two are exact.
-constexpr double kTwoOverPi = 6.36619772367581382433e-01;
-constexpr double kQuarter1 = 1.57079632673412561417e+00, kQuarter2 = 6.07710050630396597660e-11,
-                 kQuarter3 = 2.02226624879595063154e-21;
 constexpr double kLargestCut = 1e5;  // angles beyond are left to the C library [rad]
-
-// sin r = r + r^3 (S0 + S1 r^2 + ...), cos r = 1 - r^2/2 + r^4 (C0 + C1 r^2 + ...), |r| <= pi/4.
-constexpr std::array<double, 6> kSine = {-1.66666666666666324348e-01, 8.33333333332248946124e-03,
-                                         -1.98412698298579493134e-04, 2.75573137070700676789e-06,
-                                         -2.50507602534068634195e-08, 1.58969099521155010221e-10};
-constexpr std::array<double, 6> kCosine = {4.16666666666666019037e-02, -1.38888888888741095749e-03,
-                                           2.48015872894767294178e-05, -2.75573143513906633035e-07,
-                                           2.08757232129817482790e-09, -1.13596475577881948265e-11};
 
 // atan r = r + r^3 P(r^2) / Q(r^2), |r| <= 0.66; the highest power first, Q's is 1.
 constexpr std::array<double, 5> kP = {-8.750608600031904122785e-01, -1.615753718733365076637e+01,
@@ -52,28 +37,6 @@ constexpr std::array<double, 6> kQ = {1.0,
                                       1.945506571482613964425e+02};
 constexpr double kSteep = 0.66;  // above it 45 degrees are taken off
 constexpr double kPi1 = 3.141592653589793116, kPi2 = 1.224646799147353207e-16;
-
-AMBLE_INLINE void sineCosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
-  const Lanes shifted = angle * kTwoOverPi + kRounder;
-  const Lanes quarters = shifted - kRounder;
-  const Lanes r = ((angle - quarters * kQuarter1) - quarters * kQuarter2) - quarters * kQuarter3;
-  const Lanes z = r * r;
-  Lanes s = z * 0.0 + kSine[5], c = z * 0.0 + kCosine[5];
-#pragma GCC unroll 8
-  for (int k = 4; k >= 0; --k) {
-    s = s * z + kSine[k];
-    c = c * z + kCosine[k];
-  }
-  const Lanes sin_r = r + r * z * s;
-  const Lanes half = 0.5 * z, w = 1.0 - half;
-  const Lanes cos_r = w + (((1.0 - w) - half) + z * z * c);
-  const Bits turn = bitsOf(shifted);
-  const Bits odd = -(turn & 1);
-  const Bits sine_bits = (odd & bitsOf(cos_r)) | (~odd & bitsOf(sin_r));
-  const Bits cosine_bits = (odd & bitsOf(sin_r)) | (~odd & bitsOf(cos_r));
-  sine = numberOf(sine_bits ^ ((turn & 2) << 62));
-  cosine = numberOf(cosine_bits ^ (((turn + 1) & 2) << 62));
-}
 
 AMBLE_INLINE Lanes arcTangent(const Lanes& y, const Lanes& x) {
   const Bits y_sign = bitsOf(y) & kSign, x_sign = bitsOf(x) & kSign;
@@ -123,10 +86,9 @@ void sinesAndCosines(std::span<const double> angles, std::span<double> sines,
                      std::span<double> cosines) {
   assert(angles.size() == sines.size() && angles.size() == cosines.size());
   for (size_t i = 0; i < angles.size(); i += kLanes) {
-    Lanes sine, cosine;
-    sineCosine(load(angles, i), sine, cosine);
-    store(sine, sines, i);
-    store(cosine, cosines, i);
+    const SinCos both = sinCos(load(angles, i));
+    store(both.sine, sines, i);
+    store(both.cosine, cosines, i);
   }
   for (size_t i = 0; i < angles.size(); ++i) {
     if (std::abs(angles[i]) <= kLargestCut) continue;
