@@ -95,6 +95,7 @@ double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector
   ahead.z() = 0.0;
   const double behind = (hip - position - shape.ball_x * ahead).dot(ahead);
   const double freedom = smoothstep(behind / HeelRise::kBehind);
+  if (freedom == 0.0) return sole.pitch;  // as of every foot that strikes
   // A smooth minimum of what it is and what it may be.
   const double wanted = distance - HeelRise::kSoftReach * std::log1p(std::exp(over));
   const double most = sole.pitch + heel_share * HeelRise::kMost * freedom;
