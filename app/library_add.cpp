@@ -104,15 +104,17 @@ MotionLibrary libraryAt(const std::filesystem::path& file) {
 int run(const Options& options) {
   const std::filesystem::path file = options.library;
   MotionLibrary library = libraryAt(file);
+  int added = 0;
   try {
     for (const std::string& clip : options.clips) {
       for (const MotionRequest& request : requestsOf(clip, options)) {
         addMotion(library, request);
         sayAdded(library.motions.back());
+        ++added;
       }
     }
   } catch (const InputError&) {
-    say(stderr, "{}: nothing is written\n", file.string());
+    if (added > 0) say(stderr, "{}: nothing is written\n", file.string());
     throw;
   }
   writeMotionLibrary(library, file);

@@ -61,7 +61,8 @@ class CaptureOptions : public Options {
          }},
         {"--memory",
          [=, this] {
-           expectRefused(call(kTwoTakes) + " --memory 1", {"more than 1 MB", "--memory MB"});
+           write("in/large.gltf", read(kTwoTakes) + std::string(size_t{8} << 20, ' '));
+           expectRefused(call("in/large.gltf") + " --memory 1", {"more than 1 MB", "--memory MB"});
          }},
     };
   }
