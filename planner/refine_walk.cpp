@@ -33,6 +33,8 @@ constexpr double kFarthestShortcut = 20.0;
 constexpr std::array<double, 5> kPulls = {0.5, 0.25, 0.0, 0.75, 1.0};
 constexpr std::array<double, 5> kTurns = {0.0, 20 * kDegree, -20 * kDegree, 40 * kDegree,
                                           -40 * kDegree};
+// And how fast, of the plan's speed: slower where nothing passes at that.
+constexpr std::array<double, 3> kPaces = {1.0, 0.7, 0.5};
 // How far from a corner it is cut [m]: about the radius of the tightest walks and more.
 constexpr std::array<double, 3> kCuts = {0.6, 0.9, 1.3};
 // Pass 3: how far a random stance lies from where it is looked for [m], and how far its heading is
@@ -85,12 +87,14 @@ Eigen::Vector2d stray(SampleStream& stream) {
 }
 
 // `near`: the height at which ground is looked for [m].
-Stance walking(const Eigen::Vector2d& position, double near, double heading, Side leading) {
+Stance walking(const Eigen::Vector2d& position, double near, double heading, Side leading,
+               double pace = 1.0) {
   Stance stance;
   stance.position << position, near;
   stance.heading = wrapAngle(heading);
   stance.standing = false;
   stance.leading = leading;
+  stance.pace = pace;
   return stance;
 }
 
@@ -102,12 +106,16 @@ class Refiner {
   }
 
   void shortcuts();
-  void passStops();
-  bool tries(int round, int tries);
-  bool stopped() const { return limits_.stopped(); }
+  /// Passes 2 and 3 until nothing helps; stances that walk slower than planned are tried where
+  /// `slower`.
+  void walkOn(int tries, bool slower);
+  bool stops() const { return path_.stops() > 0; }
   EdgePath take() { return std::move(path_); }
 
  private:
+  bool stopped() const { return limits_.stopped(); }
+  void passStops();
+  bool tries(int round, int tries);
   int last() const { return static_cast<int>(path_.edges.size()); }  // node
   Waypoint node(int i) const;
   bool leavesOutPinned(const Proposal& proposal) const;
@@ -120,13 +128,15 @@ class Refiner {
   std::optional<Proposal> cutOff(SampleStream& stream) const;
   std::optional<Proposal> goBy(SampleStream& stream) const;
   std::optional<Proposal> randomProposal(int round, int index) const;
-  std::pair<int, Stance> pointOfWalk(double s) const;
+  std::pair<int, Stance> pointOfWalk(double s, double pace) const;
+  double anyPace(SampleStream& stream) const;
 
   const Steering& steering_;
   EdgePath path_;
   const SearchLimits& limits_;
   SteeringCount& count_;
   std::vector<SteeringScratchPtr> scratches_;
+  bool slower_ = false;
 };
 
 Waypoint Refiner::node(int i) const {
@@ -248,25 +258,28 @@ std::vector<Proposal> Refiner::passings(int i) const {
   const double bisecting = arriving + 0.5 * wrapAngle(leaving - arriving);
   const double height = node(i).stance.position.z();
   std::vector<Proposal> proposals;
-  for (const double pull : kPulls) {
-    if (path_.pinned[i] && pull > 0.0) continue;
-    for (const double turn : kTurns) {
-      const double heading = (pull > 0.5 ? along : bisecting) + turn;
-      const Eigen::Vector2d position =
-          pull > 0.0 ? Eigen::Vector2d(here + pull * (middle - here)) : here;
-      proposals.push_back({i - 1, i + 1, {walking(position, height, heading, kLeft)}});
+  for (const double pace : kPaces) {
+    if (pace < 1.0 && !slower_) continue;
+    for (const double pull : kPulls) {
+      if (path_.pinned[i] && pull > 0.0) continue;
+      for (const double turn : kTurns) {
+        const double heading = (pull > 0.5 ? along : bisecting) + turn;
+        const Eigen::Vector2d position =
+            pull > 0.0 ? Eigen::Vector2d(here + pull * (middle - here)) : here;
+        proposals.push_back({i - 1, i + 1, {walking(position, height, heading, kLeft, pace)}});
+      }
     }
-  }
-  for (const double cut : kCuts) {  // the corner rounded, from one leg to the other
-    if (path_.pinned[i] || cut > (here - before).norm() - kCuts[0] ||
-        cut > (after - here).norm() - kCuts[0])
-      continue;
-    const Eigen::Vector2d first = here + cut * (before - here).normalized();
-    const Eigen::Vector2d second = here + cut * (after - here).normalized();
-    proposals.push_back(
-        {i - 1,
-         i + 1,
-         {walking(first, height, arriving, kLeft), walking(second, height, leaving, kLeft)}});
+    for (const double cut : kCuts) {  // the corner rounded, from one leg to the other
+      if (path_.pinned[i] || cut > (here - before).norm() - kCuts[0] ||
+          cut > (after - here).norm() - kCuts[0])
+        continue;
+      const Eigen::Vector2d first = here + cut * (before - here).normalized();
+      const Eigen::Vector2d second = here + cut * (after - here).normalized();
+      proposals.push_back({i - 1,
+                           i + 1,
+                           {walking(first, height, arriving, kLeft, pace),
+                            walking(second, height, leaving, kLeft, pace)}});
+    }
   }
   for (const double heading : {arriving, leaving}) {
     Stance turned = node(i).stance;
@@ -283,7 +296,7 @@ void Refiner::passStops() {
 }
 
 // The edge and the stance at a distance along the walk.
-std::pair<int, Stance> Refiner::pointOfWalk(double s) const {
+std::pair<int, Stance> Refiner::pointOfWalk(double s, double pace) const {
   int edge = 0;
   while (edge + 1 < last() && s > path_.edges[edge].length) s -= path_.edges[edge++].length;
   const WalkEdge& here = path_.edges[edge];
@@ -292,7 +305,11 @@ std::pair<int, Stance> Refiner::pointOfWalk(double s) const {
   const double share = std::clamp(s / here.length, 0.0, 1.0);
   const double height =
       here.from.position.z() + share * (here.to.position.z() - here.from.position.z());
-  return {edge, walking(sample.position, height, sample.heading, kLeft)};
+  return {edge, walking(sample.position, height, sample.heading, kLeft, pace)};
+}
+
+double Refiner::anyPace(SampleStream& stream) const {
+  return slower_ ? kPaces[stream.below(static_cast<int>(kPaces.size()))] : 1.0;
 }
 
 std::optional<Proposal> Refiner::moveNode(SampleStream& stream) const {
@@ -304,14 +321,18 @@ std::optional<Proposal> Refiner::moveNode(SampleStream& stream) const {
   position += stray(stream);
   if (path_.pinned[i]) position = here;
   const double heading = direction(before, after) + stream.uniform(-kTwist, kTwist);
-  return Proposal{i - 1, i + 1, {walking(position, node(i).stance.position.z(), heading, kLeft)}};
+  const Stance& old = node(i).stance;
+  const double pace =
+      !old.standing && old.pace < 1.0 ? stream.uniform(old.pace, 1.0) : 1.0;  // or faster
+  return Proposal{i - 1, i + 1, {walking(position, old.position.z(), heading, kLeft, pace)}};
 }
 
 std::optional<Proposal> Refiner::cutOff(SampleStream& stream) const {
   const double length = path_.length();
   const double a = stream.uniform(0.0, length), b = stream.uniform(0.0, length);
-  const auto [first, from] = pointOfWalk(std::min(a, b));
-  const auto [last_edge, to] = pointOfWalk(std::max(a, b));
+  const double pace = anyPace(stream);
+  const auto [first, from] = pointOfWalk(std::min(a, b), pace);
+  const auto [last_edge, to] = pointOfWalk(std::max(a, b), pace);
   if (first == last_edge || from.standing || to.standing) return std::nullopt;
   Proposal proposal{first, last_edge + 1, {}};
   const int which = stream.below(3);
@@ -329,7 +350,9 @@ std::optional<Proposal> Refiner::goBy(SampleStream& stream) const {
   position += stray(stream);
   const double low = node(first).stance.position.z(), high = node(next).stance.position.z();
   const double heading = direction(from, to) + stream.uniform(-kTwist, kTwist);
-  return Proposal{first, next, {walking(position, low + share * (high - low), heading, kLeft)}};
+  return Proposal{first,
+                  next,
+                  {walking(position, low + share * (high - low), heading, kLeft, anyPace(stream))}};
 }
 
 std::optional<Proposal> Refiner::randomProposal(int round, int index) const {
@@ -366,6 +389,20 @@ bool Refiner::tries(int round, int tries) {
   return helped;
 }
 
+void Refiner::walkOn(int most_tries, bool slower) {
+  slower_ = slower;
+  passStops();
+  for (int round = 0, idle = 0; round < kMostRounds && idle < kIdleRounds && !stopped(); ++round) {
+    if (!tries(round, most_tries)) {
+      ++idle;
+      continue;
+    }
+    idle = 0;
+    shortcuts();
+    passStops();
+  }
+}
+
 }  // namespace
 
 double EdgePath::duration() const {
@@ -391,17 +428,8 @@ EdgePath refineWalk(const Steering& steering, EdgePath path, const RefineSetting
   Refiner refiner(steering, std::move(path), limits, count);
   refiner.shortcuts();
   if (!settings.walk_on) return refiner.take();
-  refiner.passStops();
-  for (int round = 0, idle = 0; round < kMostRounds && idle < kIdleRounds && !refiner.stopped();
-       ++round) {
-    if (!refiner.tries(round, settings.tries)) {
-      ++idle;
-      continue;
-    }
-    idle = 0;
-    refiner.shortcuts();
-    refiner.passStops();
-  }
+  refiner.walkOn(settings.tries, false);
+  if (refiner.stops()) refiner.walkOn(settings.tries, true);
   return refiner.take();
 }
 

@@ -13,7 +13,9 @@
 ///   3 tries       a counted number of random ones: a node moved, left out, or cut off between two
 ///   points of the walk
 /// Pass 3 comes in rounds until some in a row are no help, and after each that helped 1 and 2
-/// again. Tries come from a stream each, by index, and are judged in that order, so the result is
+/// again. Where the walk still stops somewhere then, all is done once more with stances that walk
+/// slower than planned (Stance::pace): who walks fast passes tight corners at no other.
+/// Tries come from a stream each, by index, and are judged in that order, so the result is
 /// the same for any number of threads.
 #pragma once
 

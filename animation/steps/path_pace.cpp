@@ -32,9 +32,10 @@ std::function<double(double)> paceAlong(const StepSettings& settings, const Foot
     point.position.z() = z;
     paces[i] = paceAt({point.position, point.heading, true, kLeft});
   }
-  if (level) return nullptr;
-  if (!from.standing) paces.front() = paceAt(from);
-  if (!to.standing) paces.back() = paceAt(to);
+  const auto slows = [](const Stance& end) { return !end.standing && end.pace < 1.0; };
+  if (level && !slows(from) && !slows(to)) return nullptr;
+  if (!from.standing) paces.front() = from.pace * paceAt(from);
+  if (!to.standing) paces.back() = to.pace * paceAt(to);
   return [paces = std::move(paces), spacing](double arc) {
     const double at = std::clamp(arc / spacing, 0.0, static_cast<double>(paces.size() - 1));
     const size_t i = std::min(static_cast<size_t>(at), paces.size() - 2);

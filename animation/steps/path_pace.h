@@ -1,4 +1,4 @@
-/// How fast a root path is walked on its ground: the pace of the slope under every step.
+/// How fast a root path is walked: the pace of the slope under every step, and of its ends.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,9 @@
 
 namespace amble {
 
-/// Share of the level's speed (slopePace) by arc [m], linear between points a quarter of a metre
-/// apart; none where the ground is level all along. On treads the slope under a step is no slope
+/// Share of the plan's speed by arc [m]: the slope's (slopePace), at a walking end times that
+/// stance's own pace; linear between points a quarter of a metre apart. None where it is 1 all
+/// along. On treads the slope under a step is no slope
 /// that soles stand on: stairs slow by their steps, not by this.
 std::function<double(double)> paceAlong(const StepSettings& settings, const FootholdFinder& holds,
                                         const RootPath& path, const Stance& from, const Stance& to);

@@ -7,7 +7,7 @@
 
 namespace amble {
 
-/// Standing, or the middle of a double support of the straight walk at the plan's speed.
+/// Standing, or the middle of a double support of the straight walk.
 struct Stance {
   /// The root path's point, on the ground [m, World].
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -15,6 +15,9 @@ struct Stance {
   bool standing = true;
   /// The foot in front: phase 0 for left, 0.5 for right. Without meaning while standing.
   Side leading = kLeft;
+  /// The walk's speed there, of the plan's on such ground: people slow down for a tight curve
+  /// before they are in it. Without meaning while standing. [> 0, at most 1]
+  double pace = 1.0;
 };
 
 }  // namespace amble

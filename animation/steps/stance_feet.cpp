@@ -34,12 +34,12 @@ double slopeUnder(const StepSettings& settings, const FootholdFinder& holds, con
 
 namespace {
 
-// Steps of a walking stance are those of its slope's speed.
+// Steps of a walking stance are those of its own and its slope's speed.
 FootPlacement placementAt(const StepSettings& settings, const FootholdFinder& holds,
                           const Stance& stance) {
   FootPlacement placement = settings.placement;
   if (stance.standing) return placement;
-  const double pace = slopePace(slopeUnder(settings, holds, stance));
+  const double pace = stance.pace * slopePace(slopeUnder(settings, holds, stance));
   if (pace < 1.0) {
     const double speed = settings.limits.speed * pace;
     placement.step_length = settings.limits.law.stepLength(speed);

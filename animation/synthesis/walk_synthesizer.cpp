@@ -99,7 +99,7 @@ struct WalkSynthesizer::Impl {
     state.heading = stance.heading;
     state.arc = arc;
     state.standing = stance.standing ? 1.0 : 0.0;
-    state.speed = stance.standing ? 0.0 : settings.speed;
+    state.speed = stance.standing ? 0.0 : settings.speed * stance.pace;
     state.phase = stance.standing || stance.leading == kLeft ? 0.0 : 0.5;
     state.step_length = body.placement.step_length;
     if (!stance.standing) {

@@ -42,12 +42,13 @@ inline Scene furnishedScene() {
 }
 
 struct FurnishedRoom {
-  explicit FurnishedRoom(Scene the_scene = furnishedScene()) : scene(std::move(the_scene)) {}
+  explicit FurnishedRoom(Scene the_scene = furnishedScene(), const CharacterSettings& settings = {})
+      : scene(std::move(the_scene)), synthesizer(library, ground, settings) {}
 
   const Scene scene;
   const MotionLibrary library = openMotionLibrary("default");
   const SceneGround ground{scene, 0.0};
-  const WalkSynthesizer synthesizer{library, ground, {}};
+  const WalkSynthesizer synthesizer;
   const Body body = makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
                              {synthesizer.ankleHeight(), synthesizer.toeHeight()});
   const CollisionWorld world{scene, ground, synthesizer.skeleton(), body};

@@ -54,6 +54,31 @@ TEST(PlanWalk, RefusesRequestsThatCannotBeMeant) {
   EXPECT_THROW(planWalk(request), std::invalid_argument);
 }
 
+// Nobody who is in a hurry stops at a corner: he slows down for it.
+TEST(PlanWalk, WhoIsToldToHurrySlowsDownForCornersInPlaceOfStopping) {
+  Scene scene;
+  scene.objects = {boxObject("floor", {8, 6, 0.1}, {4, 3, -0.05}),
+                   boxObject("wall left", {0.12, 2.55, 2.4}, {4, 1.275, 1.2}),
+                   boxObject("wall right", {0.12, 2.55, 2.4}, {4, 4.725, 1.2}),
+                   boxObject("low box", {0.4, 0.4, 0.4}, {2, 2, 0.2}),
+                   boxObject("box", {0.5, 0.3, 0.9}, {3, 3.9, 0.45}),
+                   boxObject("table", {0.8, 1.6, 0.75}, {6, 3, 0.375})};
+  const auto walkAt = [&](double speed) {
+    const FurnishedRoom room(scene, {.speed = speed});
+    PlanRequest request = requestIn(room);
+    request.bounds = {Eigen::Vector2d(0, 0), Eigen::Vector2d(8, 6)};
+    request.start = {{0.8, 1, 0}, 0.0, true};
+    request.goal = {{7.3, 5, 0}, 90 * kDegree, true};
+    request.limits.max_failures = 500;
+    request.refine = {};
+    const PlanOutcome outcome = planWalk(request);
+    EXPECT_EQ(outcome.status, PlanStatus::kSolved) << speed;
+    return outcome.walk.buffer;
+  };
+  const AnimationBuffer usual = walkAt(1.2), hurried = walkAt(2.0);
+  EXPECT_LT(hurried.size(), 1.1 * usual.size());
+}
+
 TEST(PlanWalk, WalkEndsAtTheGoalAndTouchesNothing) {
   const FurnishedRoom& room = furnishedRoom();
   const CollisionScratchPtr scratch = room.world.makeScratch();

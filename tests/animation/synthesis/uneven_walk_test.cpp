@@ -304,6 +304,36 @@ TEST(UnevenWalk, EdgesOnASlopeJoinToTheBit) {
   }
 }
 
+TEST(UnevenWalk, EdgesJoinToTheBitAtAStanceThatWalksSlowlyAndTheWalkIsAsSlowThere) {
+  const FlatGround ground;
+  const WalkSynthesizer walker(library(), ground, {});
+  for (const double pace : {0.5, 0.7, 0.93}) {
+    Stance from, middle, to;
+    from.standing = middle.standing = to.standing = false;
+    middle.position = {4.1, 0.0, 0.0};
+    middle.pace = pace;
+    to.position = {8.0, 0.0, 0.0};
+    AnimationBuffer first, second;
+    const WalkResult there = walker.walk(from, middle, straightPath(4.1), true, first);
+    ASSERT_EQ(there.refused, WalkRule::kNone);
+    middle.leading = there.leading;
+    const RootPath on({makeBezier({4.1, 0.0}, 0.0, {8.0, 0.0}, 0.0, 1.0 / 3.0)});
+    ASSERT_EQ(walker.walk(middle, to, on, true, second).refused, WalkRule::kNone);
+    const int last = first.size() - 1;
+    EXPECT_EQ(first.poses.p_WR(last), second.poses.p_WR(0));
+    for (int j = 0; j < first.poses.joints(); ++j)
+      EXPECT_EQ(first.poses.rotations(last)[j].coeffs(), second.poses.rotations(0)[j].coeffs());
+    const auto speedBetween = [](const AnimationBuffer& walk, int a, int b) {
+      return (walk.states[b].position - walk.states[a].position).head<2>().norm() /
+             ((b - a) * walk.frame_time);
+    };
+    const double planned = walker.settings().speed;
+    EXPECT_NEAR(speedBetween(first, last - 3, last), pace * planned, 0.04 * planned) << pace;
+    EXPECT_NEAR(speedBetween(second, 0, 3), pace * planned, 0.04 * planned) << pace;
+    EXPECT_NEAR(speedBetween(first, 0, 3), planned, 0.04 * planned);
+  }
+}
+
 TEST(UnevenWalk, WhatCannotBeWalkedIsRefusedByItsRule) {
   const auto refusal = [](const Ground& ground, double length, CharacterSettings settings = {}) {
     const WalkSynthesizer walker(library(), ground, settings);
