@@ -51,6 +51,17 @@ TEST(StepMeasure, WidthIsPositiveForEitherFootThatKeepsToItsSide) {
 }
 
 // A toe that is lifted while the heel stays at the ground clears nothing.
+TEST(StepMeasure, WhoWalksBackwardsStepsAsWide) {
+  for (const double facing : {0.0, 1.0, -2.5}) {
+    StepPrints prints = stepOf(facing, 0.0, 0.05);
+    std::swap(prints.from, prints.to);
+    prints.along = facing + kPi;
+    const StepMeasure step = measureStep(prints);
+    EXPECT_NEAR(step.width, 0.1, 1e-12);
+    EXPECT_NEAR(step.stride, 0.7, 1e-12);
+  }
+}
+
 TEST(StepMeasure, LiftIsThatOfTheSolesLowestPoint) {
   StepPrints prints = stepOf(0.0, 0.0, 0.0);
   for (SoleEnds& sole : prints.swing) sole.ball.z() += 0.2;
