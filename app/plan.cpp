@@ -79,12 +79,9 @@ Scenario readAsked(const Options& options) {
   return scenario;
 }
 
-// Into a folder of the scenario's name below out/, unless one is named. That it can be made is seen
-// before the planning, not after it.
-std::filesystem::path chooseFolder(const Options& options, const Scenario& scenario) {
+// That a folder is there or can be made. @throws InputError
+void checkFolder(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
-  const fs::path folder =
-      options.out.empty() ? fs::path("out") / scenario.name : fs::path(options.out);
   std::error_code unknown;
   fs::path there = fs::absolute(folder).lexically_normal();
   while (!fs::exists(there, unknown) && there.has_relative_path()) there = there.parent_path();
@@ -98,15 +95,17 @@ std::filesystem::path chooseFolder(const Options& options, const Scenario& scena
         fmt::format("{} cannot be written to: {}", there.string(), std::strerror(errno)),
         "a folder that may be written to");
   }
-  return folder;
 }
 
-std::vector<std::filesystem::path> inputsOf(const Problem& problem) {
-  const MotionLibrary& library = problem.library;
-  std::vector<std::filesystem::path> inputs = problem.scene.inputs;
-  inputs.insert(inputs.end(), {problem.scenario.source.file, library.file,
-                               library.file.parent_path() / library.skeleton_file});
-  return inputs;
+// Into a folder of the scenario's name below out/, unless one is named, queries below it. That they
+// can be made is seen before the planning, not after it.
+std::filesystem::path chooseFolder(const Options& options, const Scenario& scenario) {
+  const std::filesystem::path folder = options.out.empty()
+                                           ? std::filesystem::path("out") / scenario.name
+                                           : std::filesystem::path(options.out);
+  checkFolder(folder);
+  for (const ScenarioQuery& query : scenario.queries) checkFolder(folder / query.name);
+  return folder;
 }
 
 void writeAll(const Options& options, RunResult& result, const std::filesystem::path& folder) {
@@ -288,7 +287,7 @@ int run(const Options& options) {
   Progress progress;
   RunOptions how = runOptions(options);
   how.loaded = [&](const Problem& problem) {
-    keep(inputsOf(problem));
+    keep(problem.inputs());
     for (const std::string& warning : sceneWarnings(problem.scene, problem.ground))
       say(stderr, "{}: warning: {}\n", scenario.scene.string(), warning);
   };

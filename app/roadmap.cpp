@@ -59,7 +59,7 @@ int build(const BuildOptions& options) {
   const StoppableWork work;
   const StopRequest stop{&stopFlag(), deadlineIn(scenario.planner.time_limit)};
   const Problem problem(scenario, 1.0 / options.fps, {options.memory, stop});
-  keepInputs(options.out, problem.scene.inputs);
+  keepInputs(options.out, problem.inputs());
   PlanRequest request = problem.request();
   request.limits.threads = options.threads;
   request.limits.stop = stop.flag;

@@ -260,6 +260,13 @@ Eigen::Vector3d Problem::stand(const Place& place, const std::string& key) const
   return {place.at.x(), place.at.y(), chooseFloor(scene, ground, scenario, place, keys + key)};
 }
 
+std::vector<std::filesystem::path> Problem::inputs() const {
+  std::vector<std::filesystem::path> files = scene.inputs;
+  files.insert(files.end(), {scenario.source.file, library.file,
+                             library.file.parent_path() / library.skeleton_file});
+  return files;
+}
+
 Eigen::AlignedBox2d Problem::bounds() const {
   if (!scenario.bounds) return ground.extent();
   return {scenario.bounds->min, scenario.bounds->max};

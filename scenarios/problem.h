@@ -48,6 +48,8 @@ struct Problem {
   /// Where a stance of the scenario stands: on the floor there, or on that which its z names [m,
   /// World].
   Eigen::Vector3d stand(const Place& place, const std::string& key) const;
+  /// Every file that it was read from: what may not be written over.
+  std::vector<std::filesystem::path> inputs() const;
   /// Where to look: the scenario's bounds, or the extent of what can be walked on [m].
   Eigen::AlignedBox2d bounds() const;
 

@@ -13,7 +13,7 @@ class KeptLegs : public LegPlanner {
 
   std::optional<std::vector<WalkEdge>> solve(const Waypoint& from, const Waypoint& to) override {
     const Stopwatch watch;
-    auto edges = kept_.walk(from, to, *scratch_, count_);
+    auto edges = kept_.walk(from, to, request_.limits, *scratch_, count_);
     seconds_ += watch.seconds();
     if (edges) return edges;
     if (!anew_) anew_ = makeLegPlanner(request_, steering_, request_.limits);

@@ -68,6 +68,13 @@ class PieceCount {
   int entered_ = 0, pieces_ = 0;
 };
 
+// What a file says, for a message: short, and as text.
+std::string told(const std::string& text) {
+  constexpr size_t kLongest = 60;  // [bytes]
+  const std::string clean = utf8Text(withoutControls(text.substr(0, kLongest)));
+  return text.size() > kLongest ? clean + "..." : clean;
+}
+
 // "speed 1.2, was 1" for each value that is another, or is not in both; nothing where none is.
 std::vector<std::string> changes(const RoadmapSource::Values& then,
                                  const RoadmapSource::Values& now) {
@@ -79,11 +86,11 @@ std::vector<std::string> changes(const RoadmapSource::Values& then,
     if (old != then.end() && old->second == value) continue;
     std::string text = key;
     if (value.size() <= kLongest) text += " " + value;
-    if (old != then.end() && old->second.size() <= kLongest) text += ", was " + old->second;
+    if (old != then.end() && old->second.size() <= kLongest) text += ", was " + told(old->second);
     list.push_back(text);
   }
   for (const auto& [key, value] : then)
-    if (!now.contains(key)) list.push_back(key + " is gone");
+    if (!now.contains(key)) list.push_back(told(key) + " is gone");
   if (list.size() > kMostTold) {
     list.resize(kMostTold);
     list.push_back("and others");

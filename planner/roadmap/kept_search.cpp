@@ -37,13 +37,15 @@ class KeptSearch::Query {
  public:
   Query(const KeptSearch& kept, const Waypoint& from, const Waypoint& to);
 
-  std::optional<std::vector<WalkEdge>> solve(SteeringScratch& scratch, SteeringCount& count) {
-    while (true) {
+  std::optional<std::vector<WalkEdge>> solve(const SearchLimits& limits, SteeringScratch& scratch,
+                                             SteeringCount& count) {
+    while (!limits.stopped()) {
       const std::vector<int> way = cheapest();
       if (way.empty()) return std::nullopt;
       if (!looksFree(way, scratch)) continue;
       if (auto edges = steer(way, scratch, count)) return edges;
     }
+    return std::nullopt;
   }
 
  private:
@@ -184,9 +186,10 @@ std::optional<std::vector<WalkEdge>> KeptSearch::Query::steer(const std::vector<
 }
 
 std::optional<std::vector<WalkEdge>> KeptSearch::walk(const Waypoint& from, const Waypoint& to,
+                                                      const SearchLimits& limits,
                                                       SteeringScratch& scratch,
                                                       SteeringCount& count) const {
-  return Query(*this, from, to).solve(scratch, count);
+  return Query(*this, from, to).solve(limits, scratch, count);
 }
 
 }  // namespace amble

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "planner/roadmap/kept_roadmap.h"
+#include "planner/search_limits.h"
 #include "planner/steering/steering.h"
 
 namespace amble {
@@ -34,10 +35,11 @@ class KeptSearch {
   const KeptRoadmap& roadmap() const { return roadmap_; }
 
   /// Edges that follow one another from one place to the other, each made and checked by steering;
-  /// none where the roadmap knows no way. @param count  of what was steered, kept edges included,
-  /// whether they were made now or before
+  /// none where the roadmap knows no way, or limits.stopped(). @param count  of what was steered,
+  /// kept edges included, whether they were made now or before
   std::optional<std::vector<WalkEdge>> walk(const Waypoint& from, const Waypoint& to,
-                                            SteeringScratch& scratch, SteeringCount& count) const;
+                                            const SearchLimits& limits, SteeringScratch& scratch,
+                                            SteeringCount& count) const;
 
  private:
   class Query;

@@ -1,5 +1,6 @@
 // amble roadmap build|show, plan --roadmap and a scenario's queries, as a shell runs them.
 
+#include "test_paths.h"
 #include "tests/app/options.h"
 
 namespace amble {
@@ -46,6 +47,19 @@ TEST_F(RoadmapCommand, WhatIsStaleOrDamagedIsOneLineAndNothingIsWritten) {
   expectRefused("roadmap show it.roadmap", {"it.roadmap: is no roadmap"});
   expectRefused("roadmap show /dev/zero", {"/dev/zero: is larger than 256 MiB"});
   expectRefused("roadmap build in/scenario.yaml -o in/room.yaml", {"in/room.yaml"});
+}
+
+TEST_F(RoadmapCommand, IsNeverWrittenOverWhatItIsMadeOf) {
+  const std::string motions = std::string(AMBLE_SOURCE_DIR) + "/animation/motions/default";
+  write("in/mine.yaml", read(motions + ".yaml"));
+  write("in/default.bvh", read(motions + ".bvh"));
+  write("in/walk.yaml", kScenario + "character: {library: mine.yaml}\n");
+  for (const std::string input :
+       {"in/walk.yaml", "in/room.yaml", "in/mine.yaml", "in/default.bvh"}) {
+    const std::string before = read(input);
+    expectRefused("roadmap build in/walk.yaml --m 1 -o " + input, {"is read too"});
+    EXPECT_EQ(read(input), before) << input;
+  }
 }
 
 TEST_F(RoadmapCommand, OptionsOfBuild) {
@@ -119,6 +133,11 @@ TEST_F(QueriesCommand, EachHasAFolderAndALineOfTheTable) {
   const json reports = printed("plan in/queries.yaml -o out --formats json --json");
   ASSERT_EQ(reports.size(), 2u);
   EXPECT_EQ(reports[1]["scenario"], "queries/2");
+}
+
+TEST_F(QueriesCommand, AFolderThatCannotBeMadeIsSeenBeforeThePlanning) {
+  write("out/2", "a file");
+  expectRefused("plan in/queries.yaml -o out --formats json", {"out/2", "is no folder"});
 }
 
 TEST_F(QueriesCommand, OneWithoutAWalkIsTheExitStatus) {

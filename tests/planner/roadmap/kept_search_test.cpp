@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <utility>
 
 #include "planner/roadmap/visibility_roadmap.h"
@@ -21,7 +22,7 @@ KeptRoadmap filled(const Steering& steering, std::uint64_t seed = 1, int max_fai
 std::optional<std::vector<WalkEdge>> walk(const KeptSearch& search, const Steering& steering,
                                           const Waypoint& from, const Waypoint& to) {
   SteeringCount count;
-  return search.walk(from, to, *steering.makeScratch(), count);
+  return search.walk(from, to, {}, *steering.makeScratch(), count);
 }
 
 double cost(const std::vector<WalkEdge>& edges) {
@@ -66,6 +67,17 @@ TEST_F(KeptTwoRooms, WalksLeadFromAnywhereToAnywhereAndAreJoined) {
   }
 }
 
+TEST_F(KeptTwoRooms, WhoIsToldToStopSteersNothingMore) {
+  const KeptSearch search(steering, filled(steering));
+  const std::atomic<bool> stop{true};
+  SearchLimits limits;
+  limits.stop = &stop;
+  steering.asked = 0;
+  SteeringCount count;
+  EXPECT_FALSE(search.walk(standing(1, 1), standing(7, 1), limits, *steering.makeScratch(), count));
+  EXPECT_EQ(steering.asked, 0);
+}
+
 TEST_F(KeptTwoRooms, WhereNothingIsBetweenOneEdgeIsSteered) {
   const KeptSearch search(steering, filled(steering));
   steering.asked = 0;
@@ -96,8 +108,8 @@ TEST_F(KeptTwoRooms, WhatWasAskedBeforeChangesNoAnswerAndNoCount) {
   const std::vector<Waypoint> places = freePlaces(steering, 6);
   for (const Waypoint& from : places) walk(used, steering, from, places.front());
   SteeringCount of_fresh, of_used;
-  const auto a = fresh.walk(places[1], places[4], *steering.makeScratch(), of_fresh);
-  const auto b = used.walk(places[1], places[4], *steering.makeScratch(), of_used);
+  const auto a = fresh.walk(places[1], places[4], {}, *steering.makeScratch(), of_fresh);
+  const auto b = used.walk(places[1], places[4], {}, *steering.makeScratch(), of_used);
   ASSERT_TRUE(a && b);
   EXPECT_EQ(cost(*a), cost(*b));
   EXPECT_EQ(of_fresh.asked, of_used.asked);
