@@ -57,9 +57,9 @@ bool passesTread(const FootTrials& trials, const FootPlace& a, double arc_a, con
       const double up = place.position.z() - a.position.z();
       const bool between = up * rise > 0.0 && std::abs(up) > kLeast &&
                            std::abs(rise - up) > kLeast && std::abs(up) < std::abs(rise);
+      if (!between) continue;
       const Eigen::Vector2d ahead(std::cos(place.heading), std::sin(place.heading));
-      if (between && std::abs(tiltAlong(place, ahead) - slope) > FootstepCosts::kTreadTilt)
-        return true;
+      if (std::abs(tiltAlong(place, ahead) - slope) > FootstepCosts::kTreadTilt) return true;
     }
   }
   return false;
@@ -69,10 +69,11 @@ double shortened(double level, double height) {
   return std::abs(height) < Unevenness::kLeastStep ? level : climbStep(level, height);
 }
 
-// Of a step in plan along the path; kNever where it may not be. Those that are too high are
-// counted.
+// Of a way of the cost `so_far` and a step in plan along the path; kNever where that may not be or
+// is no less than `least`. Steps that are too high are counted.
 double stepCost(const FootstepRequest& r, const GroundLimits& limits, const FootTrials& trials,
-                const FootPlace& a, double arc_a, const FootPlace& b, double arc_b, int& too_high) {
+                const FootPlace& a, double arc_a, const FootPlace& b, double arc_b, double so_far,
+                double least, int& too_high) {
   const double step = arc_b - arc_a;
   if (step < r.shortest || step > r.longest) return kNever;
   const double height = stepHeight(a, b);
@@ -80,9 +81,13 @@ double stepCost(const FootstepRequest& r, const GroundLimits& limits, const Foot
     ++too_high;
     return kNever;
   }
+  if (so_far >= least) return kNever;
   const double level = r.wanted(0.5 * (arc_a + arc_b));
   const double off = (step - shortened(level, height)) / level;
-  return off * off + (passesTread(trials, a, arc_a, b, arc_b) ? FootstepCosts::kSkip : 0.0);
+  if (so_far + off * off >= least) return kNever;
+  const double cost =
+      so_far + (off * off + (passesTread(trials, a, arc_a, b, arc_b) ? FootstepCosts::kSkip : 0.0));
+  return cost < least ? cost : kNever;
 }
 
 // The cheapest way to a trial of `side`, from the other foot's places or, where there is one, from
@@ -96,8 +101,8 @@ Way cheapestWay(const FootstepRequest& r, const GroundLimits& limits, const Foot
   Way way;
   if (begin != nullptr) {
     const double cost =
-        stepCost(r, limits, trials, *begin, trials.begin, place, trial.arc, too_high);
-    if (cost + own < way.cost) way = {cost + own, -1};
+        stepCost(r, limits, trials, *begin, trials.begin, place, trial.arc, own, kNever, too_high);
+    if (cost < way.cost) way = {cost, -1};
   }
   const auto& from = trials.lines[other(side)];
   const double into = trial.arc - trials.begin;
@@ -106,9 +111,8 @@ Way cheapestWay(const FootstepRequest& r, const GroundLimits& limits, const Foot
   for (int k = std::max(farthest, 0); k <= std::min(nearest, trials.count() - 1); ++k) {
     const double so_far = ways[other(side)][k].cost;
     if (so_far >= way.cost) continue;
-    const double cost =
-        so_far + own +
-        stepCost(r, limits, trials, from[k].hold.place, from[k].arc, place, trial.arc, too_high);
+    const double cost = stepCost(r, limits, trials, from[k].hold.place, from[k].arc, place,
+                                 trial.arc, so_far + own, way.cost, too_high);
     if (cost < way.cost) way = {cost, k};
   }
   return way;
