@@ -26,4 +26,18 @@ double Ground::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double 
   return highest;
 }
 
+std::vector<double> Ground::crests(std::span<const PlanSegment> pieces, double half_width,
+                                   double low, double high) const {
+  std::vector<double> all;
+  for (const PlanSegment& piece : pieces)
+    all.push_back(crest(piece.from, piece.to, half_width, low, high));
+  return all;
+}
+
+void Ground::surfaces(std::span<const Eigen::Vector2d> points, double z, double reach,
+                      std::span<std::optional<SurfacePoint>> out) const {
+  for (size_t i = 0; i < points.size(); ++i)
+    out[i] = surface(points[i].x(), points[i].y(), z, reach);
+}
+
 }  // namespace amble

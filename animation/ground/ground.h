@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace amble {
 
@@ -11,6 +13,11 @@ namespace amble {
 struct SurfacePoint {
   double height = 0.0;                                ///< [m, World]
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, upwards: z > 0 [World]
+};
+
+/// A piece of a line of the plane [m, World].
+struct PlanSegment {
+  Eigen::Vector2d from, to;
 };
 
 /// Heights and normals of the ground. An extension point: a plane here, analytic slopes and stairs
@@ -32,6 +39,12 @@ class Ground {
   /// only ground is seen, sampled every 2 cm. @pre half_width >= 0, low <= high
   virtual double crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
                        double low, double high) const;
+  /// crest() of each of the pieces of a straight line, which follow one another along it [m].
+  virtual std::vector<double> crests(std::span<const PlanSegment> pieces, double half_width,
+                                     double low, double high) const;
+  /// surface() at each of some points that lie near to one another.
+  virtual void surfaces(std::span<const Eigen::Vector2d> points, double z, double reach,
+                        std::span<std::optional<SurfacePoint>> out) const;
 };
 
 /// The plane z = level, without end.

@@ -43,16 +43,22 @@ bool FootholdFinder::sample(const FootPlace& place, const FootShape& foot, doubl
   if (!middle) return false;
   out.middle = *middle;
   out.level = middle->normal.z() == 1.0;
+  std::array<Eigen::Vector2d, kRows * kColumns> at;
+  std::array<std::optional<SurfacePoint>, kRows * kColumns> surfaces;
   for (int i = 0; i < kRows; ++i) {
     const double x = back + (front - back) * i / (kRows - 1);
     for (int j = 0; j < kColumns; ++j) {
       const double y = foot.half_width * (j - 1);
-      Samples::Point& point = out.points[i * kColumns + j];
-      point.at = {c * x - s * y, s * x + c * y};
-      point.surface = uprightIfVertical(
-          ground_.surface(p.x() + point.at.x(), p.y() + point.at.y(), middle->height, reach));
-      out.level = out.level && (!point.surface || point.surface->normal.z() == 1.0);
+      const int k = i * kColumns + j;
+      out.points[k].at = {c * x - s * y, s * x + c * y};
+      at[k] = p.head<2>() + out.points[k].at;
     }
+  }
+  ground_.surfaces(at, middle->height, reach, surfaces);
+  for (size_t k = 0; k < at.size(); ++k) {
+    Samples::Point& point = out.points[k];
+    point.surface = uprightIfVertical(surfaces[k]);
+    out.level = out.level && (!point.surface || point.surface->normal.z() == 1.0);
   }
   return true;
 }
@@ -106,10 +112,10 @@ bool FootholdFinder::obstructed(const FootPlace& stood, const FootShape& foot) c
     const double x0 = back + (front - back) * i / cells,
                  x1 = back + (front - back) * (i + 1) / cells;
     const double plane = z + std::max(tilt * x0, tilt * x1) + std::abs(across) * foot.half_width;
-    const double crest =
-        ground_.crest(middle + x0 * ahead, middle + x1 * ahead, foot.half_width,
-                      plane - Unevenness::kStraddled, plane + Unevenness::kInTheWay);
-    if (crest > plane + (level ? Unevenness::kPressed : 2.0 * Unevenness::kPressed)) return true;
+    const double most = plane + (level ? Unevenness::kPressed : 2.0 * Unevenness::kPressed);
+    if (ground_.crest(middle + x0 * ahead, middle + x1 * ahead, foot.half_width, most,
+                      plane + Unevenness::kInTheWay) > most)
+      return true;
   }
   return false;
 }

@@ -16,8 +16,11 @@ using Margins = SwingMargins;
 
 namespace {
 
+// Share of the extra lift that a ramp has added at tau, or has left so long before the end [0, 1].
+double risen(double ramp, double tau) { return minimumJerk(tau / ramp); }
+
 double bump(const SwingShape& shape, double tau) {
-  return minimumJerk(tau / shape.rise) * minimumJerk((1.0 - tau) / shape.fall);
+  return risen(shape.rise, tau) * risen(shape.fall, 1.0 - tau);
 }
 
 // Highest point of the plane that a foot stands in over a strip from p to q, `half_width` wide to
@@ -78,10 +81,15 @@ SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPla
       std::ceil((strip.length + strip.back + strip.ahead + Margins::kAhead) / Search::kCell));
   const double low = std::min(from.position.z(), to.position.z()) - Search::kLowest;
   const double high = std::max(from.position.z(), to.position.z()) + highest_ + Search::kSeen;
+  std::vector<PlanSegment> pieces(cells);
   for (int i = 0; i < cells; ++i) {
-    const double s = strip.begin + i * Search::kCell;
-    const Eigen::Vector2d p = a + s * unit, q = p + Search::kCell * unit;
-    const double z = ground_.crest(p, q, foot.half_width, low, high);
+    pieces[i].from = a + (strip.begin + i * Search::kCell) * unit;
+    pieces[i].to = pieces[i].from + Search::kCell * unit;
+  }
+  const std::vector<double> crests = ground_.crests(pieces, foot.half_width, low, high);
+  for (int i = 0; i < cells; ++i) {
+    const double s = strip.begin + i * Search::kCell, z = crests[i];
+    const auto& [p, q] = pieces[i];
     const double own = highestOf(from, p, q, foot.half_width);
     const double next = highestOf(to, p, q, foot.half_width);
     const double from_foot = std::max(0.0, s - strip.ahead);
@@ -154,29 +162,44 @@ bool SwingClearance::isFree(const FootPlace& from, const FootPlace& to,
   const Eigen::Vector2d unit = line / length, left(-unit.y(), unit.x());
   const double back = foot.radius - foot.heel_x, ahead = foot.tip_x + foot.radius;
   const double z = from.position.z(), rise = to.position.z() - z, slope = rise / length;
-  const double low = std::min(z, z + rise) - Search::kLowest,
-               high = std::max(z, z + rise) + highest_ + Search::kSeen;
-  const auto crest = [&](double s0, double s1) {
-    return ground_.crest(a + s0 * unit, a + s1 * unit, foot.half_width, low, high);
+  const double high = std::max(z, z + rise) + highest_ + Search::kSeen;
+  const auto rises = [&](double s0, double s1, double over) {
+    return ground_.crest(a + s0 * unit, a + s1 * unit, foot.half_width, over, high) > over;
   };
   if (rise == 0.0 && from.normal.z() == 1.0 && to.normal.z() == 1.0)
-    return crest(-back, length + ahead) <= z + Unevenness::kCleared;
+    return !rises(-back, length + ahead, z + Unevenness::kCleared);
   const double side =
       foot.half_width * std::min(std::abs(tiltAlong(from, left)), std::abs(tiltAlong(to, left)));
   const int parts = static_cast<int>(std::ceil((length + back + ahead) / Search::kCoarse));
   const double step = (length + back + ahead) / parts;
   for (int i = 0; i < parts; ++i) {
     const double s = -back + i * step, end = s + step;
-    if (crest(s, end) > z + slope * (slope > 0.0 ? end : s) + side + Unevenness::kCleared)
+    if (rises(s, end, z + slope * (slope > 0.0 ? end : s) + side + Unevenness::kCleared))
       return false;
   }
   return true;
 }
 
+// What bump() multiplies for each ramp up, and for each ramp down, at each moment.
+struct SwingClearance::Ramps {
+  std::array<std::array<double, kSamples>, Search::kRamps.size()> up, down;
+
+  Ramps() {
+    for (size_t i = 0; i < Search::kRamps.size(); ++i) {
+      for (int k = 0; k < kSamples; ++k) {
+        const double tau = static_cast<double>(k) / kSamples;
+        up[i][k] = risen(Search::kRamps[i], tau);
+        down[i][k] = risen(Search::kRamps[i], 1.0 - tau);
+      }
+    }
+  }
+};
+
 bool SwingClearance::clear(const FootPlace& from, const FootPlace& to, Side side,
                            const FootCycle& cycle, SwingShape& shape) const {
   const double length = (to.position - from.position).head<2>().norm();
   if (length < Search::kCell || isFree(from, to, feet_[side])) return true;
+  static const Ramps ramps;
   const Strip between = strip(from, to, side);
   double least = std::numeric_limits<double>::infinity();
   SwingShape best = shape, tried = shape;
@@ -188,13 +211,14 @@ bool SwingClearance::clear(const FootPlace& from, const FootPlace& to, Side side
       const double on = length / std::pow(1.0 - delay - early, 2);
       if (on * on >= least) continue;
       const Needs curve = needs(between, cycle, tried);
-      for (const double up : Search::kRamps) {
-        for (const double down : Search::kRamps) {
+      for (size_t i = 0; i < Search::kRamps.size(); ++i) {
+        for (size_t j = 0; j < Search::kRamps.size(); ++j) {
+          const double up = Search::kRamps[i], down = Search::kRamps[j];
           SwingShape shaped = tried;
           shaped.rise = up, shaped.fall = down;
           for (int k = 1; k < kSamples; ++k) {
             if (curve[k] == 0.0) continue;
-            const double share = bump(shaped, static_cast<double>(k) / kSamples);
+            const double share = ramps.up[i][k] * ramps.down[j][k];
             shaped.extra = std::max(shaped.extra, curve[k] / std::max(share, 1e-3));
           }
           const double extra = shaped.extra;

@@ -70,6 +70,7 @@ class SwingClearance {
 
  private:
   struct Strip;
+  struct Ramps;
   Strip strip(const FootPlace& from, const FootPlace& to, Side side) const;
   static constexpr int kSamples = 32;  // of a swing
   using Needs = std::array<double, kSamples>;

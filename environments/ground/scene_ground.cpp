@@ -31,6 +31,68 @@ std::vector<bool> facingUp(const Scene& scene, const ScenePieces& pieces, double
   return up;
 }
 
+// Unit, upwards.
+std::vector<Eigen::Vector3d> upwardNormals(const std::vector<Triangle3>& triangles) {
+  std::vector<Eigen::Vector3d> normals;
+  normals.reserve(triangles.size());
+  for (const Triangle3& t : triangles) {
+    const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+    normals.push_back(normal.z() < 0.0 ? Eigen::Vector3d(-normal) : normal);
+  }
+  return normals;
+}
+
+double topOf(const Triangle3& t) { return std::max({t[0].z(), t[1].z(), t[2].z()}); }
+
+// Whether a triangle may have its highest point over some strip between two heights.
+bool mayEndBetween(const Triangle3& t, double low, double high) {
+  const auto [bottom, top] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
+  if (top < low || bottom > high) return false;  // which most are
+  // The half of a wall's side that its diagonal bounds does not end there.
+  return top <= high || std::abs(upwardness(t)) >= kUpright;
+}
+
+// What is near to a segment of the plane, in the segment's own frame: along it and aside.
+struct Strip {
+  Eigen::Vector2d origin, along, aside;
+  Eigen::AlignedBox2d box;
+
+  Strip(const PlanSegment& segment, double half_width) : origin(segment.from) {
+    const Eigen::Vector2d way = segment.to - segment.from;
+    const double length = way.norm();
+    along =
+        length > 0.0 ? Eigen::Vector2d(way / length) : Eigen::Vector2d(Eigen::Vector2d::UnitX());
+    aside << -along.y(), along.x();
+    box = {Eigen::Vector2d(0.0, -half_width), Eigen::Vector2d(length, half_width)};
+  }
+
+  Eigen::Vector2d local(const Eigen::Vector3d& corner) const {
+    const Eigen::Vector2d p = corner.head<2>() - origin;
+    return {along.dot(p), aside.dot(p)};
+  }
+
+  Eigen::AlignedBox2d plan() const {
+    Eigen::AlignedBox2d plan;
+    for (const double s : {box.min().x(), box.max().x()})
+      for (const double side : {box.min().y(), box.max().y()})
+        plan.extend(origin + s * along + side * aside);
+    return plan;
+  }
+
+  Eigen::AlignedBox2d extentOf(const Triangle3& t) const {
+    Eigen::AlignedBox2d extent;
+    for (const Eigen::Vector3d& corner : t) extent.extend(local(corner));
+    return extent;
+  }
+
+  // The highest point of a triangle within it, if that lies between the two heights [m].
+  double crestOf(Triangle3 t, double low, double high) const {
+    for (Eigen::Vector3d& corner : t) corner.head<2>() = local(corner);
+    const auto heights = heightsWithin(t, box);
+    return heights && heights->high >= low && heights->high <= high ? heights->high : kNone;
+  }
+};
+
 GroundSettings atLevel(double level) {
   GroundSettings settings;
   settings.level = level;
@@ -42,6 +104,7 @@ GroundSettings atLevel(double level) {
 struct SceneGround::Parts {
   ScenePieces pieces;
   TriangleGrid surfaces = {};
+  std::vector<Eigen::Vector3d> normals = {};  // of the surfaces
   std::optional<GroundCells> cells = {};
 };
 
@@ -69,6 +132,7 @@ SceneGround::SceneGround(const Scene& scene, const GroundSettings& settings,
     for (const Eigen::Vector3d& corner : ground.back())
       heights_.extend(Eigen::AlignedBox1d::VectorType(corner.z()));
   }
+  parts_->normals = upwardNormals(ground);
   parts_->surfaces = TriangleGrid(std::move(ground));
   is_level_ = heights_.isEmpty() || heights_.sizes()[0] <= kLevel;
 }
@@ -82,6 +146,10 @@ const ScenePieces& SceneGround::pieces() const { return parts_->pieces; }
 const TriangleGrid& SceneGround::all() const { return parts_->pieces.grid; }
 const TriangleGrid& SceneGround::surfaces() const { return parts_->surfaces; }
 
+SurfacePoint SceneGround::pointOf(int triangle, double height) const {
+  return {height, parts_->normals[triangle]};
+}
+
 std::optional<SurfacePoint> SceneGround::surface(double x, double y, double z, double reach) const {
   double best = kNone;
   int found = -1;
@@ -93,39 +161,88 @@ std::optional<SurfacePoint> SceneGround::surface(double x, double y, double z, d
     found = t;
   });
   if (found < 0) return std::nullopt;
-  const Triangle3& t = ground.triangles()[found];
-  const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
-  return SurfacePoint{best, normal.z() < 0.0 ? Eigen::Vector3d(-normal) : normal};
+  return pointOf(found, best);
+}
+
+// The triangles near the points are looked for once, in the order in which surface() sees them.
+void SceneGround::surfaces(std::span<const Eigen::Vector2d> points, double z, double reach,
+                           std::span<std::optional<SurfacePoint>> out) const {
+  Eigen::AlignedBox2d plan;
+  for (const Eigen::Vector2d& p : points) plan.extend(p);
+  plan = {plan.min().array() - kSeam, plan.max().array() + kSeam};
+  const TriangleGrid& ground = surfaces();
+  std::vector<int> near;
+  ground.visitBox(plan, [&](int t) {
+    const auto& [a, b, c] = ground.triangles()[t];
+    const Eigen::AlignedBox3d box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+    if (box.max().z() < z - reach - kTouching || box.min().z() > z + reach + kTouching) return;
+    if ((box.min().head<2>().array() > plan.max().array()).any() ||
+        (box.max().head<2>().array() < plan.min().array()).any())
+      return;
+    near.push_back(t);
+  });
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  for (size_t i = 0; i < points.size(); ++i) {
+    out[i].reset();
+    for (const int t : near) {
+      if (out[i] && topOf(ground.triangles()[t]) <= out[i]->height) continue;
+      const auto height = heightOver(ground.triangles()[t], points[i].x(), points[i].y());
+      if (!height || std::abs(*height - z) > reach || (out[i] && *height <= out[i]->height))
+        continue;
+      out[i] = pointOf(t, *height);
+    }
+  }
 }
 
 double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
                           double low, double high) const {
-  const double length = (b - a).norm();
-  const Eigen::Vector2d along =
-      length > 0.0 ? Eigen::Vector2d((b - a) / length) : Eigen::Vector2d(Eigen::Vector2d::UnitX());
-  const Eigen::Vector2d aside(-along.y(), along.x());
-  const Eigen::AlignedBox2d strip(Eigen::Vector2d(0.0, -half_width),
-                                  Eigen::Vector2d(length, half_width));
-  Eigen::AlignedBox2d plan;
-  for (const Eigen::Vector2d& end : {a, b})
-    for (const double side : {half_width, -half_width}) plan.extend(end + side * aside);
+  const Strip strip({a, b}, half_width);
   double highest = kNone;
-  const TriangleGrid& things = all();
-  things.visitBox(plan, [&](int t) {
-    Triangle3 local = things.triangles()[t];
-    const auto [bottom, top] = std::minmax({local[0].z(), local[1].z(), local[2].z()});
-    if (top <= highest || top < low || bottom > high) return;  // which most are
-    // The half of a wall's side that its diagonal bounds does not end there.
-    if (top > high && std::abs(upwardness(local)) < kUpright) return;
-    for (Eigen::Vector3d& corner : local) {
-      const Eigen::Vector2d p = corner.head<2>() - a;
-      corner.head<2>() << along.dot(p), aside.dot(p);
-    }
-    const auto heights = heightsWithin(local, strip);
-    if (heights && heights->high >= low && heights->high <= high)
-      highest = std::max(highest, heights->high);
+  all().visitBox(strip.plan(), [&](int t) {
+    const Triangle3& thing = all().triangles()[t];
+    if (topOf(thing) > highest && mayEndBetween(thing, low, high))
+      highest = std::max(highest, strip.crestOf(thing, low, high));
   });
   return highest;
+}
+
+// What lies over all pieces is looked for once; of that each piece is shown the highest first.
+std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, double half_width,
+                                        double low, double high) const {
+  constexpr double kRounding = 1e-6;  // [m]
+  struct Thing {
+    double top, begin, end;  // along the line
+    int triangle;
+  };
+  std::vector<double> crests(pieces.size(), kNone);
+  if (pieces.empty()) return crests;
+  const Strip whole({pieces.front().from, pieces.back().to}, half_width + kRounding);
+  std::vector<Thing> things;
+  all().visitBox(whole.plan(), [&](int t) {
+    const Triangle3& thing = all().triangles()[t];
+    if (!mayEndBetween(thing, low, high)) return;
+    const Eigen::AlignedBox2d at = whole.extentOf(thing);
+    if (!at.intersects(whole.box)) return;
+    things.push_back({topOf(thing), at.min().x() - kRounding, at.max().x() + kRounding, t});
+  });
+  std::sort(things.begin(), things.end(), [](const Thing& a, const Thing& b) {
+    return a.top != b.top ? a.top > b.top : a.triangle < b.triangle;
+  });
+  things.erase(std::unique(things.begin(), things.end(),
+                           [](const Thing& a, const Thing& b) { return a.triangle == b.triangle; }),
+               things.end());
+  for (size_t i = 0; i < pieces.size(); ++i) {
+    const Strip strip(pieces[i], half_width);
+    const double begin = whole.along.dot(pieces[i].from - whole.origin),
+                 end = whole.along.dot(pieces[i].to - whole.origin);
+    for (const Thing& thing : things) {
+      if (thing.top <= crests[i]) break;
+      if (thing.end < begin || thing.begin > end) continue;
+      crests[i] = std::max(crests[i], strip.crestOf(all().triangles()[thing.triangle], low, high));
+    }
+  }
+  return crests;
 }
 
 std::optional<SurfacePoint> SceneGround::stand(double x, double y, double z, double reach) const {

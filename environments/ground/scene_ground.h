@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "animation/ground/ground.h"
@@ -31,6 +32,8 @@ class SceneGround : public Ground {
   SceneGround(SceneGround&&) noexcept;
 
   std::optional<SurfacePoint> surface(double x, double y, double z, double reach) const override;
+  void surfaces(std::span<const Eigen::Vector2d> points, double z, double reach,
+                std::span<std::optional<SurfacePoint>> out) const override;
 
   /// The highest point of anything, ground or obstacle, over the strip of `half_width` about the
   /// segment from a to b, of what ends between the heights low and high [m]; -infinity for nothing.
@@ -38,6 +41,8 @@ class SceneGround : public Ground {
   /// contacts.
   double crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width, double low,
                double high) const override;
+  std::vector<double> crests(std::span<const PlanSegment> pieces, double half_width, double low,
+                             double high) const override;
 
   /// Heights of the floors at (x, y), lowest first: ground with headroom, those nearer than kLevel
   /// as one, the lowest of them. Where there is no ground, whatever could be stood on if one were
@@ -72,6 +77,7 @@ class SceneGround : public Ground {
   bool isGroundTriangle(int triangle) const { return ground_triangles_[triangle]; }
 
  private:
+  SurfacePoint pointOf(int triangle, double height) const;
   int floorOf(const Eigen::Vector3d& p) const;
   std::vector<double> levels(double x, double y) const;
   std::vector<double> uncovered(const std::vector<double>& heights) const;

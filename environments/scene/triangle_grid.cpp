@@ -44,10 +44,18 @@ Polygon clip(const Triangle3& t, const Eigen::AlignedBox2d& box) {
     const int axis = side / 2;
     const double sign = side % 2 == 0 ? 1.0 : -1.0;
     const double limit = side % 2 == 0 ? box.min()[axis] : -box.max()[axis];
+    std::array<double, 8> inside;  // of the side, by corner [m]
+    bool all = true;
+    for (int k = 0; k < in.count; ++k) {
+      inside[k] = sign * in.corners[k][axis] - limit;
+      all = all && inside[k] >= 0.0;
+    }
+    if (all) continue;
     int kept = 0;
     for (int k = 0; k < in.count; ++k) {
-      const Eigen::Vector3d &a = in.corners[k], &b = in.corners[(k + 1) % in.count];
-      const double da = sign * a[axis] - limit, db = sign * b[axis] - limit;
+      const int next = k + 1 < in.count ? k + 1 : 0;
+      const Eigen::Vector3d &a = in.corners[k], &b = in.corners[next];
+      const double da = inside[k], db = inside[next];
       if (da >= 0.0) out[kept++] = a;
       if ((da >= 0.0) != (db >= 0.0)) out[kept++] = a + da / (da - db) * (b - a);
     }
@@ -81,10 +89,11 @@ std::optional<double> heightOver(const Triangle3& t, double x, double y) {
     const double length = (t[(k + 1) % 3] - t[k]).head<2>().norm();
     if (sign * side[k] < -kSeam * length) return std::nullopt;
   }
+  const auto [low, high] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
+  if (low == high) return low;
   // side[k] weighs the corner opposite to edge k.
   const double z = (side[0] * t[2].z() + side[1] * t[0].z() + side[2] * t[1].z()) / twice_area;
-  return std::clamp(z, std::min({t[0].z(), t[1].z(), t[2].z()}),
-                    std::max({t[0].z(), t[1].z(), t[2].z()}));
+  return std::clamp(z, low, high);
 }
 
 std::optional<Eigen::AlignedBox3d> boundsWithin(const Triangle3& t,

@@ -392,5 +392,36 @@ TEST(SceneGround, TheCrestIsTheHighestBoxUnderTheStrip) {
   }
 }
 
+TEST(SceneGround, AskedTogetherPiecesOfALineAndPointsOfASoleAreAsEachAlone) {
+  const Hills hills(4);
+  const SceneGround ground(sceneOf({makeObject("hills", hills.mesh, {0, 0, 0}),
+                                    makeObject("kerb", Box{{8, 0.3, 0.4}}, {4, 4, 0.1}),
+                                    makeObject("wall", Box{{0.1, 3, 2}}, {2, 6, 1})}));
+  std::mt19937_64 generator(8);
+  std::uniform_real_distribution<double> place(-0.2, 8.2), off(-0.15, 0.15);
+  for (int n = 0; n < 200; ++n) {
+    const Eigen::Vector2d a(place(generator), place(generator)),
+        unit = Eigen::Rotation2Dd(n) * Eigen::Vector2d::UnitX();
+    std::vector<PlanSegment> pieces(100);
+    for (size_t i = 0; i < pieces.size(); ++i)
+      pieces[i] = {a + 0.01 * static_cast<double>(i) * unit,
+                   a + 0.01 * static_cast<double>(i + 1) * unit};
+    const std::vector<double> crests = ground.crests(pieces, 0.05, -0.2, 0.35);
+    for (size_t i = 0; i < pieces.size(); ++i)
+      EXPECT_EQ(crests[i], ground.crest(pieces[i].from, pieces[i].to, 0.05, -0.2, 0.35));
+    std::vector<Eigen::Vector2d> points(20);
+    for (Eigen::Vector2d& p : points) p = a + Eigen::Vector2d(off(generator), off(generator));
+    std::vector<std::optional<SurfacePoint>> surfaces(points.size());
+    ground.surfaces(points, 0.1, 0.15, surfaces);
+    for (size_t i = 0; i < points.size(); ++i) {
+      const auto alone = ground.surface(points[i].x(), points[i].y(), 0.1, 0.15);
+      ASSERT_EQ(surfaces[i].has_value(), alone.has_value());
+      if (!alone) continue;
+      EXPECT_EQ(surfaces[i]->height, alone->height);
+      EXPECT_EQ(surfaces[i]->normal, alone->normal);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace amble
