@@ -59,36 +59,52 @@ Eigen::Vector3d nearestPoint(const Triangle3& t, const Eigen::Vector3d& p) {
   return t[0] + (vb * ab + vc * ac) / (va + vb + vc);
 }
 
+}  // namespace
+
+GroundLayer::Slab::Slab(const Triangle3& t)
+    : min(t[0].cwiseMin(t[1]).cwiseMin(t[2])),
+      max(t[0].cwiseMax(t[1]).cwiseMax(t[2])),
+      normal((t[1] - t[0]).cross(t[2] - t[0]).normalized()) {
+  std::tie(low, high) = std::minmax({normal.dot(t[0]), normal.dot(t[1]), normal.dot(t[2])});
+}
+
 // What a capsule sweeps between two places: points no farther than `radius` from the hull of four.
-struct Sweep {
+struct GroundLayer::Sweep {
   std::array<Eigen::Vector3d, 4> points;
   double radius;
+  Eigen::AlignedBox3d box;
 
-  // Whether a plane across `axis`, a unit vector, parts it from the triangle.
-  bool isApart(const Triangle3& t, const Eigen::Vector3d& axis) const {
+  Sweep(const std::array<Eigen::Vector3d, 4>& corners, double around)
+      : points(corners), radius(around) {
+    for (const Eigen::Vector3d& p : points) box.extend(p);
+    box = {box.min().array() - radius, box.max().array() + radius};
+  }
+
+  // Whether a plane across `axis`, a unit vector, parts it from what lies between these along it.
+  bool isApart(const Eigen::Vector3d& axis, double least, double most) const {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Eigen::Vector3d& p : points) {
       const double d = axis.dot(p);
       low = std::min(low, d);
       high = std::max(high, d);
     }
-    const double a = axis.dot(t[0]), b = axis.dot(t[1]), c = axis.dot(t[2]);
-    return low - radius >= std::max({a, b, c}) || high + radius <= std::min({a, b, c});
+    return low - radius >= most || high + radius <= least;
   }
 
-  // Planes of the triangle, of the axes, and across the line from the triangle to the middle.
-  bool isClearOf(const Triangle3& t, const Eigen::Vector3d& normal) const {
-    if (isApart(t, normal)) return true;
-    for (int k = 0; k < 3; ++k)
-      if (isApart(t, Eigen::Vector3d::Unit(k))) return true;
+  // Planes across the axes, of the triangle, and across the line from the triangle to the middle.
+  bool isClearOf(const Triangle3& t, const Slab& slab) const {
+    if ((box.min().array() >= slab.max.array()).any() ||
+        (box.max().array() <= slab.min.array()).any() || isApart(slab.normal, slab.low, slab.high))
+      return true;
     const Eigen::Vector3d middle = 0.25 * (points[0] + points[1] + points[2] + points[3]);
     const Eigen::Vector3d way = middle - nearestPoint(t, middle);
     const double far = way.norm();
-    return far > 0.0 && isApart(t, way / far);
+    if (!(far > 0.0)) return false;
+    const Eigen::Vector3d axis = way / far;
+    const auto [least, most] = std::minmax({axis.dot(t[0]), axis.dot(t[1]), axis.dot(t[2])});
+    return isApart(axis, least, most);
   }
 };
-
-}  // namespace
 
 GroundLayer::GroundLayer(std::vector<Obstacle> surfaces, const StopRequest& stop, Checker checker)
     : surfaces_(withoutSolids(surfaces), stop, checker) {
@@ -97,8 +113,7 @@ GroundLayer::GroundLayer(std::vector<Obstacle> surfaces, const StopRequest& stop
     const TriangleMesh& mesh = meshOf(surface);
     for (const std::array<int, 3>& t : mesh.triangles) {
       triangles.push_back(cornersOf(mesh, t));
-      const auto& [a, b, c] = triangles.back();
-      normals_.push_back((b - a).cross(c - a).normalized());
+      slabs_.emplace_back(triangles.back());
       objects_.push_back(surface.object);
     }
     solids_.push_back({surface.object, Parity::ofClosed(surface.solid)});
@@ -297,9 +312,18 @@ bool GroundLayer::meetsSpan(const Eigen::AlignedBox3d& box) const {
   return false;
 }
 
+// Whether nothing over the point's cell is higher.
+bool GroundLayer::isAboveCell(const Eigen::Vector3d& p) const {
+  if (extent_.isEmpty()) return true;
+  const Eigen::Vector2i at = cellOf(p.head<2>());
+  const size_t cell = at.x() + static_cast<size_t>(at.y()) * count_.x();
+  return start_[cell] == start_[cell + 1] || p.z() >= spans_[start_[cell + 1] - 1].high;
+}
+
 // The object inside which, or under whose ground without any other below it, a point lies; -1 for
 // none.
 int GroundLayer::aboveOf(const Eigen::Vector3d& p) const {
+  if (isAboveCell(p)) return -1;
   for (const Solid& solid : solids_)
     if (solid.test.inside(p)) return solid.object;
   int above = -1;
@@ -316,16 +340,13 @@ int GroundLayer::aboveOf(const Eigen::Vector3d& p) const {
 bool GroundLayer::isClearBetween(const Capsule& a, const Capsule& b, double depth,
                                  double bend) const {
   const Eigen::Vector3d lift(0.0, 0.0, depth);
-  const Sweep sweep{{a.from + lift, a.to + lift, b.from + lift, b.to + lift}, a.radius + bend};
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : sweep.points) box.extend(p);
-  box = {box.min().array() - sweep.radius, box.max().array() + sweep.radius};
-  if (!meetsSpan(box)) return true;
-  const Eigen::AlignedBox2d plan(Eigen::Vector2d(box.min().head<2>()),
-                                 Eigen::Vector2d(box.max().head<2>()));
+  const Sweep sweep({a.from + lift, a.to + lift, b.from + lift, b.to + lift}, a.radius + bend);
+  if (!meetsSpan(sweep.box)) return true;
+  const Eigen::AlignedBox2d plan(Eigen::Vector2d(sweep.box.min().head<2>()),
+                                 Eigen::Vector2d(sweep.box.max().head<2>()));
   bool clear = true;
-  grid_.visitBox(
-      plan, [&](int t) { clear = clear && sweep.isClearOf(grid_.triangles()[t], normals_[t]); });
+  grid_.visitBox(plan,
+                 [&](int t) { clear = clear && sweep.isClearOf(grid_.triangles()[t], slabs_[t]); });
   return clear;
 }
 

@@ -75,6 +75,15 @@ class GroundLayer {
   };
   static constexpr int kStripRows = 16;
 
+  // A triangle between planes across the axes and across its normal [m].
+  struct Slab {
+    Eigen::Vector3d min, max, normal;  // normal: unit
+    double low, high;
+
+    explicit Slab(const Triangle3& t);
+  };
+  struct Sweep;
+
   void fillSpans(const std::vector<Obstacle>& surfaces, const StopRequest& stop);
   std::vector<std::vector<Face>> facesByStrip(const std::vector<Obstacle>& surfaces,
                                               int strips) const;
@@ -86,13 +95,14 @@ class GroundLayer {
   void fillNearTops();
   Eigen::Vector2i cellOf(const Eigen::Vector2d& p) const;
   bool meetsSpan(const Eigen::AlignedBox3d& box) const;
+  bool isAboveCell(const Eigen::Vector3d& p) const;
   int aboveOf(const Eigen::Vector3d& p) const;
 
   ObstacleSet surfaces_;
   TriangleGrid grid_;
-  std::vector<Eigen::Vector3d> normals_;  // of the grid's triangles, unit
-  std::vector<int> objects_;              // of the grid's triangles
-  std::vector<Solid> solids_;             // of each surface, empty where nothing of it is closed
+  std::vector<Slab> slabs_;    // of the grid's triangles
+  std::vector<int> objects_;   // of the grid's triangles
+  std::vector<Solid> solids_;  // of each surface, empty where nothing of it is closed
   Eigen::AlignedBox2d extent_;
   double cell_ = kCell;
   Eigen::Vector2i count_{0, 0};
