@@ -241,10 +241,14 @@ BodyReach::Barrier BodyReach::Flood::barrier() {
   return best >= 0 ? between(before, best) : Barrier{ball_.part, -1, to_, from_, to_};
 }
 
-// Of the way back from a square of the other part the middle, where something is in the way.
+// Of the way back from a square of the other part the middle, where something is in the way. Where
+// it comes out before, between two things that shut off one after another, of the way to there.
 BodyReach::Barrier BodyReach::Flood::between(const std::vector<int>& before, int last) const {
   std::vector<int> way = {last};
   while (before[way.back()] != way.back()) way.push_back(before[way.back()]);
+  const auto out = std::find_if(way.rbegin() + 1, way.rend() - 1,
+                                [&](int square) { return object(middle(square)) < 0; });
+  way.erase(way.begin(), out.base() - 1);
   const Eigen::Vector2d far = middle(way.front()), near = middle(way.back());
   Barrier barrier{ball_.part, -1, from_, from_, from_};
   const Eigen::Vector2d at = middle(way[way.size() / 2]);

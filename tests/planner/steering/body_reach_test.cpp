@@ -82,6 +82,20 @@ TEST(BodyReach, ALogShutsOffWhoDoesNotLiftTheLegSoHigh) {
   EXPECT_FALSE(shutOffBy(log(0.24)).has_value());
 }
 
+TEST(BodyReach, OfTwoBeamsOneAfterTheOtherOneIsNamedAndNotTheRoomBetween) {
+  const double stature = furnishedRoom().synthesizer.stature();
+  const auto beam = [&](const char* name, double x) {
+    return boxObject(name, {0.2, 4.0, 0.2}, {x, 2, stature + 0.05});
+  };
+  const FurnishedRoom room(roomWith({beam("first", 2.0), beam("second", 4.0)}));
+  const auto failure = shutOff(room, kWest, kEast);
+  ASSERT_TRUE(failure.has_value());
+  ASSERT_GE(failure->object, 0);
+  const Eigen::Vector3d middle = room.scene.objects.at(failure->object).X_WO.translation();
+  EXPECT_NEAR(failure->at.x(), middle.x(), 0.2);
+  EXPECT_NEAR(failure->body.x(), middle.x(), 0.2);
+}
+
 // The theorem: what is walked is not shut off, whatever stands in the room.
 TEST(BodyReach, NoWalkThatIsFoundWasShutOff) {
   SampleStream stream(3, 0);
