@@ -57,9 +57,7 @@ bool passesTread(const FootTrials& trials, const FootPlace& a, double arc_a, con
       const double up = place.position.z() - a.position.z();
       const bool between = up * rise > 0.0 && std::abs(up) > kLeast &&
                            std::abs(rise - up) > kLeast && std::abs(up) < std::abs(rise);
-      if (!between) continue;
-      const Eigen::Vector2d ahead(std::cos(place.heading), std::sin(place.heading));
-      if (std::abs(tiltAlong(place, ahead) - slope) > FootstepCosts::kTreadTilt) return true;
+      if (between && std::abs(trial.tilt - slope) > FootstepCosts::kTreadTilt) return true;
     }
   }
   return false;

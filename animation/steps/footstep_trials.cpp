@@ -22,6 +22,8 @@ FootTrial tryPlace(const TrialRequest& request, const FootholdFinder& holds, Sid
     trial.aside = aside;
     if (trial.stands()) break;
   }
+  const FootPlace& stood = trial.hold.place;
+  trial.tilt = tiltAlong(stood, {std::cos(stood.heading), std::sin(stood.heading)});
   return trial;
 }
 

@@ -30,6 +30,7 @@ struct FootTrial {
   double arc = 0.0;  ///< along the path, going on straight beyond its ends [m]
   Foothold hold;
   double aside = 0.0;  ///< outwards of the foot's line, one of TrialGrid::kAside [m]
+  double tilt = 0.0;   ///< of the sole along the foot, up positive [1]
 
   bool stands() const { return hold.refusal == Foothold::Refusal::kNone; }
 };

@@ -412,9 +412,9 @@ TEST(SceneGround, AskedTogetherPiecesOfALineAndPointsOfASoleAreAsEachAlone) {
     std::vector<Eigen::Vector2d> points(20);
     for (Eigen::Vector2d& p : points) p = a + Eigen::Vector2d(off(generator), off(generator));
     std::vector<std::optional<SurfacePoint>> surfaces(points.size());
-    ground.surfaces(points, 0.1, 0.15, surfaces);
+    ground.surfaces(points, 0.0, 0.03, surfaces);
     for (size_t i = 0; i < points.size(); ++i) {
-      const auto alone = ground.surface(points[i].x(), points[i].y(), 0.1, 0.15);
+      const auto alone = ground.surface(points[i].x(), points[i].y(), 0.0, 0.03);
       ASSERT_EQ(surfaces[i].has_value(), alone.has_value());
       if (!alone) continue;
       EXPECT_EQ(surfaces[i]->height, alone->height);
