@@ -1,7 +1,7 @@
 #include "planner/plan_walk.h"
 
+#include "planner/legs/plan_run.h"
 #include "planner/legs/planners.h"
-#include "planner/plan_run.h"
 
 namespace amble {
 

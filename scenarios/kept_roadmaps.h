@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "planner/planner.h"
+#include "planner/legs/planner.h"
 #include "scenarios/problem.h"
 
 namespace amble {

@@ -9,7 +9,7 @@
 #include "environments/collision/collision_world.h"
 #include "environments/ground/scene_ground.h"
 #include "environments/scene/scene.h"
-#include "planner/planner.h"
+#include "planner/legs/planner.h"
 #include "scenarios/report.h"
 #include "scenarios/scenario.h"
 

@@ -17,7 +17,7 @@ set(rooms
   environments/scene environments/ground environments/body environments/collision environments/map
   planner/search_limits planner/plan_request
   planner/steering planner/obstruction planner/refine_walk
-  planner/roadmap planner/ompl planner/legs planner/plan_run planner/plan_walk planner/planner
+  planner/roadmap planner/ompl planner/legs planner/plan_walk
   scenarios
   viz
   app)

@@ -1,4 +1,4 @@
-#include "planner/planner.h"
+#include "planner/legs/planner.h"
 
 #include <gtest/gtest.h>
 

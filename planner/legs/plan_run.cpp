@@ -1,4 +1,4 @@
-#include "planner/plan_run.h"
+#include "planner/legs/plan_run.h"
 
 #include <algorithm>
 #include <cmath>

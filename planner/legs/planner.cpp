@@ -1,11 +1,11 @@
-#include "planner/planner.h"
+#include "planner/legs/planner.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include "planner/legs/kept_legs.h"
-#include "planner/plan_run.h"
+#include "planner/legs/plan_run.h"
 #include "planner/roadmap/visibility_roadmap.h"
 
 namespace amble {
