@@ -16,7 +16,7 @@
 #include "base/keep_inputs.h"
 #include "base/output_file.h"
 #include "base/parallel.h"
-#include "viz/gait_plot.h"
+#include "viz/pictures/gait_plot.h"
 
 namespace amble {
 namespace {

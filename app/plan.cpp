@@ -22,8 +22,8 @@
 #include "environments/ground/ground_warnings.h"
 #include "scenarios/run_scenario.h"
 #include "scenarios/write_results.h"
-#include "viz/plan_view.h"
-#include "viz/render.h"
+#include "viz/pictures/plan_view.h"
+#include "viz/pictures/render.h"
 
 namespace amble {
 namespace {

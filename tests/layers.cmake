@@ -19,7 +19,7 @@ set(rooms
   planner/steering planner/obstruction planner/refine_walk
   planner/roadmap planner/ompl planner/legs planner/plan_walk
   scenarios
-  viz
+  viz viz/figure viz/pictures viz/exchange viz/page
   app)
 list(FIND rooms animation/steps steps_floor)
 set(runtime animation/library animation/steps animation/synthesis)

@@ -1,0 +1,254 @@
+#include "viz/pictures/plan_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <pugixml.hpp>
+#include <regex>
+#include <sstream>
+
+#include "base/error.h"
+#include "tests/viz/test_walk.h"
+#include "viz/pictures/color.h"
+
+namespace amble {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+std::string planOf(const WalkView& view) {
+  std::ostringstream out;
+  writePlanView(out, view);
+  return out.str();
+}
+
+int countOf(const std::string& text, const std::string& word) {
+  int count = 0;
+  for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+// Empty where a parser reads it; else what is wrong.
+std::string malformed(const std::string& svg) {
+  pugi::xml_document read;
+  const pugi::xml_parse_result result = read.load_string(svg.c_str());
+  return result ? "" : result.description();
+}
+
+TEST(PlanView, IsNotWrittenIntoAFolderThatIsNotThere) {
+  const auto walk = makeTestWalk();
+  EXPECT_THROW(writePlanView(std::filesystem::path("no-such-folder/top.svg"), walk->view),
+               InputError);
+}
+
+TEST(PlanView, IsWellFormedWhateverTheNames) {
+  const auto walk = makeTestWalk();
+  walk->scene.objects.back().name = "a \"chest\" <of> drawers & more\x01";
+  EXPECT_EQ(malformed(planOf(walk->view)), "");
+  EXPECT_EQ(planOf(walk->view).find('\x01'), std::string::npos);
+}
+
+TEST(PlanView, HasEveryFootprintByFoot) {
+  const std::string svg = planOf(makeTestWalk()->view);
+  EXPECT_EQ(countOf(svg, "class=\"left\""), 4);
+  EXPECT_EQ(countOf(svg, "class=\"right\""), 4);
+  EXPECT_EQ(countOf(svg, "id=\"root-path\""), 1);
+}
+
+TEST(PlanView, TellsGuardsFromConnectors) {
+  const auto walk = makeTestWalk();
+  auto& map = walk->view.roadmap;
+  map.nodes = {{{1, 1}, 0, false}, {{3, 3}, 1, true}, {{5, 1}, 2, false}};
+  map.edges = {{0, 1, {}}, {1, 2, {{3, 3}, {4, 2.5}, {5, 1}}}};
+  const std::string svg = planOf(walk->view);
+  EXPECT_EQ(malformed(svg), "");
+  EXPECT_EQ(countOf(svg, "class=\"guard\""), 2 + 1);  // one in the legend
+  EXPECT_EQ(countOf(svg, "class=\"connector\""), 1 + 1);
+  EXPECT_EQ(countOf(svg, "class=\"edge\""), 2);
+}
+
+TEST(PlanView, ShowsTheRoomWhereThereIsNoWalk) {
+  const Scene room = testRoom();
+  WalkView view;
+  view.scene = &room;
+  const std::string svg = planOf(view);
+  EXPECT_EQ(malformed(svg), "");
+  EXPECT_EQ(countOf(svg, "id=\"root-path\""), 0);
+  EXPECT_GE(countOf(svg, "<title>chest</title>"), 1);
+}
+
+TEST(PlanView, MarksWhatIsAtTheHeightOfHips) {
+  auto scene = testRoom();
+  scene.objects.push_back(testBox("stool", {0.4, 0.4, 0.45}, {2, 1, 0.225}));
+  WalkView view;
+  view.scene = &scene;
+  const std::string svg = planOf(view);
+  EXPECT_EQ(countOf(svg, "<title>stool</title>"), 1);  // lower than hips
+  EXPECT_EQ(countOf(svg, "<title>chest</title>"), 2);  // reaches them
+}
+
+TEST(PlanView, GivesTheSameBytesTwice) {
+  EXPECT_EQ(planOf(makeTestWalk()->view), planOf(makeTestWalk()->view));
+}
+
+/// A plan that is read back: places in it as places in World.
+class ReadPlan {
+ public:
+  explicit ReadPlan(const std::string& svg) {
+    EXPECT_TRUE(read_.load_string(svg.c_str()));
+    const auto centre = [&](const char* place) {
+      const pugi::xml_node circle =
+          read_.select_node((std::string("//g[@class='") + place + "']/circle").c_str()).node();
+      return Eigen::Vector2d(circle.attribute("cx").as_double(),
+                             circle.attribute("cy").as_double());
+    };
+    start_ = centre("start");
+    scale_ = (centre("goal") - start_).norm() / 4.0;  // which are 4 m apart in the test's walk
+  }
+  double scale() const { return scale_; }
+  const pugi::xml_document& xml() const { return read_; }
+  /// The points of a path, in World: y goes down in the drawing.
+  std::vector<Eigen::Vector2d> points(const pugi::xml_node& path) const {
+    std::vector<Eigen::Vector2d> points;
+    const std::string text = path.attribute("d").value();
+    static const std::regex pair("(-?[0-9.]+) (-?[0-9.]+)");
+    for (std::sregex_iterator it(text.begin(), text.end(), pair), end; it != end; ++it) {
+      const Eigen::Vector2d p(std::stod((*it)[1].str()), std::stod((*it)[2].str()));
+      const Eigen::Vector2d off = (p - start_) / scale_;
+      points.emplace_back(1.0 + off.x(), 2.0 - off.y());  // the start is at (1, 2)
+    }
+    return points;
+  }
+  std::vector<pugi::xml_node> nodes(const char* query) const {
+    std::vector<pugi::xml_node> nodes;
+    for (const auto& found : read_.select_nodes(query)) nodes.push_back(found.node());
+    return nodes;
+  }
+
+ private:
+  pugi::xml_document read_;
+  Eigen::Vector2d start_ = Eigen::Vector2d::Zero();
+  double scale_ = 1.0;
+};
+
+constexpr double kDrawn =
+    2e-5;  // a plan's numbers have three decimals, of a hundredth of a metre [m]
+
+TEST(PlanView, FootprintsLieWhereTheWalkHasThem) {
+  const auto walk = makeTestWalk();
+  for (size_t i = 0; i < walk->animation.footprints.size(); ++i)
+    walk->animation.footprints[i].heading = 0.2 * static_cast<double>(i) - 0.7;
+  const ReadPlan plan(planOf(walk->view));
+  const auto prints = plan.nodes("//g[@id='footprints']/path");
+  ASSERT_EQ(prints.size(), walk->animation.footprints.size());
+  for (size_t i = 0; i < prints.size(); ++i) {
+    const Footprint& print = walk->animation.footprints[i];
+    EXPECT_STREQ(prints[i].attribute("class").value(), print.side == kLeft ? "left" : "right");
+    EXPECT_EQ(prints[i].attribute("fill").value(), hexColor(sideColor(print.side)));
+    const auto shoe = placedShoe(print, soleLength(walk->view));
+    const auto drawn = plan.points(prints[i]);
+    ASSERT_EQ(drawn.size(), shoe.size());
+    for (size_t k = 0; k < shoe.size(); ++k) EXPECT_LT((drawn[k] - shoe[k]).norm(), kDrawn);
+  }
+}
+
+TEST(PlanView, TheRootPathIsDrawnAlongItself) {
+  const auto walk = makeTestWalk();
+  walk->path = RootPath({makeBezier({1, 2}, 0.8, {5, 2}, -0.4)});
+  const ReadPlan plan(planOf(walk->view));
+  const auto drawn = plan.points(plan.nodes("//path[@id='root-path']").at(0));
+  const auto line = pathLine(walk->view);
+  ASSERT_EQ(drawn.size(), line.size());
+  for (size_t i = 0; i < line.size(); ++i) EXPECT_LT((drawn[i] - line[i]).norm(), kDrawn);
+}
+
+TEST(PlanView, ThingsAreDrawnByTheirCorners) {
+  const auto walk = makeTestWalk();
+  walk->scene.objects.back().X_WO.linear() =
+      Eigen::AngleAxisd(0.4, Vector3d::UnitZ()).toRotationMatrix();
+  const ReadPlan plan(planOf(walk->view));
+  for (const auto& path : plan.nodes("//g[@id='things']/path")) {
+    if (std::string(path.child("title").text().get()) != "chest") continue;
+    const auto drawn = plan.points(path);
+    EXPECT_EQ(drawn.size(), 4u);
+    for (const Vector2d& corner : drawn) {
+      double nearest = 1.0;
+      for (const auto& v : worldMesh(walk->scene.objects.back()).vertices)
+        nearest = std::min(nearest, (v.head<2>() - corner).norm());
+      EXPECT_LT(nearest, kDrawn);
+    }
+  }
+}
+
+TEST(PlanView, TheScaleBarIsAsLongAsItSays) {
+  for (const double stretch : {1.0, 4.0, 25.0}) {
+    const auto walk = makeTestWalk();
+    // A larger hall about the same walk, cut off 3 m beyond it; then a longer walk.
+    walk->scene.objects.front() = testBox("floor", {6 * stretch, 4 * stretch, 0.1}, {3, 2, -0.05});
+    if (stretch > 10.0) walk->view.via = {{{40, 2}, {}}, {{-30, 2}, {}}};
+    const ReadPlan plan(planOf(walk->view));
+    double length = 0.0;
+    for (const auto& rect : plan.nodes("//g[@id='scale-bar']/rect"))
+      length += rect.attribute("width").as_double();
+    const std::string label = plan.nodes("//g[@id='scale-bar']/text").back().text().get();
+    EXPECT_NEAR(length / plan.scale(), std::stod(label), 1e-3) << label;
+    EXPECT_TRUE(label.ends_with(" m"));
+    EXPECT_GT(length, 30.0);
+  }
+}
+
+TEST(PlanView, ArrowsPointAlongTheHeadings) {
+  const auto walk = makeTestWalk();
+  for (const double heading : {0.0, 1.0, -2.5}) {
+    walk->view.start->heading = heading;
+    const ReadPlan plan(planOf(walk->view));
+    const auto shaft = plan.points(plan.nodes("//g[@class='start']/path").at(0));
+    const Vector2d way = shaft.at(1) - shaft.at(0);
+    EXPECT_NEAR(std::atan2(way.y(), way.x()), heading, 1e-3);
+    EXPECT_TRUE(plan.nodes("//g[@class='goal']/path").empty());  // any heading will do there
+  }
+}
+
+TEST(PlanView, ViaPointsAreNumberedInTheirOrder) {
+  const auto walk = makeTestWalk();
+  walk->view.via = {{{2, 3}, 0.5}, {{4, 1}, {}}, {{3, 2}, {}}};
+  const ReadPlan plan(planOf(walk->view));
+  const auto texts = plan.nodes("//g[@class='via']/text");
+  ASSERT_EQ(texts.size(), 3u);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(texts[i].text().get(), std::to_string(i + 1));
+}
+
+// Where the room is in the world does not matter: the drawing is of it, not of its coordinates.
+TEST(PlanView, AWorldThatIsMovedGivesTheSameDrawing) {
+  const auto here = makeTestWalk(), there = makeTestWalk();
+  const Vector2d by(64, -32);
+  for (SceneObject& object : there->scene.objects) object.X_WO.translation().head<2>() += by;
+  for (Footprint& print : there->animation.footprints) print.position.head<2>() += by;
+  for (int i = 0; i < there->animation.size(); ++i) there->animation.poses.p_WR(i).head<2>() += by;
+  there->path = RootPath({makeBezier({65, -30}, 0, {69, -30}, 0)});
+  there->view.start->position += by;
+  there->view.goal->position += by;
+  const std::string a = planOf(here->view), b = planOf(there->view);
+  static const std::regex number("-?[0-9]+(\\.[0-9]+)?");
+  std::sregex_iterator i(a.begin(), a.end(), number), k(b.begin(), b.end(), number), end;
+  for (; i != end && k != end; ++i, ++k)
+    EXPECT_NEAR(std::stod(i->str()), std::stod(k->str()), 0.0011);
+  EXPECT_TRUE(i == end && k == end);
+}
+
+TEST(PlanView, RoomsFillThePageAndLargeScenesAreShownAroundTheWalk) {
+  const auto walk = makeTestWalk();
+  const auto sizeOf = [&]() -> Vector2d {
+    const ReadPlan plan(planOf(walk->view));
+    const pugi::xml_node rect = plan.nodes("//clipPath/rect").at(0);
+    return Vector2d(rect.attribute("width").as_double(), rect.attribute("height").as_double()) /
+           plan.scale();
+  };
+  EXPECT_LT((sizeOf() - Vector2d(6.2 + 0.6, 4.2 + 0.6)).norm(), 0.01);
+  walk->scene.objects.front() = testBox("floor", {300, 200, 0.1}, {3, 2, -0.05});
+  EXPECT_LT((sizeOf() - Vector2d(4 + 6 + 0.6, 6 + 0.6)).norm(), 0.01);  // 3.3 m about the walk
+}
+
+}  // namespace
+}  // namespace amble

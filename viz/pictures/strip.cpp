@@ -1,0 +1,295 @@
+// The film strip: renderStrip of viz/pictures/render.h.
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "viz/pictures/draw_mesh.h"
+#include "viz/pictures/lighting.h"
+#include "viz/pictures/render.h"
+#include "viz/pictures/section.h"
+#include "viz/pictures/tiny_text.h"
+
+namespace amble {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+constexpr double kBelow = 0.076;     // how much is shown below the floor [window]
+constexpr double kTick = 0.1;        // between the marks of the floor [m]
+constexpr double kLevelView = 0.02;  // an eye lower than this sees the floor as a line [rad]
+constexpr float kSinkTint = 0.75f;   // how red a body is drawn below the floor
+
+const Color kTrunk = rgb(176, 178, 184);
+const Color kEarth = rgb(222, 214, 200);
+const Color kInk = rgb(60, 62, 70);
+
+std::vector<Color> limbColors(const Body& body) {
+  std::vector<Color> colors;
+  for (const BodyPart& part : body.parts) {
+    const bool left = part.name.find("left") != std::string::npos;
+    const bool right = part.name.find("right") != std::string::npos;
+    const bool leg = part.sole >= 0 || part.name.find("arm") == std::string::npos;
+    const Color side = sideColor(left ? kLeft : kRight);
+    colors.push_back(!left && !right ? kTrunk : leg ? side : mix(side, kTrunk, 0.45f));
+  }
+  return colors;
+}
+
+// Of the ground under the walker; the view's floor where frames do not say [m].
+double groundUnder(const WalkView& view, int frame) {
+  const std::vector<FrameState>& states = view.animation->states;
+  return states.empty() ? view.floor : states[static_cast<size_t>(frame)].position.z();
+}
+
+// A parallel view of the walker at a frame; the picture's middle column is the root's.
+Camera tileCamera(const WalkView& view, int frame, const StripSettings& settings, int factor) {
+  const Vector3d root = view.animation->poses.p_WR(frame);
+  const double azimuth = view.animation->states[frame].heading + settings.side;
+  const double level = std::cos(settings.lift);
+  const Vector3d back(level * std::cos(azimuth), level * std::sin(azimuth),
+                      std::sin(settings.lift));
+  const Vector3d middle(root.x(), root.y(),
+                        groundUnder(view, frame) + (0.5 - kBelow) * settings.window);
+  Camera camera;
+  camera.parallel = true;
+  camera.axes = viewAxes((-back).cast<float>());
+  camera.eye = (middle + 4 * back).cast<float>();
+  camera.centre = Eigen::Vector2f(static_cast<float>(settings.tile_width),
+                                  static_cast<float>(settings.tile_height)) /
+                  2;
+  camera.scale = static_cast<float>(settings.tile_height / settings.window);
+  return camera.enlarged(static_cast<float>(factor));
+}
+
+// What each foot stands on in a frame, stood on last and comes to next.
+std::vector<Footprint> printsAround(const WalkView& view, int frame) {
+  std::vector<Footprint> around;
+  for (const Side side : {kLeft, kRight}) {
+    const Footprint *here = nullptr, *next = nullptr;
+    for (const Footprint& print : view.animation->footprints) {
+      if (print.side != side) continue;
+      if (print.first_frame <= frame) here = &print;
+      if (print.first_frame > frame && next == nullptr) next = &print;
+    }
+    if (here != nullptr) around.push_back(*here);
+    if (next != nullptr) around.push_back(*next);
+  }
+  return around;
+}
+
+// What the camera has to its right, level.
+Vector3d rightOf(const Camera& camera) { return camera.axes.row(0).transpose().cast<double>(); }
+
+// The ground's row in each column of a tile, in the walker's plane: -1 where there is none.
+std::vector<int> groundRows(const WalkView& view, int frame, const Camera& camera, int width) {
+  constexpr double kReach = 1.0;  // from where the walker stands to what is ground beside him [m]
+  const Vector3d root = view.animation->poses.p_WR(frame), right = rightOf(camera);
+  const double level = groundUnder(view, frame);
+  std::vector<int> rows(width, -1);
+  for (int x = 0; x < width; ++x) {
+    const Vector3d at = root + (x + 0.5 - 0.5 * width) / camera.scale * right;
+    const auto height = view.ground->height(at.x(), at.y(), level, kReach);
+    if (!height) continue;
+    const Vector3f on(static_cast<float>(at.x()), static_cast<float>(at.y()),
+                      static_cast<float>(*height));
+    rows[x] = static_cast<int>(std::lround(camera.toPixel(camera.toView(on)).y()));
+  }
+  return rows;
+}
+
+// The same where the ground is not known: a print's under its sole, the lower of two that lie
+// behind one another; elsewhere that of the lowest print.
+std::vector<int> printRows(const WalkView& view, int frame, const Camera& camera, int width) {
+  const auto pixel = [&](const Vector3d& p) {
+    return camera.toPixel(camera.toView(p.cast<float>()));
+  };
+  const Vector3d root = view.animation->poses.p_WR(frame);
+  const std::vector<Footprint> prints = printsAround(view, frame);
+  double lowest = prints.empty() ? groundUnder(view, frame) : prints[0].position.z();
+  for (const Footprint& print : prints) lowest = std::min(lowest, print.position.z());
+  const auto rowOf = [&](double z) {
+    return static_cast<int>(std::lround(pixel({root.x(), root.y(), z}).y()));
+  };
+  std::vector<int> under(width, -1);
+  for (const Footprint& print : prints) {
+    const Vector3d half =
+        soleLength(view) / 2 * Vector3d(std::cos(print.heading), std::sin(print.heading), 0);
+    const float a = pixel(print.position - half).x(), b = pixel(print.position + half).x();
+    const int first = std::max(0, static_cast<int>(std::floor(std::min(a, b))));
+    const int last = std::min(width - 1, static_cast<int>(std::ceil(std::max(a, b))));
+    for (int x = first; x <= last; ++x) under[x] = std::max(under[x], rowOf(print.position.z()));
+  }
+  for (int& row : under) {
+    if (row < 0) row = rowOf(lowest);
+  }
+  return under;
+}
+
+// The floor from the side: a line with a mark every 10 cm of World, so that a sliding foot shows;
+// what of the body is below it is drawn red.
+void drawFloorLine(const std::vector<int>& rows, double floor, const Camera& camera,
+                   const SampleBuffer& samples, Image& tile) {
+  for (int x = 0; x < tile.width; ++x) {
+    if (rows[x] < 0) continue;
+    for (int y = rows[x]; y < tile.height; ++y) {
+      const bool body = samples.depth[samples.index(x * kSupersampling, y * kSupersampling)] > 0;
+      const uint8_t* old = tile.pixel(x, y);
+      const Color sunk = mix(rgb(old[0], old[1], old[2]), rgb(220, 20, 20), kSinkTint);
+      fillRect(tile, x, y, 1, 1, body ? sunk : kEarth);
+    }
+    fillRect(tile, x, rows[x], 1, 1, kInk);
+  }
+  const Vector3d on_floor(camera.eye.x(), camera.eye.y(), floor);
+  const Vector3d right = rightOf(camera);
+  const double middle = right.dot(on_floor);
+  const double half = tile.width / (2.0 * camera.scale);
+  for (int i = static_cast<int>(std::ceil((middle - half) / kTick)); i * kTick <= middle + half;
+       ++i) {
+    const Vector3d mark = on_floor + (i * kTick - middle) * right;
+    const int x =
+        static_cast<int>(std::lround(camera.toPixel(camera.toView(mark.cast<float>())).x()));
+    if (x >= 0 && x < tile.width && rows[x] >= 0)
+      fillRect(tile, x, rows[x], 1, i % 5 == 0 ? 12 : 5, kInk);
+  }
+}
+
+// What the walker's plane cuts of the scene, as lines.
+void drawSection(const WalkView& view, int frame, const SceneSection& section, const Camera& camera,
+                 Image& tile) {
+  const Vector3d root = view.animation->poses.p_WR(frame), right = rightOf(camera);
+  const auto pixel = [&](const Vector2d& p) -> Eigen::Vector2f {
+    const Vector3d at(root.x() + p.x() * right.x(), root.y() + p.x() * right.y(), p.y());
+    return camera.toPixel(camera.toView(at.cast<float>()));
+  };
+  const double reach = tile.width / (2.0 * camera.scale);
+  for (const SectionLine& line : section.cut(root, right, reach)) {
+    const Eigen::Vector2f a = pixel(line.from), b = pixel(line.to);
+    const int steps = std::clamp(static_cast<int>((b - a).cwiseAbs().maxCoeff()) + 1, 1, 4096);
+    for (int i = 0; i <= steps; ++i) {
+      const Eigen::Vector2f at = a + static_cast<float>(i) / static_cast<float>(steps) * (b - a);
+      fillRect(tile, static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y())),
+               1, 1, kInk);
+    }
+  }
+}
+
+// A bar below the floor's line under each foot that is planted in this frame.
+void drawPlants(const WalkView& view, int frame, const Camera& camera, Image& tile) {
+  const double length = soleLength(view);
+  for (const Footprint& print : view.animation->footprints) {
+    if (frame < print.first_frame || frame > print.last_frame) continue;
+    const Vector3d along(std::cos(print.heading), std::sin(print.heading), 0);
+    const Vector3d heel = print.position - along * (length / 2),
+                   toe = print.position + along * (length / 2);
+    const auto a = camera.toPixel(camera.toView(heel.cast<float>()));
+    const auto b = camera.toPixel(camera.toView(toe.cast<float>()));
+    const int x = static_cast<int>(std::lround(std::min(a.x(), b.x())));
+    const int width = std::max(2, static_cast<int>(std::lround(std::abs(a.x() - b.x()))));
+    fillRect(tile, x, static_cast<int>(std::lround(a.y())) + 14 + (print.side == kRight ? 5 : 0),
+             width, 4, sideColor(print.side));
+  }
+}
+
+void addFloorAround(const WalkView& view, int frame, std::vector<DrawTriangle>& triangles) {
+  constexpr double kHalf = 2.0;  // [m]
+  const Vector3d root = view.animation->poses.p_WR(frame);
+  const auto snap = [](double v) { return std::round(v / kTick) * kTick; };
+  const Vector2d middle(snap(root.x()), snap(root.y()));
+  TriangleMesh floor = makeBox({2 * kHalf, 2 * kHalf, 0.02});
+  const double level = groundUnder(view, frame);
+  for (Vector3d& p : floor.vertices) p += Vector3d(middle.x(), middle.y(), level - 0.01);
+  addMesh(floor, kEarth, kNoShadow, triangles);
+  for (double d = -kHalf; d <= kHalf + 1e-9; d += kTick) {
+    const std::vector<Vector2d> across = {middle + Vector2d(d, -kHalf),
+                                          middle + Vector2d(d, kHalf)};
+    const std::vector<Vector2d> along = {middle + Vector2d(-kHalf, d), middle + Vector2d(kHalf, d)};
+    addRibbon(across, 0.004, level, mix(kEarth, kInk, 0.25f), triangles);
+    addRibbon(along, 0.004, level, mix(kEarth, kInk, 0.25f), triangles);
+  }
+  for (const Footprint& print : view.animation->footprints)
+    if (frame >= print.first_frame && frame <= print.last_frame)
+      addPolygon(placedShoe(print, soleLength(view)), print.position.z(),
+                 mix(sideColor(print.side), kEarth, 0.35f), triangles);
+}
+
+Image renderTile(const WalkView& view, int frame, const SceneSection& section,
+                 const StripSettings& settings) {
+  const bool level = std::abs(settings.lift) < kLevelView;
+  std::vector<DrawTriangle> triangles;
+  addBody(view, frame, limbColors(*view.body), triangles);
+  if (!level) addFloorAround(view, frame, triangles);
+  const Camera camera = tileCamera(view, frame, settings, kSupersampling);
+  const SampleBuffer samples = rasterize(triangles, camera, settings.tile_width * kSupersampling,
+                                         settings.tile_height * kSupersampling, settings.threads);
+  LightSettings light;
+  light.threads = settings.threads;
+  light.background = rgb(250, 250, 251);
+  const Vector3f back = -camera.axes.row(2).transpose();
+  light.to_sun = Vector3f(back.x(), back.y(), 0) * 0.8f + Vector3f(0.1f, 0.2f, 1.0f);
+  const Vector3f root = view.animation->poses.p_WR(frame).cast<float>();
+  light.shadowed =
+      Eigen::AlignedBox3f(root - Vector3f::Constant(1.2f), root + Vector3f::Constant(1.2f));
+  light.shadow_size = 512;
+  Image tile = lightSamples(samples, camera, triangles, light);
+  const Camera small = tileCamera(view, frame, settings, 1);
+  if (level) {
+    const auto rows = view.ground != nullptr ? groundRows : printRows;
+    drawFloorLine(rows(view, frame, small, tile.width), groundUnder(view, frame), small, samples,
+                  tile);
+    drawSection(view, frame, section, small, tile);
+    drawPlants(view, frame, small, tile);
+  }
+  const double time = frame * view.animation->frame_time;
+  drawText(tile, 6, 6, std::to_string(frame) + "  " + fixedNumber(time, 3) + " s", 2, kInk);
+  fillRect(tile, 0, 0, 1, tile.height, mix(kInk, light.background, 0.7f));
+  return tile;
+}
+
+// The window of a tile is told for an adult.
+StripSettings fitted(const WalkView& view, StripSettings settings) {
+  constexpr double kAdult = 1.75;  // [m]
+  const PlacedBody placed = placeBodyAt(view, 0);
+  double crown = 0.0;
+  for (size_t i = 0; i < placed.to.size(); ++i)
+    crown = std::max(crown, std::max(placed.from[i].z(), placed.to[i].z()) +
+                                view.body->parts[i].radius - groundUnder(view, 0));
+  settings.window *= crown / kAdult;
+  return settings;
+}
+
+}  // namespace
+
+StripSettings stripOfWhole(const AnimationBuffer& walk) {
+  constexpr double kEvery = 0.1;  // [s]
+  constexpr int kMost = 120;      // pictures
+  StripSettings settings;
+  const int usual = static_cast<int>(std::lround(kEvery / walk.frame_time));
+  settings.step = std::max({1, usual, (walk.size() + kMost - 1) / kMost});
+  settings.pictures = kMost;
+  settings.columns = 12;
+  return settings;
+}
+
+Image renderStrip(const WalkView& view, const StripSettings& asked) {
+  if (!view.hasBody()) return Image(asked.tile_width, asked.tile_height);
+  const StripSettings settings = fitted(view, asked);
+  const SceneSection section(*view.scene);
+  const int left = view.animation->size() - std::max(0, settings.first);
+  const int count = std::clamp((left + settings.step - 1) / settings.step, 1, settings.pictures);
+  const int columns = std::min(settings.columns, count);
+  const int rows = (count + columns - 1) / columns;
+  Image strip(columns * settings.tile_width, rows * settings.tile_height);
+  std::fill(strip.rgb.begin(), strip.rgb.end(), uint8_t{250});
+  for (int i = 0; i < count; ++i) {
+    const int frame = std::min(settings.first + i * settings.step, view.animation->size() - 1);
+    const Image tile = renderTile(view, frame, section, settings);
+    const int x = i % columns * settings.tile_width, y = i / columns * settings.tile_height;
+    for (int row = 0; row < tile.height; ++row)
+      std::copy_n(tile.pixel(0, row), static_cast<size_t>(tile.width) * 3, strip.pixel(x, y + row));
+  }
+  return strip;
+}
+
+}  // namespace amble

@@ -1,0 +1,66 @@
+#include "viz/pictures/tiny_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace amble {
+namespace {
+
+constexpr int kColumns = 5, kRows = 7;
+
+struct Glyph {
+  char letter;
+  std::array<const char*, kRows> dots;
+};
+
+const std::array<Glyph, 20> kGlyphs = {{
+    {'0', {" ### ", "#   #", "#  ##", "# # #", "##  #", "#   #", " ### "}},
+    {'1', {"  #  ", " ##  ", "  #  ", "  #  ", "  #  ", "  #  ", " ### "}},
+    {'2', {" ### ", "#   #", "    #", "  ## ", " #   ", "#    ", "#####"}},
+    {'3', {" ### ", "#   #", "    #", "  ## ", "    #", "#   #", " ### "}},
+    {'4', {"   # ", "  ## ", " # # ", "#  # ", "#####", "   # ", "   # "}},
+    {'5', {"#####", "#    ", "#### ", "    #", "    #", "#   #", " ### "}},
+    {'6', {"  ## ", " #   ", "#    ", "#### ", "#   #", "#   #", " ### "}},
+    {'7', {"#####", "    #", "   # ", "  #  ", "  #  ", "  #  ", "  #  "}},
+    {'8', {" ### ", "#   #", "#   #", " ### ", "#   #", "#   #", " ### "}},
+    {'9', {" ### ", "#   #", "#   #", " ####", "    #", "   # ", " ##  "}},
+    {'.', {"     ", "     ", "     ", "     ", "     ", " ##  ", " ##  "}},
+    {':', {"     ", " ##  ", " ##  ", "     ", " ##  ", " ##  ", "     "}},
+    {'-', {"     ", "     ", "     ", "#####", "     ", "     ", "     "}},
+    {'f', {"  ## ", " #   ", "#### ", " #   ", " #   ", " #   ", " #   "}},
+    {'r', {"     ", "     ", "# ## ", "##   ", "#    ", "#    ", "#    "}},
+    {'a', {"     ", "     ", " ### ", "    #", " ####", "#   #", " ####"}},
+    {'m', {"     ", "     ", "## # ", "# # #", "# # #", "# # #", "# # #"}},
+    {'e', {"     ", "     ", " ### ", "#   #", "#####", "#    ", " ### "}},
+    {'s', {"     ", "     ", " ####", "#    ", " ### ", "    #", "#### "}},
+    {' ', {"     ", "     ", "     ", "     ", "     ", "     ", "     "}},
+}};
+
+}  // namespace
+
+int textWidth(std::string_view text, int dot) {
+  return static_cast<int>(text.size()) * (kColumns + 1) * dot;
+}
+
+void fillRect(Image& image, int x, int y, int width, int height, const Color& color) {
+  for (int j = std::max(0, y); j < std::min(image.height, y + height); ++j)
+    for (int i = std::max(0, x); i < std::min(image.width, x + width); ++i)
+      for (int c = 0; c < 3; ++c)
+        image.pixel(i, j)[c] =
+            static_cast<uint8_t>(std::lround(std::clamp(color[c], 0.0f, 1.0f) * 255));
+}
+
+void drawText(Image& image, int x, int y, std::string_view text, int dot, const Color& color) {
+  for (const char letter : text) {
+    for (const Glyph& glyph : kGlyphs) {
+      if (glyph.letter != letter) continue;
+      for (int r = 0; r < kRows; ++r)
+        for (int c = 0; c < kColumns; ++c)
+          if (glyph.dots[r][c] == '#') fillRect(image, x + c * dot, y + r * dot, dot, dot, color);
+    }
+    x += (kColumns + 1) * dot;
+  }
+}
+
+}  // namespace amble
