@@ -12,6 +12,7 @@
 
 #include "app/command.h"
 #include "app/progress.h"
+#include "app/result_formats.h"
 #include "app/say.h"
 #include "app/stop.h"
 #include "app/unit_text.h"
@@ -22,35 +23,9 @@
 #include "environments/ground/ground_warnings.h"
 #include "scenarios/run_scenario.h"
 #include "scenarios/write_results.h"
-#include "viz/pictures/plan_view.h"
-#include "viz/pictures/render.h"
 
 namespace amble {
 namespace {
-
-// What can be written.
-struct Format {
-  const char *name, *file, *what;
-  bool of_walk = true;  // there is none without a walk
-};
-constexpr Format kFormats[] = {{"bvh", "walk.bvh", "the walk"},
-                               {"json", "report.json", "its report", false},
-                               {"svg", "top.svg", "seen from above", false},
-                               {"png", "walk.png", "a picture"},
-                               {"strip", "strip.png", "frame by frame from the side"}};
-
-std::vector<std::string> formatNames() {
-  std::vector<std::string> names;
-  for (const Format& format : kFormats) names.emplace_back(format.name);
-  return names;
-}
-
-std::string formatsHelp() {
-  std::vector<std::string> all;
-  for (const Format& format : kFormats)
-    all.push_back(fmt::format("{} ({})", format.name, format.what));
-  return fmt::format("What to write: {}", fmt::join(all, ", "));
-}
 
 struct Options {
   std::string scenario, out, planner, roadmap;
@@ -60,7 +35,7 @@ struct Options {
   double fps = 60.0;
   size_t memory = GuardLimits{}.memory;  // [bytes]
   std::string bvh_units = "m", checker = "fast";
-  std::vector<std::string> formats = {"bvh", "json", "svg", "png"};  // a strip is asked for
+  std::vector<std::string> formats = usualFormats();
   bool formats_given = false, json = false, list_planners = false;
 };
 
@@ -114,21 +89,11 @@ void writeAll(const Options& options, RunResult& result, const std::filesystem::
   WriteOptions write;
   write.bvh = wants(options, "bvh");
   write.json = wants(options, "json");
-  write.names.clear();
-  for (const Format& format : kFormats) write.names.emplace_back(format.file);
-  if (wants(options, "svg") && loaded) {
-    write.more.push_back({"top.svg", [&](std::ostream& out) { writePlanView(out, view); }});
-  }
-  if (wants(options, "png") && view.hasBody()) {
-    write.more.push_back({"walk.png", [&](std::ostream& out) {
-                            writePng(out, renderWalk(view, {.threads = options.threads}));
-                          }});
-  }
-  if (wants(options, "strip") && view.hasBody()) {
-    StripSettings strip = stripOfWhole(*view.animation);
-    strip.threads = options.threads;
-    write.more.push_back(
-        {"strip.png", [=](std::ostream& out) { writePng(out, renderStrip(view, strip)); }});
+  write.names = resultFileNames();
+  const ResultSubject subject{.result = result, .view = view, .threads = options.threads};
+  for (const ResultFormat& format : resultFormats()) {
+    const bool there = format.of_walk ? view.hasBody() : loaded;
+    if (format.add && there && wants(options, format.name)) format.add(subject, write.more);
   }
   writeResults(result, folder, write);
 }
@@ -137,8 +102,10 @@ void writeAll(const Options& options, RunResult& result, const std::filesystem::
 void sayWhatIsMissing(const Options& options, const Report& report) {
   if (report.status == PlanStatus::kSolved || !options.formats_given) return;
   std::vector<std::string> missing;
-  for (const Format& format : kFormats)
-    if (format.of_walk && wants(options, format.name)) missing.emplace_back(format.file);
+  for (const ResultFormat& format : resultFormats()) {
+    if (format.of_walk && wants(options, format.name))
+      missing.insert(missing.end(), format.files.begin(), format.files.end());
+  }
   if (missing.empty()) return;
   say(stderr, "amble plan: without a walk there is no {}\n", fmt::join(missing, ", "));
 }
@@ -257,7 +224,7 @@ std::vector<std::filesystem::path> outputsOf(const Scenario& scenario,
   for (const ScenarioQuery& query : scenario.queries) folders.push_back(folder / query.name);
   if (folders.empty()) folders.push_back(folder);
   for (const std::filesystem::path& one : folders)
-    for (const Format& format : kFormats) files.push_back(one / format.file);
+    for (const std::filesystem::path& name : resultFileNames()) files.push_back(one / name);
   return files;
 }
 

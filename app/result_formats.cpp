@@ -1,0 +1,79 @@
+#include "app/result_formats.h"
+
+#include <fmt/format.h>
+
+#include "viz/pictures/plan_view.h"
+#include "viz/pictures/render.h"
+
+namespace amble {
+namespace {
+
+void addPlanView(const ResultSubject& subject, std::vector<ResultFile>& files) {
+  files.push_back(
+      {"top.svg", [view = &subject.view](std::ostream& out) { writePlanView(out, *view); }});
+}
+
+void addPicture(const ResultSubject& subject, std::vector<ResultFile>& files) {
+  const RenderSettings settings{.threads = subject.threads};
+  files.push_back({"walk.png", [view = &subject.view, settings](std::ostream& out) {
+                     writePng(out, renderWalk(*view, settings));
+                   }});
+}
+
+void addStrip(const ResultSubject& subject, std::vector<ResultFile>& files) {
+  StripSettings strip = stripOfWhole(*subject.view.animation);
+  strip.threads = subject.threads;
+  files.push_back({"strip.png", [view = &subject.view, strip](std::ostream& out) {
+                     writePng(out, renderStrip(*view, strip));
+                   }});
+}
+
+}  // namespace
+
+const std::vector<ResultFormat>& resultFormats() {
+  static const std::vector<ResultFormat> formats = {
+      {.name = "bvh", .files = {"walk.bvh"}, .what = "the walk"},
+      {.name = "json", .files = {"report.json"}, .what = "its report", .of_walk = false},
+      {.name = "svg",
+       .files = {"top.svg"},
+       .what = "seen from above",
+       .of_walk = false,
+       .add = addPlanView},
+      {.name = "png", .files = {"walk.png"}, .what = "a picture", .add = addPicture},
+      {.name = "strip",
+       .files = {"strip.png"},
+       .what = "frame by frame from the side",
+       .usual = false,
+       .add = addStrip},
+  };
+  return formats;
+}
+
+std::vector<std::string> formatNames() {
+  std::vector<std::string> names;
+  for (const ResultFormat& format : resultFormats()) names.emplace_back(format.name);
+  return names;
+}
+
+std::vector<std::string> usualFormats() {
+  std::vector<std::string> names;
+  for (const ResultFormat& format : resultFormats())
+    if (format.usual) names.emplace_back(format.name);
+  return names;
+}
+
+std::string formatsHelp() {
+  std::vector<std::string> all;
+  for (const ResultFormat& format : resultFormats())
+    all.push_back(fmt::format("{} ({})", format.name, format.what));
+  return fmt::format("What to write: {}", fmt::join(all, ", "));
+}
+
+std::vector<std::filesystem::path> resultFileNames() {
+  std::vector<std::filesystem::path> names;
+  for (const ResultFormat& format : resultFormats())
+    for (const char* file : format.files) names.emplace_back(file);
+  return names;
+}
+
+}  // namespace amble

@@ -1,0 +1,45 @@
+/// What `amble plan` can write of a run, each under a name that --formats takes: the one table of
+/// it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/output_file.h"
+#include "scenarios/run_scenario.h"
+#include "viz/walk_view.h"
+
+namespace amble {
+
+/// A run that is to be written. Borrowed: all outlives the writing.
+struct ResultSubject {
+  const RunResult& result;
+  const WalkView& view;  ///< of the result
+  int threads = 1;       ///< that may be used; changes no byte
+};
+
+struct ResultFormat {
+  const char* name;                ///< "svg"
+  std::vector<const char*> files;  ///< all that it may write, relative to the folder of results
+  const char* what;                ///< for help
+  bool usual = true;               ///< written unless formats are named
+  bool of_walk = true;             ///< there is none without a walk
+  /// Adds to `files` what is written of the subject, paths relative to the folder. Null for
+  /// walk.bvh and report.json, which writeResults writes itself.
+  void (*add)(const ResultSubject& subject, std::vector<ResultFile>& files) = nullptr;
+};
+
+const std::vector<ResultFormat>& resultFormats();
+
+/// Their names, in the table's order; or of the usual ones.
+std::vector<std::string> formatNames();
+std::vector<std::string> usualFormats();
+
+/// "What to write: bvh (the walk), ..."
+std::string formatsHelp();
+
+/// Every file that any of them writes.
+std::vector<std::filesystem::path> resultFileNames();
+
+}  // namespace amble
