@@ -8,6 +8,7 @@
 #include "animation/library/foot_cycle.h"
 #include "animation/steps/unevenness.h"
 #include "base/ease.h"
+#include "base/range_maximum.h"
 
 namespace amble {
 
@@ -58,6 +59,10 @@ struct SwingClearance::Strip {
   double from_tilt = 0.0, to_tilt = 0.0;  // of the soles along the swing [1]
   std::vector<double> height;  // crest of each cell over the first print [m]; -infinity: none
   std::vector<char> own;       // whether that is the plane of a print
+  RangeMaximum own_height, other_height;  // of the cells that are, and that are not
+
+  int cells() const { return static_cast<int>(height.size()); }
+  double middleOf(int cell) const { return begin + (cell + 0.5) * Search::kCell; }
 };
 
 SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPlace& to,
@@ -106,6 +111,10 @@ SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPla
     strip.height.push_back(z - from.position.z());
     strip.own.push_back(same);
   }
+  std::vector<double> own_height(cells, -HUGE_VAL), other_height(cells, -HUGE_VAL);
+  for (int i = 0; i < cells; ++i) (strip.own[i] ? own_height : other_height)[i] = strip.height[i];
+  strip.own_height = RangeMaximum(std::move(own_height));
+  strip.other_height = RangeMaximum(std::move(other_height));
   // A foot that stands nearer to a riser goes up nearer to it.
   for (int i = 0; i < cells; ++i) {
     const double before = strip.begin + i * Search::kCell - strip.ahead;
@@ -118,37 +127,65 @@ SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPla
   return strip;
 }
 
+// A sole over a strip at one moment of a swing.
+struct SwingClearance::Moment {
+  double s = 0.0;       // its middle, along the swing [m]
+  double height = 0.0;  // of its middle over the first print [m]
+  double tilt = 0.0;    // along the swing [1]
+  double own = 0.0;     // margin over the ground that it stands on [m]
+};
+
+SwingClearance::Moment SwingClearance::momentAt(const Strip& strip, const FootCycle& cycle,
+                                                const SwingShape& shape, double tau) {
+  Moment sole;
+  const double along = swingAlong(shape, cycle, tau), ease = smoothstep(tau);
+  sole.s = along * strip.length;
+  // Over the ground that it stands on a foot's margin grows as it goes on.
+  const double away = std::clamp(
+      std::min(sole.s / Margins::kLeaving, (strip.length - sole.s) / Margins::kNear), 0.0, 1.0);
+  sole.own = away * Margins::kOver - (1.0 - away) * strip.uneven;
+  const double side = strip.from_side + ease * (strip.to_side - strip.from_side);
+  sole.height = along * strip.rise + swingHeight(shape, cycle, tau) + side;
+  sole.tilt = strip.from_tilt + ease * (strip.to_tilt - strip.from_tilt);
+  return sole;
+}
+
+// That a sole is too low over the cells from first to last, of which it stands on some [m, >= 0].
+double SwingClearance::needOver(const Strip& strip, const Moment& sole, int first, int last) {
+  // Beside a print, not under it: a foot that goes up or comes down there passes it by.
+  int from = first, to = last;
+  if (sole.s < Margins::kBeside)
+    while (from <= to && strip.middleOf(from) < strip.ahead + Search::kCell) ++from;
+  if (strip.length - sole.s < Margins::kBeside)
+    while (to >= from && strip.middleOf(to) > strip.length - strip.back - Search::kCell) --to;
+  const double most = std::max(strip.own_height.over(first, last) + sole.own,
+                               strip.other_height.over(from, to) + Margins::kOver) -
+                      sole.height;
+  // Of a level sole that is all; of a tilted one no cell asks for more than this.
+  if (sole.tilt == 0.0) return std::max(0.0, most);
+  if (most + std::abs(sole.tilt) * std::max(strip.back, strip.ahead) < 0.0) return 0.0;
+  double need = 0.0;
+  for (int i = first; i <= last; ++i) {
+    if (!strip.own[i] && (i < from || i > to)) continue;
+    const double at = std::clamp(strip.middleOf(i) - sole.s, -strip.back, strip.ahead);
+    const double margin = strip.own[i] ? sole.own : Margins::kOver;
+    need = std::max(need, strip.height[i] + margin - sole.height - sole.tilt * at);
+  }
+  return need;
+}
+
 // What must be added to the swing's height at each of kSamples moments [m].
 SwingClearance::Needs SwingClearance::needs(const Strip& strip, const FootCycle& cycle,
-                                            const SwingShape& shape) const {
+                                            const SwingShape& shape) {
   Needs needs = {};
-  const int cells = static_cast<int>(strip.height.size());
   for (int k = 1; k < kSamples; ++k) {
-    const double tau = static_cast<double>(k) / kSamples;
-    const double along = swingAlong(shape, cycle, tau), ease = smoothstep(tau);
-    const double s = along * strip.length;
-    // Over the ground that it stands on a foot's margin grows as it goes on.
-    const double away =
-        std::clamp(std::min(s / Margins::kLeaving, (strip.length - s) / Margins::kNear), 0.0, 1.0);
-    const double own = away * Margins::kOver - (1.0 - away) * strip.uneven;
-    const double side = strip.from_side + ease * (strip.to_side - strip.from_side);
-    const double sole = along * strip.rise + swingHeight(shape, cycle, tau) + side;
-    const double tilt = strip.from_tilt + ease * (strip.to_tilt - strip.from_tilt);
-    // Beside a print, not under it: a foot that goes up or comes down there passes it by.
-    const double passed_from = s < Margins::kBeside ? strip.ahead + Search::kCell : -HUGE_VAL;
-    const double passed_to =
-        strip.length - s < Margins::kBeside ? strip.length - strip.back - Search::kCell : HUGE_VAL;
-    double need = 0.0;
-    const int first = static_cast<int>(std::floor((s - strip.back - strip.begin) / Search::kCell));
-    const int last =
-        static_cast<int>(std::floor((s + strip.ahead + strip.keep - strip.begin) / Search::kCell));
-    for (int i = std::max(first, 0); i <= std::min(last, cells - 1); ++i) {
-      const double x = strip.begin + (i + 0.5) * Search::kCell;
-      if (!strip.own[i] && (x < passed_from || x > passed_to)) continue;
-      const double at = std::clamp(x - s, -strip.back, strip.ahead);
-      const double margin = strip.own[i] ? own : Margins::kOver;
-      need = std::max(need, strip.height[i] + margin - sole - tilt * at);
-    }
+    const Moment sole = momentAt(strip, cycle, shape, static_cast<double>(k) / kSamples);
+    const auto cellAt = [&](double s) {
+      return static_cast<int>(std::floor((s - strip.begin) / Search::kCell));
+    };
+    const int first = std::max(cellAt(sole.s - strip.back), 0);
+    const int last = std::min(cellAt(sole.s + strip.ahead + strip.keep), strip.cells() - 1);
+    const double need = needOver(strip, sole, first, last);
     if (need >= Search::kCoarseness) needs[k] = need;
   }
   return needs;

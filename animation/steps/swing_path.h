@@ -74,7 +74,11 @@ class SwingClearance {
   Strip strip(const FootPlace& from, const FootPlace& to, Side side) const;
   static constexpr int kSamples = 32;  // of a swing
   using Needs = std::array<double, kSamples>;
-  Needs needs(const Strip& strip, const FootCycle& cycle, const SwingShape& shape) const;
+  struct Moment;
+  static Moment momentAt(const Strip& strip, const FootCycle& cycle, const SwingShape& shape,
+                         double tau);
+  static double needOver(const Strip& strip, const Moment& sole, int first, int last);
+  static Needs needs(const Strip& strip, const FootCycle& cycle, const SwingShape& shape);
   bool isFree(const FootPlace& from, const FootPlace& to, const FootShape& foot) const;
 
   const Ground& ground_;

@@ -52,6 +52,19 @@ bool mayEndBetween(const Triangle3& t, double low, double high) {
   return top <= high || std::abs(upwardness(t)) >= kUpright;
 }
 
+// The plane of a triangle in a strip's frame: what of it is over a box is no higher than over its
+// middle and half of its sides, up the slope.
+struct Plane {
+  double height = HUGE_VAL;         // over the frame's origin [m]; infinite: it stands upright
+  double along = 0.0, aside = 0.0;  // its slope [1]
+
+  double highestOver(double begin, double end, double half_width) const {
+    constexpr double kRounding = 1e-6;  // of slopes up to 1,000 over some metres [m]
+    return height + 0.5 * (begin + end) * along + 0.5 * (end - begin) * std::abs(along) +
+           half_width * std::abs(aside) + kRounding;
+  }
+};
+
 // What is near to a segment of the plane, in the segment's own frame: along it and aside.
 struct Strip {
   Eigen::Vector2d origin, along, aside;
@@ -83,6 +96,17 @@ struct Strip {
     Eigen::AlignedBox2d extent;
     for (const Eigen::Vector3d& corner : t) extent.extend(local(corner));
     return extent;
+  }
+
+  Plane planeOf(const Triangle3& t) const {
+    const Eigen::Vector2d a = local(t[0]), b = local(t[1]) - a, c = local(t[2]) - a;
+    const double area = b.x() * c.y() - b.y() * c.x();
+    const double up_b = t[1].z() - t[0].z(), up_c = t[2].z() - t[0].z();
+    const Eigen::Vector2d slope((up_b * c.y() - up_c * b.y()) / area,
+                                (up_c * b.x() - up_b * c.x()) / area);
+    constexpr double kSteepest = 1000.0;
+    if (!(slope.cwiseAbs().maxCoeff() < kSteepest)) return {};
+    return {t[0].z() - slope.dot(a), slope.x(), slope.y()};
   }
 
   // The highest point of a triangle within it, if that lies between the two heights [m].
@@ -201,8 +225,10 @@ double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, do
   double highest = kNone;
   all().visitBox(strip.plan(), [&](int t) {
     const Triangle3& thing = all().triangles()[t];
-    if (topOf(thing) > highest && mayEndBetween(thing, low, high))
-      highest = std::max(highest, strip.crestOf(thing, low, high));
+    const double needed = std::max(highest, low);
+    if (topOf(thing) < needed || !mayEndBetween(thing, low, high)) return;
+    if (strip.planeOf(thing).highestOver(0.0, strip.box.max().x(), half_width) < needed) return;
+    highest = std::max(highest, strip.crestOf(thing, low, high));
   });
   return highest;
 }
@@ -213,6 +239,7 @@ std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, dou
   constexpr double kRounding = 1e-6;  // [m]
   struct Thing {
     double top, begin, end;  // along the line
+    Plane plane;
     int triangle;
   };
   std::vector<double> crests(pieces.size(), kNone);
@@ -224,7 +251,8 @@ std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, dou
     if (!mayEndBetween(thing, low, high)) return;
     const Eigen::AlignedBox2d at = whole.extentOf(thing);
     if (!at.intersects(whole.box)) return;
-    things.push_back({topOf(thing), at.min().x() - kRounding, at.max().x() + kRounding, t});
+    things.push_back({topOf(thing), at.min().x() - kRounding, at.max().x() + kRounding,
+                      whole.planeOf(thing), t});
   });
   std::sort(things.begin(), things.end(), [](const Thing& a, const Thing& b) {
     return a.top != b.top ? a.top > b.top : a.triangle < b.triangle;
@@ -239,6 +267,7 @@ std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, dou
     for (const Thing& thing : things) {
       if (thing.top <= crests[i]) break;
       if (thing.end < begin || thing.begin > end) continue;
+      if (thing.plane.highestOver(begin, end, half_width) < std::max(crests[i], low)) continue;
       crests[i] = std::max(crests[i], strip.crestOf(all().triangles()[thing.triangle], low, high));
     }
   }
