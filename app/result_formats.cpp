@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "viz/page/walk_page.h"
 #include "viz/pictures/plan_view.h"
 #include "viz/pictures/render.h"
 
@@ -17,6 +18,12 @@ void addPicture(const ResultSubject& subject, std::vector<ResultFile>& files) {
   const RenderSettings settings{.threads = subject.threads};
   files.push_back({"walk.png", [view = &subject.view, settings](std::ostream& out) {
                      writePng(out, renderWalk(*view, settings));
+                   }});
+}
+
+void addPage(const ResultSubject& subject, std::vector<ResultFile>& files) {
+  files.push_back({"walk.html", [subject](std::ostream& out) {
+                     writePage(out, walkPage(subject.result, subject.view));
                    }});
 }
 
@@ -40,6 +47,11 @@ const std::vector<ResultFormat>& resultFormats() {
        .of_walk = false,
        .add = addPlanView},
       {.name = "png", .files = {"walk.png"}, .what = "a picture", .add = addPicture},
+      {.name = "html",
+       .files = {"walk.html"},
+       .what = "a page to look at it in a browser",
+       .of_walk = false,
+       .add = addPage},
       {.name = "strip",
        .files = {"strip.png"},
        .what = "frame by frame from the side",

@@ -3,13 +3,15 @@
 namespace amble {
 namespace {
 
-PlaceView viewOf(const Place& place) { return {place.at, place.heading}; }
+PlaceView viewOf(const Place& place, const Eigen::Vector3d& on_floor) {
+  return {place.at, place.heading, on_floor.z()};
+}
 
 RoadmapView viewOf(const RoadmapPicture& roadmap) {
   RoadmapView view;
   for (const RoadmapPicture::Node& node : roadmap.nodes) {
-    view.nodes.push_back(
-        {node.stance.position.head<2>(), node.stance.heading, node.kind == NodeKind::kConnector});
+    view.nodes.push_back({node.stance.position.head<2>(), node.stance.heading,
+                          node.kind == NodeKind::kConnector, node.stance.position.z()});
   }
   for (const RoadmapPicture::Edge& edge : roadmap.edges) {
     view.edges.push_back({edge.from, edge.to, edge.line});
@@ -34,9 +36,11 @@ WalkView viewOf(const RunResult& result) {
     view.path = &walk.path;
   }
   view.roadmap = viewOf(result.outcome.roadmap);
-  view.start = viewOf(problem.scenario.start);
-  view.goal = viewOf(problem.scenario.goal);
-  for (const Place& place : problem.scenario.via) view.via.push_back(viewOf(place));
+  const PlanQuery asked = problem.query();
+  view.start = viewOf(problem.scenario.start, asked.start.position);
+  view.goal = viewOf(problem.scenario.goal, asked.goal.position);
+  for (size_t i = 0; i < asked.via.size(); ++i)
+    view.via.push_back(viewOf(problem.scenario.via[i], asked.via[i]));
   return view;
 }
 

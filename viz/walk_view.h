@@ -22,6 +22,7 @@ namespace amble {
 struct PlaceView {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
   std::optional<double> heading;                       ///< [rad]
+  double height = 0.0;                                 ///< of the floor there [m, World]
 };
 
 /// The roadmap as it is drawn.
@@ -30,6 +31,7 @@ struct RoadmapView {
     Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
     double heading = 0.0;                                ///< [rad]
     bool connector = false;                              ///< else a guard
+    double height = 0.0;                                 ///< of the ground there [m, World]
   };
   struct Edge {
     int from = 0, to = 0;               ///< indices of nodes

@@ -168,6 +168,7 @@ std::vector<RoomSurface> sortRoom(const Scene& scene, double floor) {
       surface.color =
           colorOf(surface.part, surface.box, floor, object, static_cast<int>(room.size() - first));
       surface.thing = things[object.name];
+      surface.object = static_cast<int>(&object - scene.objects.data());
       surface.closed = piece.closed;
       surface.mesh = std::move(piece.mesh);
       room.push_back(std::move(surface));

@@ -25,6 +25,7 @@ struct RoomSurface {
   Eigen::AlignedBox3d thing;  ///< around all surfaces of objects of the same name [m]
   RoomPart part = RoomPart::kFurniture;
   Color color = Color::Zero();
+  int object = 0;  ///< of the scene
   bool closed = false;
 };
 

@@ -1,0 +1,21 @@
+/// Parts of a page's data, each as JSON; their arrays go to the bytes.
+#pragma once
+
+#include <string>
+
+#include "viz/page/page.h"
+#include "viz/page/page_bytes.h"
+
+namespace amble {
+
+/// `text` as a JSON string; bytes that are no UTF-8 are replaced.
+std::string jsonString(const std::string& text);
+
+/// Surfaces of the room, equal ones once (viz/page/web/room.js draws them).
+std::string roomJson(const Scene& scene, double floor, PageBytes& bytes);
+std::string actorJson(const PageActor& actor, PageBytes& bytes);
+std::string takeJson(const PageTake& take, PageBytes& bytes);
+/// Path, places and roadmap of a walk.
+std::string walkJson(const PageSubject& subject, PageBytes& bytes);
+
+}  // namespace amble

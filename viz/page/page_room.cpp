@@ -1,0 +1,125 @@
+// The room of a page: its surfaces, each a box in which a mesh lies, so that equal things, and
+// boxes of all sizes, share one mesh.
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "viz/page/page_data.h"
+#include "viz/pictures/room.h"
+
+namespace amble {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+
+constexpr double kGrid = 65535.0;  // steps along a side of a surface's box
+
+// Corners on the grid of the surface's own box, three numbers each, and triangles.
+struct GridMesh {
+  std::vector<std::uint16_t> corners;
+  std::vector<std::uint32_t> triangles;
+  bool operator<(const GridMesh& other) const {
+    return std::tie(corners, triangles) < std::tie(other.corners, other.triangles);
+  }
+};
+
+// Where a mesh stands: where its box's corners (0, 0, 0) and unit axes lie in World.
+struct Instance {
+  Eigen::Matrix<float, 3, 4> placing;
+  const RoomSurface* surface;
+};
+
+GridMesh onGrid(const TriangleMesh& mesh, const Eigen::Isometry3d& X_OW, AlignedBox3d& box) {
+  for (const Vector3d& p : mesh.vertices) box.extend(X_OW * p);
+  const Vector3d size = box.sizes();
+  GridMesh grid;
+  grid.corners.reserve(mesh.vertices.size() * 3);
+  for (const Vector3d& p : mesh.vertices) {
+    const Vector3d q = X_OW * p - box.min();
+    for (int i = 0; i < 3; ++i)
+      grid.corners.push_back(size[i] > 0.0
+                                 ? static_cast<std::uint16_t>(std::lround(kGrid * q[i] / size[i]))
+                                 : std::uint16_t{0});
+  }
+  for (const auto& t : mesh.triangles)
+    for (const int corner : t) grid.triangles.push_back(static_cast<std::uint32_t>(corner));
+  return grid;
+}
+
+Json array(const std::string& reference) { return Json::parse(reference); }
+
+Json indicesOf(const GridMesh& mesh, PageBytes& bytes) {
+  if (mesh.corners.size() / 3 > kGrid)
+    return array(bytes.add(std::span<const std::uint32_t>(mesh.triangles)));
+  const std::vector<std::uint16_t> few(mesh.triangles.begin(), mesh.triangles.end());
+  return array(bytes.add(std::span<const std::uint16_t>(few)));
+}
+
+const char* kindName(RoomPart part) {
+  switch (part) {
+    case RoomPart::kFloor:
+      return "floor";
+    case RoomPart::kWall:
+      return "wall";
+    case RoomPart::kOverhead:
+      return "overhead";
+    case RoomPart::kCeiling:
+      return "ceiling";
+    case RoomPart::kFurniture:
+      break;
+  }
+  return "thing";
+}
+
+Json instancesJson(const std::vector<Instance>& instances, PageBytes& bytes) {
+  std::vector<float> placings;
+  std::vector<std::uint8_t> colors;
+  std::vector<std::uint32_t> objects;
+  Json kinds = Json::array();
+  for (const Instance& instance : instances) {
+    placings.insert(placings.end(), instance.placing.data(), instance.placing.data() + 12);
+    for (int i = 0; i < 3; ++i)
+      colors.push_back(static_cast<std::uint8_t>(std::lround(255.0f * instance.surface->color[i])));
+    objects.push_back(static_cast<std::uint32_t>(instance.surface->object));
+    kinds.push_back(kindName(instance.surface->part));
+  }
+  return {{"placings", array(bytes.add(std::span<const float>(placings)))},
+          {"colors", array(bytes.add(std::span<const std::uint8_t>(colors)))},
+          {"objects", array(bytes.add(std::span<const std::uint32_t>(objects)))},
+          {"kinds", std::move(kinds)}};
+}
+
+}  // namespace
+
+std::string roomJson(const Scene& scene, double floor, PageBytes& bytes) {
+  const std::vector<RoomSurface> room = sortRoom(scene, floor);
+  std::map<GridMesh, std::vector<Instance>> by_mesh;
+  for (const RoomSurface& surface : room) {
+    const Eigen::Isometry3d& X_WO = scene.objects[surface.object].X_WO;
+    AlignedBox3d box;
+    GridMesh mesh = onGrid(surface.mesh, X_WO.inverse(), box);
+    Eigen::Matrix<float, 3, 4> placing;
+    placing.leftCols<3>() = (X_WO.linear() * box.sizes().asDiagonal()).cast<float>();
+    placing.col(3) = (X_WO * box.min()).cast<float>();
+    by_mesh[std::move(mesh)].push_back({placing, &surface});
+  }
+  Json meshes = Json::array(), names = Json::array();
+  size_t triangles = 0;
+  for (const auto& [mesh, instances] : by_mesh) {
+    triangles += mesh.triangles.size() / 3 * instances.size();
+    Json json = instancesJson(instances, bytes);
+    json["corners"] = array(bytes.add(std::span<const std::uint16_t>(mesh.corners)));
+    json["triangles"] = indicesOf(mesh, bytes);
+    meshes.push_back(std::move(json));
+  }
+  for (const SceneObject& object : scene.objects) names.push_back(objectName(object));
+  const Json json = {{"floor", floor},
+                     {"triangles", triangles},
+                     {"objects", std::move(names)},
+                     {"meshes", std::move(meshes)}};
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+}  // namespace amble

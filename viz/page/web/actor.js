@@ -1,0 +1,107 @@
+// A body that moves: its bones, and what hangs on them.
+
+import {
+  Bone, BufferAttribute, BufferGeometry, CapsuleGeometry, Group, LineBasicMaterial, LineSegments,
+  Mesh, MeshStandardMaterial, Quaternion, Vector3,
+} from 'three';
+import { kLeftColor, kRightColor } from './colors.js';
+
+const kUp = new Vector3(0, 1, 0);
+
+function bonesOf(joints) {
+  const bones = joints.map((joint) => {
+    const bone = new Bone();
+    bone.name = joint.name;
+    bone.position.fromArray(joint.offset);
+    return bone;
+  });
+  joints.forEach((joint, i) => {
+    if (joint.parent >= 0) bones[joint.parent].add(bones[i]);
+  });
+  return bones;
+}
+
+function capsuleOf(part, material) {
+  const from = new Vector3().fromArray(part.from);
+  const along = new Vector3().fromArray(part.to).sub(from);
+  const mesh = new Mesh(new CapsuleGeometry(part.radius, along.length(), 8, 20), material);
+  mesh.position.copy(from).addScaledVector(along, 0.5);
+  if (along.length() > 0) {
+    mesh.quaternion.copy(new Quaternion().setFromUnitVectors(kUp, along.normalize()));
+  }
+  mesh.castShadow = true;
+  mesh.name = part.name;
+  return mesh;
+}
+
+export class Actor {
+  constructor(json) {
+    this.name = json.name;
+    this.json = json;
+    this.bones = bonesOf(json.joints);
+    this.root = this.bones[0];
+    this.group = new Group();
+    this.group.add(this.root);
+    this.parts = this.addCapsules();
+    this.lines = this.addBones();
+    this.eye = json.head >= 0 ? this.parts[json.head] : this.bones[0];
+  }
+
+  addCapsules() {
+    const skin = new MeshStandardMaterial({ color: 0xb9c2cf, roughness: 0.75 });
+    const soles = [kLeftColor, kRightColor].map(
+      (color) => new MeshStandardMaterial({ color, roughness: 0.7 }),
+    );
+    return this.json.body.map((part) => {
+      const mesh = capsuleOf(part, part.side >= 0 ? soles[part.side] : skin);
+      this.bones[part.joint].add(mesh);
+      return mesh;
+    });
+  }
+
+  // Lines from joint to joint, drawn over all else; their ends are moved every frame.
+  addBones() {
+    this.ends = [];
+    this.json.joints.forEach((joint, i) => {
+      if (joint.parent >= 0) this.ends.push([this.bones[joint.parent], this.bones[i], null]);
+      for (const tip of joint.tips) this.ends.push([this.bones[i], null, new Vector3().fromArray(tip)]);
+    });
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array(this.ends.length * 6), 3));
+    const lines = new LineSegments(
+      geometry,
+      new LineBasicMaterial({ color: 0x7c3aed, depthTest: false, transparent: true }),
+    );
+    lines.frustumCulled = false;
+    lines.renderOrder = 10;
+    this.group.add(lines);
+    return lines;
+  }
+
+  show({ body, bones }) {
+    for (const part of this.parts) part.visible = body;
+    this.lines.visible = bones || this.parts.length === 0;
+  }
+
+  /** Poses the body as the take has it at a time [s]. */
+  pose(take, time) {
+    take.pose(this.bones, time);
+    this.root.updateMatrixWorld(true);
+    if (this.lines.visible) this.drawBones();
+  }
+
+  drawBones() {
+    const at = this.lines.geometry.attributes.position;
+    for (let i = 0; i < this.ends.length; ++i) {
+      const [from, to, tip] = this.ends[i];
+      kPoint.setFromMatrixPosition(from.matrixWorld);
+      at.setXYZ(2 * i, kPoint.x, kPoint.y, kPoint.z);
+      if (to) kPoint.setFromMatrixPosition(to.matrixWorld);
+      else kPoint.copy(tip).applyMatrix4(from.matrixWorld);
+      at.setXYZ(2 * i + 1, kPoint.x, kPoint.y, kPoint.z);
+    }
+    at.needsUpdate = true;
+  }
+}
+
+const kPoint = new Vector3();

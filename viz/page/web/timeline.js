@@ -1,0 +1,142 @@
+// The time line: bars where a foot stands, ticks at gait events, what is nearest, captured motions.
+
+const kRow = 13, kGap = 4, kLabels = 74;  // [CSS pixels]
+
+function styleOf(element, name) {
+  return getComputedStyle(element).getPropertyValue(name).trim();
+}
+
+export class Timeline {
+  constructor(element, player) {
+    this.element = element;
+    this.player = player;
+    this.canvas = element.querySelector('canvas');
+    this.head = element.querySelector('.playhead');
+    this.shown = -1;
+    element.addEventListener('pointerdown', (event) => {
+      element.setPointerCapture(event.pointerId);
+      this.held = true;
+      this.seekTo(event);
+    });
+    element.addEventListener('pointermove', (event) => this.held && this.seekTo(event));
+    for (const end of ['pointerup', 'pointercancel']) {
+      element.addEventListener(end, () => (this.held = false));
+    }
+  }
+
+  seekTo(event) {
+    const box = this.element.getBoundingClientRect();
+    const share = (event.clientX - box.left - kLabels) / (box.width - kLabels - 8);
+    this.player.playing = false;
+    this.player.seek(Math.max(0, Math.min(1, share)) * this.player.duration);
+  }
+
+  rows() {
+    const take = this.player.take;
+    const rows = [];
+    const sides = [['Left foot', '--left'], ['Right foot', '--right']];
+    sides.forEach(([label, color], side) => {
+      if (take.planted[side].length === 0) return;
+      const events = take.events.filter((event) => event.side === side);
+      rows.push({ label, draw: (c, x, y) => this.drawSpans(c, x, y, take.planted[side], events, color) });
+    });
+    if (take.clearance) {
+      rows.push({ label: 'Clearance', draw: (c, x, y) => this.drawClearance(c, x, y, take) });
+    }
+    for (const source of take.sources) {
+      rows.push({ label: source.name, draw: (c, x, y) => this.drawShare(c, x, y, source, take) });
+    }
+    return rows;
+  }
+
+  /** Draws all but the play head. */
+  draw() {
+    const rows = this.rows();
+    const height = rows.length * (kRow + kGap) + 18;
+    const width = this.element.clientWidth;
+    const ratio = Math.min(devicePixelRatio, 2);
+    this.element.style.height = `${height}px`;
+    this.canvas.width = width * ratio;
+    this.canvas.height = height * ratio;
+    const c = this.canvas.getContext('2d');
+    c.scale(ratio, ratio);
+    c.font = '11px system-ui, sans-serif';
+    c.textBaseline = 'middle';
+    const span = width - kLabels - 8;
+    const x = (frame) => kLabels + (span * frame) / Math.max(1, this.player.take.frames - 1);
+    rows.forEach((row, i) => {
+      const y = i * (kRow + kGap);
+      c.fillStyle = styleOf(this.element, '--muted');
+      c.fillText(shortened(c, row.label, kLabels - 10), 0, y + kRow / 2);
+      c.fillStyle = styleOf(this.element, '--track');
+      c.beginPath();
+      c.roundRect(kLabels, y, span, kRow, 3);
+      c.fill();
+      row.draw(c, x, y);
+    });
+    this.drawSeconds(c, x, height - 9);
+    this.shown = -1;
+    this.update();
+  }
+
+  drawSpans(c, x, y, spans, events, color) {
+    c.fillStyle = styleOf(this.element, color);
+    for (const [first, last] of spans) {
+      c.beginPath();
+      c.roundRect(x(first), y, Math.max(2, x(last) - x(first)), kRow, 3);
+      c.fill();
+    }
+    c.fillStyle = styleOf(this.element, '--text');
+    for (const event of events) c.fillRect(x(event.frame) - 0.5, y - 1, 1, kRow + 2);
+  }
+
+  drawClearance(c, x, y, take) {
+    const most = 0.5;  // [m]
+    c.fillStyle = styleOf(this.element, '--accent');
+    c.beginPath();
+    c.moveTo(x(0), y + kRow);
+    take.clearance.distance.forEach((d, i) => {
+      const share = d < 0 ? 1 : Math.min(1, d / most);
+      c.lineTo(x(i), y + kRow * (1 - share));
+    });
+    c.lineTo(x(take.frames - 1), y + kRow);
+    c.fill();
+  }
+
+  drawShare(c, x, y, source, take) {
+    c.fillStyle = styleOf(this.element, '--source');
+    c.beginPath();
+    c.moveTo(x(0), y + kRow);
+    source.share.forEach((share, i) => c.lineTo(x(i), y + kRow * (1 - share)));
+    c.lineTo(x(take.frames - 1), y + kRow);
+    c.fill();
+  }
+
+  drawSeconds(c, x, y) {
+    const duration = this.player.duration;
+    const every = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 60, 120, 300].find((s) => duration / s < 13) ?? 600;
+    c.fillStyle = styleOf(this.element, '--muted');
+    c.textAlign = 'center';
+    for (let i = 0; i * every <= duration + 1e-9; ++i) {
+      c.fillText(`${+(i * every).toFixed(1)} s`, x((i * every) / this.player.take.frameTime), y);
+    }
+    c.textAlign = 'left';
+  }
+
+  /** Moves the play head. */
+  update() {
+    const { time, duration } = this.player;
+    if (time === this.shown) return;
+    this.shown = time;
+    const span = this.element.clientWidth - kLabels - 8;
+    const share = duration > 0 ? time / duration : 0;
+    this.head.style.transform = `translateX(${kLabels + share * span}px)`;
+  }
+}
+
+function shortened(c, text, width) {
+  if (c.measureText(text).width <= width) return text;
+  let end = text.length;
+  while (end > 1 && c.measureText(`${text.slice(0, end)}…`).width > width) --end;
+  return `${text.slice(0, end)}…`;
+}
