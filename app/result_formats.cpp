@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "viz/exchange/walk_csv.h"
+#include "viz/exchange/walk_npz.h"
 #include "viz/page/walk_page.h"
 #include "viz/pictures/plan_view.h"
 #include "viz/pictures/render.h"
@@ -35,6 +37,23 @@ void addStrip(const ResultSubject& subject, std::vector<ResultFile>& files) {
                    }});
 }
 
+void addTables(const ResultSubject& subject, std::vector<ResultFile>& files) {
+  const WalkView* const view = &subject.view;
+  const Report* const report = &subject.result.report;
+  files.push_back({"path.csv", [=](std::ostream& out) { writePathCsv(out, *view); }});
+  files.push_back(
+      {"steps.csv", [=](std::ostream& out) { writeStepsCsv(out, *view, report->steps); }});
+  files.push_back(
+      {"joints.csv", [=](std::ostream& out) { writeJointsCsv(out, *view, report->joint_names); }});
+}
+
+void addArrays(const ResultSubject& subject, std::vector<ResultFile>& files) {
+  files.push_back(
+      {"walk.npz", [view = &subject.view, report = &subject.result.report](std::ostream& out) {
+         writeWalkNpz(out, *view, report->joint_names);
+       }});
+}
+
 }  // namespace
 
 const std::vector<ResultFormat>& resultFormats() {
@@ -57,6 +76,16 @@ const std::vector<ResultFormat>& resultFormats() {
        .what = "frame by frame from the side",
        .usual = false,
        .add = addStrip},
+      {.name = "csv",
+       .files = {"path.csv", "steps.csv", "joints.csv"},
+       .what = "tables of root path, steps and joints",
+       .usual = false,
+       .add = addTables},
+      {.name = "npz",
+       .files = {"walk.npz"},
+       .what = "arrays for NumPy",
+       .usual = false,
+       .add = addArrays},
   };
   return formats;
 }

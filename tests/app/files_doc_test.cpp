@@ -174,6 +174,29 @@ TEST_F(FilesPage, ItHasTheKeysThatTheReadersKnow) {
   EXPECT_EQ(leavesOf(documentedKeys("Motion library")), leavesOf(library));
 }
 
+TEST_F(FilesPage, ItHasTheColumnsAndTheArrays) {
+  ASSERT_EQ(run("plan walk.yaml -o walk --formats csv,npz").status, 0);
+  const std::string page = textOf(kSource / "docs/files.md");
+  for (const std::string file : {"path.csv", "steps.csv", "joints.csv"}) {
+    const size_t from = page.find("- `" + file),
+                 to = page.find(file == "joints.csv" ? "\n\n" : "\n-", from);
+    const std::string about = page.substr(from, to - from);
+    std::istringstream header(linesOf(read("walk/" + file)).at(0));
+    for (std::string name; std::getline(header, name, ',');) {
+      if (name.ends_with('\r')) name.pop_back();
+      if (file == "joints.csv")
+        name = std::regex_replace(name, std::regex("^\\w+ ([xyz])"), "NAME $1");
+      EXPECT_NE(about.find('`' + name + '`'), about.npos) << file << ": " << name;
+    }
+  }
+  Keys arrays;
+  const std::string bytes = read("walk/walk.npz");
+  const std::regex entry("(\\w+)\\.npy\x93NUMPY");
+  for (std::sregex_iterator at(bytes.begin(), bytes.end(), entry), end; at != end; ++at)
+    arrays.insert((*at)[1]);
+  EXPECT_EQ(documentedKeys("Arrays"), arrays);
+}
+
 TEST_F(FilesPage, ItHasTheKeysOfTheReport) {
   write("blocked.yaml",
         "scene: room.yaml\nstart: {at: [1, 1]}\ngoal: {at: [3, 2.8]}\n");  // in the pillar

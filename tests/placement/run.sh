@@ -1,5 +1,5 @@
 #!/bin/bash
-# Another program's BVH reader against ours.   run.sh three|blender AMBLE PLACE_JOINTS WORK
+# Another program's reader of our files against ours.   run.sh three|blender|numpy AMBLE PLACE_JOINTS WORK
 # Exit status 77: that program is not installed.
 set -euo pipefail
 here=$(dirname "$0") who=$1 amble=$2 place_joints=$3 work=$4
@@ -11,9 +11,19 @@ case $who in
       { echo "skipped: nodejs or libjs-three is not installed"; exit 77; } ;;
   blender)
     command -v blender >/dev/null || { echo "skipped: blender is not installed"; exit 77; } ;;
+  numpy)
+    python=python3
+    "$python" -c "import numpy" 2>/dev/null || python=/usr/bin/python3  # Debian's, beside one that has no NumPy
+    "$python" -c "import numpy" 2>/dev/null || { echo "skipped: NumPy is not installed"; exit 77; } ;;
 esac
 
 mkdir -p "$work"
+if [ "$who" = numpy ]; then
+  "$amble" plan "$here/room.yaml" --formats bvh,json,csv,npz -o "$work"
+  "$place_joints" "$work/walk.bvh" 7 >"$work/joints.txt"
+  "$python" "$here/numpy_walk.py" "$work"
+  exit
+fi
 "$amble" animate --speed 1.2 --turn 25 --duration 4 -o "$work/walk.bvh"
 "$place_joints" "$work/walk.bvh" 7 >"$work/joints.txt"
 case $who in
