@@ -62,6 +62,7 @@ class BodyMaker {
         stature_(stature),
         sole_(sole),
         standing_head_(stance.head) {
+    body_.shaped_in = stance.upright;
     // The rest pose, in which every joint's axes are the root's.
     const std::vector<Eigen::Quaterniond> level(skeleton.size(), Eigen::Quaterniond::Identity());
     rest_ = upright(level);

@@ -33,6 +33,8 @@ struct Body {
   /// centimetres from step to step, and nobody passes upright under what is lower than he stands.
   /// 0 where it may stoop: the capsules alone count then [m, >= 0]
   double upright = 0.0;
+  /// The pose in which the parts were shaped; empty: the rest pose.
+  ReferencePose shaped_in = {};
 };
 
 /// Radii are fractions of stature. Shoulder to shoulder and chest front to back are covered by more
