@@ -82,14 +82,47 @@ struct RoadmapPicture {
   struct Node {
     Stance stance;
     NodeKind kind = NodeKind::kSample;
+    bool any_heading = false;  ///< edges choose the heading (an end of a query without one)
+    bool any_leading = true;   ///< edges that end here walking choose the foot in front
   };
   struct Edge {
     int from = -1;
     int to = -1;
     std::vector<Eigen::Vector2d> line;  ///< its root path [m]; empty where it only turns
   };
+  /// An edge that steering refused. Its ends need be no nodes: a sample that sees what is there
+  /// already is thrown away.
+  struct Refused {
+    Node from, to;
+    WalkRule rule = WalkRule::kNone;
+    int part = -1;    ///< of the body, where a contact refused
+    int object = -1;  ///< of the scene, the same
+    /// Where: the part that touched; else where the walk was to begin [m, World].
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  };
+  /// More of them say no more to the eye.
+  static constexpr int kMostRefused = 200;
+
   std::vector<Node> nodes;
   std::vector<Edge> edges;  ///< directed
+  /// Of what was refused, in the order in which it was asked: without a walk those nearest to the
+  /// place that stood in the way, else each so-and-so-many-th; at most kMostRefused.
+  std::vector<Refused> refused;
+};
+
+/// How far one gets from the start of the leg that is not walked, by a map of the room that the
+/// body has (ClearanceMap): the ground under its root. Up to the narrow place that no edge was
+/// found through, or, where the map knows of none, to the place that stood in the way.
+struct ReachedRegion {
+  /// Of the ground, straight along World x: its middle line, on the ground [m, World].
+  struct Strip {
+    Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();
+  };
+  double breadth = 0.0;  ///< of strips, along World y; they end half of it beyond `to` [m, > 0]
+  std::vector<Strip> strips;  ///< by y, then x, then height; no two overlap
+  /// Where it comes nearest, in plan, to where one gets to the goal from, and that place [m,
+  /// World].
+  Eigen::Vector3d near = Eigen::Vector3d::Zero(), far = Eigen::Vector3d::Zero();
 };
 
 struct PlanTimes {
@@ -104,6 +137,7 @@ struct PlanOutcome {
   std::optional<Obstruction>
       why;              ///< where not; none where nothing was ever refused (it was stopped)
   bool proved = false;  ///< where not: no walk exists at all; else none was found
+  std::optional<ReachedRegion> reached;  ///< where not, if one stands at the start
   RoadmapPicture roadmap;
   int guards = 0;
   int connectors = 0;

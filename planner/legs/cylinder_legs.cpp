@@ -45,8 +45,9 @@ class CylinderLegs : public LegPlanner {
   }
   std::optional<Obstruction> why() const override {
     if (why_cylinder_) return why_cylinder_;
-    return whatStoodInTheWay(refused_by_body_, request_);
+    return whatStoodInTheWay(failuresOf(refused_by_body_), request_);
   }
+  std::vector<const RefusedEdge*> refused() const override { return pointersTo(refused_by_body_); }
   void describe(PlanOutcome& outcome) const override {
     if (planner_) describeRoadmap(*roadmapOf(*planner_), outcome);
     describeCount(count_, outcome);
@@ -66,7 +67,7 @@ class CylinderLegs : public LegPlanner {
   const CylinderSteering cylinder_;
   const OmplSpacePtr space_;
   OmplPlannerPtr planner_;  // of the last attempt
-  std::vector<SteeringFailure> refused_by_body_;
+  std::vector<RefusedEdge> refused_by_body_;
   std::optional<Obstruction> why_cylinder_;
   SteeringCount count_;
   double seconds_ = 0.0;
@@ -118,7 +119,7 @@ std::optional<std::vector<WalkEdge>> CylinderLegs::animated(const std::vector<Wa
     SteerResult result = steering_.steer(path[i], path[i + 1], *scratch);
     count_.add(result);
     if (!result.edge) {
-      refused_by_body_.push_back(result.failure);
+      refused_by_body_.push_back({path[i], path[i + 1], result.failure});
       return std::nullopt;
     }
     edges.push_back(std::move(*result.edge));

@@ -20,6 +20,9 @@ class KeptLegs : public LegPlanner {
     return anew_->solve(from, to);
   }
   std::optional<Obstruction> why() const override { return anew_ ? anew_->why() : std::nullopt; }
+  std::vector<const RefusedEdge*> refused() const override {
+    return anew_ ? anew_->refused() : std::vector<const RefusedEdge*>{};
+  }
   void describe(PlanOutcome& outcome) const override {
     if (anew_) {
       anew_->describe(outcome);

@@ -37,8 +37,12 @@ class OmplLegs : public LegPlanner {
   }
   std::optional<Obstruction> why() const override {
     if (roadmap_ && roadmap_->shutOff()) return whatShutsOff(*roadmap_->shutOff(), request_);
-    return whatStoodInTheWay(roadmap_ ? inTheWay(*roadmap_, from_, to_) : effortOf(*space_).refused,
-                             request_);
+    return whatStoodInTheWay(
+        roadmap_ ? inTheWay(*roadmap_, from_, to_) : failuresOf(effortOf(*space_).refused),
+        request_);
+  }
+  std::vector<const RefusedEdge*> refused() const override {
+    return roadmap_ ? pointersTo(roadmap_->refused()) : pointersTo(effortOf(*space_).refused);
   }
   void describe(PlanOutcome& outcome) const override {
     const SpaceEffort& effort = effortOf(*space_);

@@ -9,6 +9,7 @@
 #include "planner/obstruction.h"
 #include "planner/refine_walk.h"
 #include "planner/steering/ground_reach.h"
+#include "planner/steering/reached_region.h"
 
 namespace amble {
 namespace {
@@ -51,6 +52,7 @@ class Plan {
   void finish(EdgePath path);
   void refuse(PlanStatus status, Obstruction why);
   bool groundLeads();
+  void tellReached();
   void addPath(const WalkEdge& edge);
 
   const PlanRequest request_;
@@ -58,6 +60,7 @@ class Plan {
   const LegPlannerMaker& make_;
   SteeringScratchPtr scratch_;
   std::vector<Waypoint> stops_;  // start, via points, goal
+  size_t leg_ = 0;               // that is looked at: from that stop to the next
   PlanOutcome outcome_;
 };
 
@@ -109,6 +112,7 @@ bool Plan::groundLeads() {
     const auto gap =
         findGap(*request_.ground, stops_[i].stance.position, stops_[i + 1].stance.position, step);
     if (!gap) continue;
+    leg_ = i;
     refuse(PlanStatus::kNoWalk, whatTheGroundLacks(*gap, request_));
     outcome_.proved = true;
     return false;
@@ -132,6 +136,7 @@ bool Plan::settleEnds() {
              : i == last ? PlanStatus::kGoalBlocked
                          : PlanStatus::kNoWalk,
              whatBlocks(*failure, stops_[i], request_, steering_));
+      leg_ = i == 0 ? 0 : i - 1;
       if (i > 0 && i < last) outcome_.why->via = static_cast<int>(i) - 1;
       outcome_.proved = true;
       return false;
@@ -162,6 +167,7 @@ std::optional<EdgePath> Plan::walkAllLegs() {
   for (size_t i = 0; solved && i + 1 < stops_.size(); ++i) {
     const auto leg = walkLeg(*planner, stops_[i], stops_[i + 1]);
     solved = leg.has_value();
+    leg_ = i;
     if (!solved) break;
     path.edges.insert(path.edges.end(), leg->begin(), leg->end());
     path.pinned.resize(path.edges.size(), false);
@@ -171,8 +177,20 @@ std::optional<EdgePath> Plan::walkAllLegs() {
   outcome_.time_limit_hit = !solved && request_.limits.timeIsUp();
   outcome_.stopped = !solved && request_.limits.stopped() && !outcome_.time_limit_hit;
   if (!solved) outcome_.why = planner->why();
+  std::optional<Eigen::Vector3d> stopped_at;
+  if (outcome_.why) stopped_at = outcome_.why->at;
+  describeRefused(planner->refused(), stopped_at, outcome_);
   if (!solved) return std::nullopt;
   return path;
+}
+
+// How far one gets on the leg that is not walked.
+void Plan::tellReached() {
+  if (outcome_.status == PlanStatus::kStartBlocked || !outcome_.why) return;
+  const auto room = steering_.map(request_.bounds, [&] { return request_.limits.stopped(); });
+  if (!room) return;
+  outcome_.reached = reachedRegion(*room, stops_[leg_].stance.position,
+                                   stops_[leg_ + 1].stance.position, outcome_.why->at);
 }
 
 void Plan::addPath(const WalkEdge& edge) {
@@ -214,9 +232,12 @@ PlanOutcome Plan::run() {
   const Stopwatch watch;
   const bool may_be = settleEnds() && groundLeads();
   outcome_.times.search = watch.seconds();
-  if (may_be) {
-    if (auto path = walkAllLegs()) finish(std::move(*path));
-  }
+  std::optional<EdgePath> path;
+  if (may_be) path = walkAllLegs();
+  if (path)
+    finish(std::move(*path));
+  else
+    tellReached();
   return std::move(outcome_);
 }
 

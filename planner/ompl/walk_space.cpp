@@ -112,7 +112,7 @@ class WalkSpace : public ob::StateSpace {
     return edges.answer(a.place, b.place, [&] {
       SteerResult result = sampler.steering().steer(a.at, b.at, *scratch_);
       effort.steering.add(result);
-      if (!result.edge) effort.refused.push_back(result.failure);
+      if (!result.edge) effort.refused.push_back({a.at, b.at, result.failure});
       return result;
     });
   }

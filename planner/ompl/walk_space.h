@@ -37,7 +37,7 @@ OmplSpacePtr makeWalkSpace(const Steering& steering, const Eigen::AlignedBox2d& 
 struct SpaceEffort {
   long long samples = 0;
   SteeringCount steering;
-  std::vector<SteeringFailure> refused;
+  std::vector<RefusedEdge> refused;
 };
 SpaceEffort& effortOf(const ompl::base::SpaceInformation& space);
 

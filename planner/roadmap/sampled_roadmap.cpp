@@ -131,7 +131,11 @@ int SampledRoadmap::commit(Candidate& candidate, SteeringScratch& scratch) {
     const int from = question.to_node ? stands_for : question.node;
     const int to = question.to_node ? question.node : stands_for;
     if (!answer.edge) {
-      if (stands_for >= 0) refused_.push_back({from, to, answer.failure});
+      const auto at = [&](PlaceId place) {
+        return place == kCandidate ? candidate.at : roadmap_.nodes()[place].at;
+      };
+      if (stands_for >= 0)
+        refused_.push_back({{at(question.from()), at(question.to()), answer.failure}, from, to});
     } else if (verdict.keep) {
       roadmap_.addEdge(from, to, *answer.edge);
     }
@@ -247,6 +251,7 @@ SteerResult SampledRoadmap::steer(const Waypoint& from, const Waypoint& to,
                                   SteeringScratch& scratch) {
   SteerResult result = steering_.steer(from, to, scratch);
   count_.add(result);
+  if (!result.edge) refused_.push_back({{from, to, result.failure}});
   return result;
 }
 
@@ -301,7 +306,7 @@ std::optional<Eigen::Vector3d> SampledRoadmap::firstRefused(const std::vector<in
   for (size_t i = 0; i + 1 < nodes.size(); ++i) {
     if (roadmap_.reachableFrom(nodes[i])[nodes[i + 1]]) continue;
     for (size_t k = refused_.size(); k-- > 0;) {
-      if (refused_[k].from == nodes[i] && refused_[k].to == nodes[i + 1])
+      if (refused_[k].from_node == nodes[i] && refused_[k].to_node == nodes[i + 1])
         return refused_[k].failure.body;
     }
     const auto at = [&](int node) { return roadmap_.nodes()[node].at.stance.position; };

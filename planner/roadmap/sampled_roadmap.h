@@ -31,11 +31,11 @@
 
 namespace amble {
 
-/// An edge between two places that was refused, for the report of why there is no walk.
-struct RefusedEdge {
-  int from = -1;  ///< nodes; a sample that was thrown away is stood for by the node that covered it
-  int to = -1;
-  SteeringFailure failure;
+/// An edge that was refused, for the report of why there is no walk.
+struct RefusedLink : RefusedEdge {
+  /// Nodes; a sample that was thrown away is stood for by the node that covered it. -1: of a walk
+  /// straight through a narrow place.
+  int from_node = -1, to_node = -1;
 };
 
 /// A place that may become a node, with what steering said about it so far.
@@ -93,7 +93,7 @@ class SampledRoadmap {
 
   const Roadmap& roadmap() const { return roadmap_; }
   const SteeringCount& steering() const { return count_; }
-  const std::vector<RefusedEdge>& refused() const { return refused_; }
+  const std::vector<RefusedLink>& refused() const { return refused_; }
   long long samples() const { return samples_; }
   int failures() const { return failures_; }  ///< in a row, now
 
@@ -161,7 +161,7 @@ class SampledRoadmap {
   StanceSampler sampler_;
   Roadmap roadmap_;
   SteeringCount count_;
-  std::vector<RefusedEdge> refused_;
+  std::vector<RefusedLink> refused_;
   std::optional<SteeringFailure> shut_off_;
   long long samples_ = 0;
   int failures_ = 0;

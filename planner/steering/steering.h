@@ -62,6 +62,12 @@ struct WalkEdge {
   double cost() const { return duration + effort + unease; }  ///< [s]
 };
 
+/// What steering was asked, and why there is no edge.
+struct RefusedEdge {
+  Waypoint from, to;
+  SteeringFailure failure;
+};
+
 /// Two stances between which a walk is likely that samples would hardly find.
 struct StancePair {
   Stance first, second;

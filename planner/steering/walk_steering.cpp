@@ -256,10 +256,16 @@ std::unique_ptr<WayGuide> WalkSteering::guide(const Eigen::Vector3d& from,
                                               const Eigen::Vector3d& to,
                                               const Eigen::AlignedBox2d& bounds,
                                               const std::function<bool()>& stopped) const {
+  auto room = map(bounds, stopped);
+  if (!room) return nullptr;
+  return std::make_unique<WayFinder>(std::move(room), from, to, synthesizer_.shortestWalk(),
+                                     stopped);
+}
+
+std::shared_ptr<const ClearanceMap> WalkSteering::map(const Eigen::AlignedBox2d& bounds,
+                                                      const std::function<bool()>& stopped) const {
   if (breadth_.bands.empty()) return nullptr;
-  return std::make_unique<WayFinder>(
-      std::make_shared<const ClearanceMap>(ground_, bounds, breadth_, stopped), from, to,
-      synthesizer_.shortestWalk(), stopped);
+  return std::make_shared<const ClearanceMap>(ground_, bounds, breadth_, stopped);
 }
 
 std::optional<SteeringFailure> WalkSteering::shutOff(const Eigen::Vector3d& from,
@@ -404,14 +410,31 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
 
 SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to,
                                 SteeringScratch& scratch) const {
+  return steer(from, to, scratch, nullptr);
+}
+
+WalkSteering::Attempt WalkSteering::attempt(const Waypoint& from, const Waypoint& to,
+                                            SteeringScratch& scratch) const {
+  Attempt attempt;
+  attempt.result = steer(from, to, scratch, &attempt.refused);
+  if (attempt.result.edge) attempt.refused.reset();
+  return attempt;
+}
+
+SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch,
+                                std::optional<WalkEdge>* refused) const {
   SteerResult all;
   all.failure = failure(WalkRule::kNoCurve, from.stance, to.stance);
   const auto passes = [&](WalkEdge edge) {
+    std::optional<WalkEdge> proposal;
+    if (refused) proposal = edge;
     SteerResult one = judge(std::move(edge), scratch);
     all.poses += one.poses;
     all.edge = std::move(one.edge);
-    if (!all.edge && stageOf(one.failure.rule) >= stageOf(all.failure.rule))
+    if (!all.edge && stageOf(one.failure.rule) >= stageOf(all.failure.rule)) {
       all.failure = one.failure;
+      if (refused) *refused = std::move(proposal);
+    }
     return all.edge.has_value();
   };
   const Eigen::Vector3d line = to.stance.position - from.stance.position;
@@ -461,11 +484,13 @@ SteerResult WalkSteering::smallSteps(const Waypoint& from, const Waypoint& to,
   return judge(makeTurn(from, to), scratch);
 }
 
-void WalkSteering::animate(const WalkEdge& edge, AnimationBuffer& out) const {
+WalkRule WalkSteering::animateRefused(const WalkEdge& edge, AnimationBuffer& out) const {
   AnimationBuffer part;
   bool first = true;
-  const bool made = visitParts(edge, kInTime, part, [&](EdgePart, const WalkResult& result) {
-    if (result.refused != WalkRule::kNone) return false;
+  WalkRule refused = WalkRule::kNone;
+  visitParts(edge, kInTime, part, [&](EdgePart, const WalkResult& result) {
+    refused = result.refused;
+    if (refused != WalkRule::kNone) return false;
     if (std::exchange(first, false))
       out = part;
     else
@@ -473,9 +498,14 @@ void WalkSteering::animate(const WalkEdge& edge, AnimationBuffer& out) const {
     return true;
   });
   if (first) synthesizer_.stand(edge.from, out);
+  return refused;
+}
+
+void WalkSteering::animate(const WalkEdge& edge, AnimationBuffer& out) const {
+  const WalkRule refused = animateRefused(edge, out);
   // What was judged is made again the same: it cannot be refused.
-  assert(made);
-  (void)made;
+  assert(refused == WalkRule::kNone);
+  (void)refused;
 }
 
 }  // namespace amble

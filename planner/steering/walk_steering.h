@@ -61,19 +61,41 @@ class WalkSteering : public Steering {
   /// roadmap they would join what no walk follows, and leave it fewer guards.
   SteerResult smallSteps(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch) const;
 
+  /// The room that the walking body has; null where its breadth is not known.
+  std::shared_ptr<const ClearanceMap> map(const Eigen::AlignedBox2d& bounds,
+                                          const std::function<bool()>& stopped) const;
+
+  /// The same as steer(), and the proposal whose refusal it answers with; none where the two
+  /// waypoints have no root path between them.
+  struct Attempt {
+    SteerResult result;
+    std::optional<WalkEdge> refused;  ///< where there is no edge
+  };
+  Attempt attempt(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch) const;
+
   /// The frames of an edge, as they were checked. `out` is overwritten.
   void animate(const WalkEdge& edge, AnimationBuffer& out) const;
+
+  /// The same of one that may be refused: up to the part that no rule lets be made. @return that
+  /// rule, or none
+  WalkRule animateRefused(const WalkEdge& edge, AnimationBuffer& out) const;
 
   /// The first contact of an animation, between its frames too, or none.
   std::optional<SteeringFailure> contact(const AnimationBuffer& buffer,
                                          SteeringScratch& scratch) const;
 
+  /// Where the part is that a contact of an animation is about.
+  SteeringFailure touched(const Contact& contact, const AnimationBuffer& buffer,
+                          SteeringScratch& scratch) const;
+
+  const CollisionWorld& world() const { return world_; }
+
  private:
   WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
                const SceneGround& ground, double comfort, const StraightWalk& walk);
   SteerResult judge(WalkEdge edge, SteeringScratch& scratch) const;
-  SteeringFailure touched(const Contact& contact, const AnimationBuffer& buffer,
-                          SteeringScratch& scratch) const;
+  SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch,
+                    std::optional<WalkEdge>* refused) const;
   bool coreTouches(const WalkEdge& edge, SteeringScratch& scratch, SteeringFailure& failure) const;
   WalkResult make(const WalkEdge& edge, EdgePart part, AnimationBuffer& out) const;
   template <typename Visit>

@@ -363,6 +363,58 @@ TEST(PlanWalk, RoadmapsPictureHasTheCurvesThatWereWalked) {
   }
 }
 
+// A door that is no door: what is told of it is the same however many threads looked for a way.
+TEST(PlanWalk, HowFarOneGetsAndWhatWasRefusedAreToldTheSameAtAnyNumberOfThreads) {
+  Scene scene = furnishedScene();
+  scene.objects.push_back(boxObject("post", {0.1, 0.4, 2.5}, {3, 3.8, 1.25}));
+  const FurnishedRoom room(scene);  // 0.5 m are left between wall and post
+  PlanRequest request = requestIn(room);
+  request.limits.max_failures = 10;
+  const PlanOutcome one = planWalk(request);
+  request.limits.threads = 3;
+  const PlanOutcome three = planWalk(request);
+  ASSERT_EQ(one.status, PlanStatus::kNoWalk);
+  ASSERT_TRUE(one.reached && three.reached);
+  EXPECT_LT(one.reached->near.x(), 3.0);
+  EXPECT_GT(one.reached->far.x(), 3.0);
+  EXPECT_NEAR(one.reached->near.y(), 3.35, 0.2);  // the middle of what is left
+  ASSERT_EQ(one.reached->strips.size(), three.reached->strips.size());
+  for (size_t i = 0; i < one.reached->strips.size(); ++i) {
+    EXPECT_EQ(one.reached->strips[i].from, three.reached->strips[i].from);
+    EXPECT_EQ(one.reached->strips[i].to, three.reached->strips[i].to);
+  }
+  ASSERT_FALSE(one.roadmap.refused.empty());
+  ASSERT_EQ(one.roadmap.refused.size(), three.roadmap.refused.size());
+  for (size_t i = 0; i < one.roadmap.refused.size(); ++i) {
+    const auto &a = one.roadmap.refused[i], &b = three.roadmap.refused[i];
+    EXPECT_EQ(a.from.stance.position, b.from.stance.position);
+    EXPECT_EQ(a.to.stance.position, b.to.stance.position);
+    EXPECT_EQ(a.rule, b.rule);
+    EXPECT_EQ(a.part, b.part);
+    EXPECT_EQ(a.object, b.object);
+    EXPECT_EQ(a.at, b.at);
+  }
+}
+
+TEST(PlanWalk, WhereThereIsAWalkNothingIsToldOfHowFarOneGets) {
+  const PlanOutcome outcome = planWalk(requestIn(furnishedRoom()));
+  ASSERT_EQ(outcome.status, PlanStatus::kSolved);
+  EXPECT_FALSE(outcome.reached.has_value());
+  PlanRequest request = requestIn(furnishedRoom());
+  request.start.position = {4.5, 1.2, 0};  // in the table
+  EXPECT_FALSE(planWalk(request).reached.has_value());
+}
+
+TEST(PlanWalk, ToAGoalThatIsBlockedOneGetsAsFarAsThereIsRoom) {
+  PlanRequest request = requestIn(furnishedRoom());
+  request.goal.position = {4.5, 1.2, 0};
+  const PlanOutcome outcome = planWalk(request);
+  ASSERT_EQ(outcome.status, PlanStatus::kGoalBlocked);
+  ASSERT_TRUE(outcome.reached.has_value());
+  EXPECT_GT(outcome.reached->near.x(), 3.0);  // through the passage, to the table
+  EXPECT_LT((outcome.reached->near - request.goal.position).norm(), 1.2);
+}
+
 TEST(PlanWalk, DeadlineOnlyStopsAndIsReported) {
   PlanRequest request = requestIn(furnishedRoom());
   request.limits.deadline = std::chrono::steady_clock::now();

@@ -98,6 +98,54 @@ TEST_F(LegPlannerTest, NodesOfOtherRoadmapsAreSamples) {
   for (const auto& node : outcome.roadmap.nodes) EXPECT_EQ(node.kind, NodeKind::kSample);
 }
 
+// Steering that is asked for a refused edge again refuses it again, and says the same.
+TEST_F(LegPlannerTest, RefusedEdgesAreWhatSteeringWasAsked) {
+  twoRooms(steering, 0.8);
+  VisibilityRoadmap roadmap({steering, kRoom});
+  grow(roadmap, 1);
+  ASSERT_FALSE(roadmap.refused().empty());
+  const SteeringScratchPtr scratch = steering.makeScratch();
+  for (const RefusedLink& link : roadmap.refused()) {
+    const SteerResult again = steering.steer(link.from, link.to, *scratch);
+    ASSERT_FALSE(again.edge.has_value());
+    EXPECT_EQ(again.failure.rule, link.failure.rule);
+    EXPECT_EQ(again.failure.object, link.failure.object);
+    EXPECT_EQ(again.failure.at, link.failure.at);
+  }
+}
+
+std::vector<RefusedEdge> refusedAlong(int count) {
+  std::vector<RefusedEdge> edges(count);
+  for (int i = 0; i < count; ++i) {
+    edges[i].from = standing(i, 0);
+    edges[i].failure.at = {static_cast<double>(i), 0, 0};
+  }
+  return edges;
+}
+
+TEST_F(LegPlannerTest, OfManyRefusedEdgesTheNearestToWhereAWalkStoppedAreTold) {
+  const std::vector<RefusedEdge> edges = refusedAlong(1000);
+  PlanOutcome outcome;
+  describeRefused(pointersTo(edges), Eigen::Vector3d(700.2, 0, 0), outcome);
+  const auto& told = outcome.roadmap.refused;
+  ASSERT_EQ(static_cast<int>(told.size()), RoadmapPicture::kMostRefused);
+  for (size_t i = 0; i < told.size(); ++i) {
+    EXPECT_EQ(told[i].at.x(), 601.0 + static_cast<double>(i));
+    EXPECT_EQ(told[i].from.stance.position.x(), told[i].at.x());
+  }
+}
+
+TEST_F(LegPlannerTest, OfManyRefusedEdgesOfAWalkSomeAreToldFromFirstToLast) {
+  const std::vector<RefusedEdge> many = refusedAlong(1000), few = refusedAlong(3);
+  PlanOutcome outcome, other;
+  describeRefused(pointersTo(many), {}, outcome);
+  ASSERT_EQ(static_cast<int>(outcome.roadmap.refused.size()), RoadmapPicture::kMostRefused);
+  for (size_t i = 0; i < outcome.roadmap.refused.size(); ++i)
+    EXPECT_EQ(outcome.roadmap.refused[i].at.x(), 5.0 * static_cast<double>(i));
+  describeRefused(pointersTo(few), {}, other);
+  EXPECT_EQ(other.roadmap.refused.size(), few.size());
+}
+
 TEST_F(LegPlannerTest, CountsOfLegsAddUp) {
   SteeringCount first, second;
   first.refusals = {{WalkRule::kContact, 3}, {WalkRule::kTurnRate, 1}};
