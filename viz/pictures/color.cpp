@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 #include <vector>
 
 #include "base/text.h"
@@ -85,14 +86,40 @@ std::optional<Color> namedColor(const std::string& object, const std::string& pa
   return std::nullopt;
 }
 
+std::string familyName(const std::string& object) {
+  size_t end = object.size();
+  while (end > 0 && isDigit(object[end - 1])) --end;
+  if (end == object.size()) return object;
+  while (end > 0 && std::string_view("-_. #").find(object[end - 1]) != std::string_view::npos)
+    --end;
+  return end > 0 ? object.substr(0, end) : object;
+}
+
+namespace {
+
+unsigned hashOf(const std::string& text) {
+  unsigned hash = 2166136261u;  // FNV-1a
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+  return hash;
+}
+
+}  // namespace
+
 Color otherColor(const std::string& object) {
-  static const std::array<Color, 10> kOthers = {
+  // Less of a colour than bodies, path and prints have, and lighter: what is walked on too.
+  static const std::array<Color, 10> kQuiet = {
+      rgb(176, 184, 190), rgb(196, 184, 166), rgb(178, 188, 172), rgb(190, 180, 170),
+      rgb(170, 178, 190), rgb(198, 178, 170), rgb(192, 190, 174), rgb(170, 184, 180),
+      rgb(200, 190, 176), rgb(186, 178, 188)};
+  return kQuiet[hashOf(familyName(object)) % kQuiet.size()];
+}
+
+Color motleyColor(int piece) {
+  static const std::array<Color, 10> kMotley = {
       rgb(120, 140, 150), rgb(150, 112, 82),  rgb(140, 155, 125), rgb(176, 140, 104),
       rgb(112, 124, 150), rgb(165, 120, 110), rgb(160, 155, 130), rgb(105, 130, 125),
       rgb(180, 160, 120), rgb(140, 125, 145)};
-  unsigned hash = 2166136261u;  // FNV-1a
-  for (const char c : object) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-  return kOthers[hash % kOthers.size()];
+  return kMotley[hashOf(std::to_string(piece)) % kMotley.size()];
 }
 
 bool isMotley(const std::string& part) {

@@ -25,8 +25,14 @@ Color timeColor(double share);
 /// What its names say a thing is ("leaves" are green), the part's before the object's; none where
 /// they say nothing.
 std::optional<Color> namedColor(const std::string& object, const std::string& part);
-/// One of ten muted colours, by the object's name: it stays when other things are added.
+/// What things that are counted have in common: the name without the number at its end ("tread" of
+/// "tread-12", "Cube" of "Cube.001").
+std::string familyName(const std::string& object);
+/// One of ten quiet colours, by the family's name: it stays when other things are added, and the
+/// treads of one stair have one.
 Color otherColor(const std::string& object);
+/// One of ten that tell pieces apart, by the piece's number.
+Color motleyColor(int piece);
 /// A little lighter or darker, by a number that looks random: pieces of one thing differ so.
 Color tinted(const Color& color, int piece);
 /// Pieces of a thing that are known for being of many colours (books).

@@ -1,6 +1,8 @@
 #include "viz/pictures/draw_mesh.h"
 
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace amble {
 
@@ -10,8 +12,7 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr double kCrease = 0.7;       // edges sharper than this stay sharp [rad]
-constexpr int kCapsuleSegments = 20;  // round a limb
+constexpr double kCrease = 0.7;  // edges sharper than this stay sharp [rad]
 constexpr double kPi = 3.14159265358979323846;
 
 Vector3d faceNormal(const TriangleMesh& mesh, const std::array<int, 3>& t) {
@@ -19,55 +20,59 @@ Vector3d faceNormal(const TriangleMesh& mesh, const std::array<int, 3>& t) {
   return (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);  // length: twice the area
 }
 
-// A ring of a capsule: share of the way between its ends, and the direction out of it.
-struct CapsuleRing {
-  bool at_end;
-  double along, out;  // parts of the normal along the axis and away from it
-};
+// Of a capsule: its rim is never more than 2 % of the radius inside the circle.
+constexpr int kSegments = 16;               // round a limb
+constexpr int kQuarter = 4;                 // rings a cap, beside its pole
+constexpr int kRings = 2 * (kQuarter + 1);  // the first half of them around its first end
 
-std::vector<CapsuleRing> capsuleRings() {
-  constexpr int kQuarter = 6;  // rings a cap
-  std::vector<CapsuleRing> rings;
-  for (int i = 0; i <= kQuarter; ++i) {
-    const double angle = -kPi / 2 * (1 - static_cast<double>(i) / kQuarter);
-    rings.push_back({false, std::sin(angle), std::cos(angle)});
+using Directions = std::array<std::array<Vector3f, kSegments>, kRings>;
+
+// Where a capsule along z has its corners, from its end: ring by ring from pole to pole.
+Directions capsuleDirections() {
+  Directions directions;
+  for (int r = 0; r < kRings; ++r) {
+    const int ring = r <= kQuarter ? r - kQuarter : r - kQuarter - 1;
+    const double lift = kPi / 2 * ring / kQuarter;
+    for (int k = 0; k < kSegments; ++k) {
+      const double angle = 2 * kPi * k / kSegments;
+      directions[r][k] = Vector3d(std::cos(lift) * std::cos(angle),
+                                  std::cos(lift) * std::sin(angle), std::sin(lift))
+                             .cast<float>();
+    }
   }
-  for (int i = 0; i <= kQuarter; ++i) {
-    const double angle = kPi / 2 * i / kQuarter;
-    rings.push_back({true, std::sin(angle), std::cos(angle)});
-  }
-  return rings;
+  return directions;
 }
 
 void addCapsule(const Vector3d& from, const Vector3d& to, double radius, const Color& color,
                 std::vector<DrawTriangle>& triangles) {
-  static const std::vector<CapsuleRing> rings = capsuleRings();
+  static const Directions directions = capsuleDirections();
   Vector3d axis = to - from;
   axis = axis.norm() > 1e-9 ? Vector3d(axis.normalized()) : Vector3d::UnitZ();
+  Eigen::Matrix3f turned;  // columns: side, other side, axis
   const Vector3d side = axis.unitOrthogonal();
-  const Vector3d other = axis.cross(side);
-  const auto normalAt = [&](const CapsuleRing& ring, int k) {
-    const double angle = 2 * kPi * k / kCapsuleSegments;
-    return Vector3d(ring.along * axis +
-                    ring.out * (std::cos(angle) * side + std::sin(angle) * other));
+  turned << side.cast<float>(), axis.cross(side).cast<float>(), axis.cast<float>();
+  Directions normals, corners;
+  for (int r = 0; r < kRings; ++r) {
+    const Vector3f end = (r <= kQuarter ? from : to).cast<float>();
+    for (int k = 0; k < kSegments; ++k) {
+      normals[r][k] = turned * directions[r][k];
+      corners[r][k] = end + static_cast<float>(radius) * normals[r][k];
+    }
+  }
+  const auto add = [&](std::array<std::array<int, 2>, 3> at) {
+    DrawTriangle t;
+    for (int i = 0; i < 3; ++i) {
+      t.p[i] = corners[at[i][0]][at[i][1]];
+      t.normal[i] = normals[at[i][0]][at[i][1]];
+    }
+    t.color = color;
+    triangles.push_back(t);
   };
-  const auto corner = [&](size_t r, int k, Vector3f& p, Vector3f& n) {
-    const Vector3d normal = normalAt(rings[r], k);
-    p = ((rings[r].at_end ? to : from) + radius * normal).cast<float>();
-    n = normal.cast<float>();
-  };
-  for (size_t r = 0; r + 1 < rings.size(); ++r) {
-    for (int k = 0; k < kCapsuleSegments; ++k) {
-      DrawTriangle low, high;
-      low.color = high.color = color;
-      corner(r, k, low.p[0], low.normal[0]);
-      corner(r, k + 1, low.p[1], low.normal[1]);
-      corner(r + 1, k + 1, low.p[2], low.normal[2]);
-      high.p = {low.p[0], low.p[2], Vector3f::Zero()};
-      high.normal = {low.normal[0], low.normal[2], Vector3f::Zero()};
-      corner(r + 1, k, high.p[2], high.normal[2]);
-      triangles.push_back(low);
-      triangles.push_back(high);
+  for (int r = 0; r + 1 < kRings; ++r) {
+    for (int k = 0; k < kSegments; ++k) {
+      const int next = (k + 1) % kSegments;
+      if (r + 2 < kRings) add({{{r, k}, {r + 1, next}, {r + 1, k}}});  // none at the last pole
+      if (r > 0) add({{{r, k}, {r, next}, {r + 1, next}}});
     }
   }
 }
@@ -90,37 +95,51 @@ DrawTriangle levelTriangle(const Vector2d& a, const Vector2d& b, const Vector2d&
 
 std::vector<Vector3f> cornerNormals(const TriangleMesh& mesh, double crease) {
   std::vector<Vector3d> faces;
-  std::vector<std::vector<int>> around(mesh.vertices.size());
+  std::vector<size_t> first(mesh.vertices.size() + 1);  // in `around`, of each vertex
   for (const auto& t : mesh.triangles) {
-    for (const int v : t) around[v].push_back(static_cast<int>(faces.size()));
+    for (const int v : t) ++first[v + 1];
     faces.push_back(faceNormal(mesh, t));
   }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<int> around(first.back());  // triangles
+  std::vector<size_t> end = first;
+  for (size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const int v : mesh.triangles[i]) around[end[v]++] = static_cast<int>(i);
+  std::vector<double> lengths;
+  for (const Vector3d& face : faces) lengths.push_back(face.norm());
   const double flat = std::cos(crease);
   std::vector<Vector3f> normals;
+  normals.reserve(3 * faces.size());
   for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Vector3d own = faces[i].normalized();
+    const Vector3d own = lengths[i] > 0 ? Vector3d(faces[i] / lengths[i]) : faces[i];
     for (const int v : mesh.triangles[i]) {
       Vector3d sum = Vector3d::Zero();
-      for (const int f : around[v])
-        if (faces[f].dot(own) >= flat * faces[f].norm()) sum += faces[f];
+      for (size_t k = first[v]; k < first[v + 1]; ++k)
+        if (faces[around[k]].dot(own) >= flat * lengths[around[k]]) sum += faces[around[k]];
       normals.push_back((sum.norm() > 0 ? Vector3d(sum.normalized()) : own).cast<float>());
     }
   }
   return normals;
 }
 
+std::vector<DrawTriangle> drawnMesh(const TriangleMesh& mesh, const Color& color) {
+  const std::vector<Vector3f> normals = cornerNormals(mesh, kCrease);
+  std::vector<DrawTriangle> triangles(mesh.triangles.size());
+  for (size_t i = 0; i < triangles.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      triangles[i].p[k] = mesh.vertices[mesh.triangles[i][k]].cast<float>();
+      triangles[i].normal[k] = normals[3 * i + k];
+    }
+    triangles[i].color = color;
+  }
+  return triangles;
+}
+
 void addMesh(const TriangleMesh& mesh, const Color& color, uint8_t flags,
              std::vector<DrawTriangle>& triangles) {
-  const std::vector<Vector3f> normals = cornerNormals(mesh, kCrease);
-  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-    DrawTriangle t;
-    for (int k = 0; k < 3; ++k) {
-      t.p[k] = mesh.vertices[mesh.triangles[i][k]].cast<float>();
-      t.normal[k] = normals[3 * i + k];
-    }
-    t.color = color;
-    t.flags = flags;
-    triangles.push_back(t);
+  for (DrawTriangle& triangle : drawnMesh(mesh, color)) {
+    triangle.flags = flags;
+    triangles.push_back(triangle);
   }
 }
 

@@ -15,6 +15,9 @@ namespace amble {
 /// elsewhere [rad].
 std::vector<Eigen::Vector3f> cornerNormals(const TriangleMesh& mesh, double crease);
 
+/// Its triangles, without flags. Cost: linear.
+std::vector<DrawTriangle> drawnMesh(const TriangleMesh& mesh, const Color& color);
+
 void addMesh(const TriangleMesh& mesh, const Color& color, uint8_t flags,
              std::vector<DrawTriangle>& triangles);
 

@@ -12,9 +12,9 @@ using Eigen::Vector3f;
 
 // What is nearer to the sun than a surface by less than this is still the surface [m].
 constexpr float kShadowBias = 0.012f;
-constexpr int kShadowBlur = 2;   // half width of the filter [shadow samples]
-constexpr int kCornerTaps = 14;  // of the ambient occlusion, a pixel
-constexpr float kFlat = 0.08f;   // sine of a rise that still darkens nothing
+constexpr int kShadowBlur = 2;  // half width of the filter [shadow samples]
+constexpr int kCornerTaps = 8;  // of the ambient occlusion, a pixel, of 16 that are averaged
+constexpr float kFlat = 0.08f;  // sine of a rise that still darkens nothing
 constexpr float kPi = 3.14159265f;
 
 float toLinear(float srgb) { return std::pow(srgb, 2.2f); }
@@ -76,7 +76,7 @@ float noise(int x, int y) {
 class Shadows {
  public:
   Shadows(std::span<const DrawTriangle> triangles, const LightSettings& settings)
-      : size_(settings.shadow_size) {
+      : size_(settings.shadow_size), tiles_((size_ + kTile - 1) / kTile) {
     const Vector3f centre = settings.shadowed.center();
     const float radius = settings.shadowed.diagonal().norm() / 2 + 0.1f;
     camera_.parallel = true;
@@ -85,6 +85,7 @@ class Shadows {
     camera_.centre = Vector2f::Constant(static_cast<float>(size_) / 2);
     camera_.scale = static_cast<float>(size_) / (2 * radius);
     map_ = rasterizeDepth(triangles, camera_, size_, size_, kNoShadow | kDecal, settings.threads);
+    measureTiles(settings.threads);
   }
 
   // Share of the sun that reaches a point with this normal [0, 1].
@@ -96,25 +97,73 @@ class Shadows {
     if (x0 < kShadowBlur || y0 < kShadowBlur || x0 >= size_ - kShadowBlur - 1 ||
         y0 >= size_ - kShadowBlur - 1)
       return 1;
-    const float fx = at.x() - static_cast<float>(x0), fy = at.y() - static_cast<float>(y0);
-    // A box of 2 blur + 1 samples a side that slides with the point: its two edge columns and rows
-    // count by share.
+    const float behind = view.z() - kShadowBias;  // what is nearer to the sun hides the point
+    const Reach depths = depthsAround(x0, y0);
+    if (depths.nearest > behind) return 1;
+    if (depths.farthest <= behind) return 0;
+    return litShare(x0, y0, at.x() - static_cast<float>(x0), at.y() - static_cast<float>(y0),
+                    behind);
+  }
+
+ private:
+  static constexpr int kTile = 8;           // shadow samples along each side [>= 2 kShadowBlur + 2]
+  static constexpr float kNothing = 1e30f;  // the depth where there is nothing
+  static_assert(kTile >= 2 * kShadowBlur + 2);
+
+  // Of samples next to one another.
+  struct Reach {
+    float nearest = kNothing, farthest = 0.0f;
+    void extend(const Reach& other) {
+      nearest = std::min(nearest, other.nearest);
+      farthest = std::max(farthest, other.farthest);
+    }
+  };
+
+  void measureTiles(int threads) {
+    reach_.resize(static_cast<size_t>(tiles_) * tiles_);
+    forBands(tiles_, threads, [&](int first, int last) {
+      for (int y = first * kTile; y < std::min(last * kTile, size_); ++y) {
+        Reach* row = &reach_[static_cast<size_t>(y / kTile) * tiles_];
+        float* depth = &map_.depth[static_cast<size_t>(y) * size_];
+        for (int x = 0; x < size_; ++x) {
+          if (depth[x] == 0) depth[x] = kNothing;
+          row[x / kTile].extend({depth[x], depth[x]});
+        }
+      }
+    });
+  }
+
+  // Of all samples that a point beside this one is lit by, and some more: of four tiles.
+  Reach depthsAround(int x, int y) const {
+    const int left = (x - kShadowBlur) / kTile, right = (x + kShadowBlur + 1) / kTile;
+    const int top = (y - kShadowBlur) / kTile, bottom = (y + kShadowBlur + 1) / kTile;
+    Reach reach = reach_[static_cast<size_t>(top) * tiles_ + left];
+    reach.extend(reach_[static_cast<size_t>(top) * tiles_ + right]);
+    reach.extend(reach_[static_cast<size_t>(bottom) * tiles_ + left]);
+    reach.extend(reach_[static_cast<size_t>(bottom) * tiles_ + right]);
+    return reach;
+  }
+
+  // A box of 2 blur + 1 samples a side that slides with the point: its two edge columns and rows
+  // count by share.
+  float litShare(int x0, int y0, float fx, float fy, float behind) const {
     float sum = 0;
     for (int j = -kShadowBlur; j <= kShadowBlur + 1; ++j) {
       const float wy = j == -kShadowBlur ? 1 - fy : j == kShadowBlur + 1 ? fy : 1;
-      for (int i = -kShadowBlur; i <= kShadowBlur + 1; ++i) {
-        const float wx = i == -kShadowBlur ? 1 - fx : i == kShadowBlur + 1 ? fx : 1;
-        const float depth = map_.at(x0 + i, y0 + j);
-        if (depth == 0 || depth > view.z() - kShadowBias) sum += wx * wy;
-      }
+      const float* row = &map_.depth[static_cast<size_t>(y0 + j) * size_ + x0];
+      float of_row = 0;
+      for (int i = 1 - kShadowBlur; i <= kShadowBlur; ++i) of_row += row[i] > behind ? 1.0f : 0.0f;
+      of_row += row[-kShadowBlur] > behind ? 1 - fx : 0.0f;
+      of_row += row[kShadowBlur + 1] > behind ? fx : 0.0f;
+      sum += wy * of_row;
     }
     return sum / ((2 * kShadowBlur + 1) * (2 * kShadowBlur + 1));
   }
 
- private:
-  int size_;
+  int size_, tiles_;  // along each side
   Camera camera_;
   DepthMap map_;
+  std::vector<Reach> reach_;  // of each tile, row by row
 };
 
 // How open the surroundings of each pixel are [0, 1]; one value a pixel of the picture.
@@ -123,15 +172,29 @@ class Corners {
   Corners(const SampleBuffer& samples, const Camera& camera, float reach, int threads)
       : width_(samples.width / kSupersampling),
         height_(samples.height / kSupersampling),
-        open_(static_cast<size_t>(width_) * height_, 1.0f) {
+        reach_(reach),
+        camera_(camera.enlarged(1.0f / kSupersampling)),
+        depth_(static_cast<size_t>(width_) * height_),
+        open_(depth_.size(), 1.0f) {
     std::vector<float> raw(open_.size(), 1.0f);
     forBands(height_, threads, [&](int first, int last) {
       for (int y = first; y < last; ++y)
-        for (int x = 0; x < width_; ++x) raw[index(x, y)] = openness(samples, camera, reach, x, y);
+        for (int x = 0; x < width_; ++x)
+          depth_[index(x, y)] =
+              samples.depth[samples.index(x * kSupersampling, y * kSupersampling)];
     });
     forBands(height_, threads, [&](int first, int last) {
       for (int y = first; y < last; ++y)
-        for (int x = 0; x < width_; ++x) open_[index(x, y)] = smoothed(samples, raw, x, y);
+        for (int x = 0; x < width_; ++x) {
+          const Look& look = samples.look[samples.index(x * kSupersampling, y * kSupersampling)];
+          if (depth_[index(x, y)] != 0 && !(look.flags & kDecal))
+            raw[index(x, y)] = openness(look.normal(), x, y);
+        }
+    });
+    forBands(height_, threads, [&](int first, int last) {
+      for (int y = first; y < last; ++y)
+        for (int x = 0; x < width_; ++x)
+          if (depth_[index(x, y)] != 0) open_[index(x, y)] = smoothed(raw, x, y);
     });
   }
 
@@ -140,20 +203,24 @@ class Corners {
  private:
   size_t index(int x, int y) const { return static_cast<size_t>(y) * width_ + x; }
 
-  // Of the sample that stands for a pixel.
-  static size_t sampleOf(const SampleBuffer& samples, int x, int y) {
-    return samples.index(x * kSupersampling, y * kSupersampling);
-  }
+  // A number for each point of a spiral.
+  using Taps = std::array<float, kCornerTaps>;
 
-  // Directions of a spiral's points, from each of the turns that pixels begin it with.
-  using Spiral = std::array<Vector2f, kCornerTaps>;
+  // A spiral's points, as shares of its radius, of each of the 16 pixels that are averaged: each
+  // begins with another turn, and their distances lie between one another's.
+  struct Spiral {
+    Taps x, y;
+  };
   static const std::array<Spiral, 16>& spirals() {
     static const std::array<Spiral, 16> all = [] {
       std::array<Spiral, 16> made;
       for (int k = 0; k < 16; ++k) {
         for (int i = 0; i < kCornerTaps; ++i) {
           const float angle = noise(k % 4, k / 4) * 2 * kPi + static_cast<float>(i) * 2.39996f;
-          made[k][i] = {std::cos(angle), std::sin(angle)};
+          const float share =
+              (static_cast<float>(i) + (static_cast<float>(k) + 0.5f) / 16) / kCornerTaps;
+          made[k].x[i] = share * std::cos(angle);
+          made[k].y[i] = share * std::sin(angle);
         }
       }
       return made;
@@ -161,44 +228,75 @@ class Corners {
     return all;
   }
 
+  // The surface of a pixel, seen from the eye.
+  struct Surface {
+    Vector2f pixel;      // its middle
+    float depth;         // [m]
+    Vector3f p, normal;  // in view axes
+  };
+
+  // What is seen at the points of the spiral around a pixel: how far it is before the surface's
+  // plane, and the square of how far from its point [m, m^2].
+  struct Around {
+    Taps before, square;
+  };
+
   // Points around on a spiral; those that rise before the surface close it.
-  float openness(const SampleBuffer& samples, const Camera& camera, float reach, int x,
-                 int y) const {
-    const size_t sample = sampleOf(samples, x, y);
-    const float depth = samples.depth[sample];
-    if (depth == 0 || (samples.look[sample].flags & kDecal)) return 1;
-    const Vector2f pixel(static_cast<float>(x * kSupersampling) + 0.5f,
-                         static_cast<float>(y * kSupersampling) + 0.5f);
-    const Vector3f p = camera.atPixel(pixel, depth);
-    const Vector3f normal = camera.axes * samples.look[sample].normal;
-    const float radius = camera.scale * reach / (camera.parallel ? 1.0f : depth);
-    const Spiral& spiral = spirals()[4 * (y & 3) + (x & 3)];
+  float openness(const Vector3f& normal_W, int x, int y) const {
+    Surface surface;
+    surface.depth = depth_[index(x, y)];
+    surface.pixel = Vector2f(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+    surface.p = camera_.atPixel(surface.pixel, surface.depth);
+    surface.normal = camera_.axes * normal_W;
+    const Around around = lookAround(surface, spirals()[4 * (y & 3) + (x & 3)]);
     float closed = 0;
     for (int i = 0; i < kCornerTaps; ++i) {
-      const float r = radius * (static_cast<float>(i) + 0.5f) / kCornerTaps;
-      const Vector2f at = pixel + r * spiral[i];
-      const int sx = static_cast<int>(at.x()), sy = static_cast<int>(at.y());
-      if (sx < 0 || sy < 0 || sx >= samples.width || sy >= samples.height) continue;
-      const float other = samples.depth[samples.index(sx, sy)];
-      if (other == 0) continue;
-      const Vector3f d = camera.atPixel(at, other) - p;
       // Most points around lie in the surface or behind it: no root, no quotient.
-      const float before = d.dot(normal), square = d.squaredNorm();
+      const float before = around.before[i], square = around.square[i];
       if (before <= 0 || before * before < 0.99f * kFlat * kFlat * square) continue;
       const float distance = std::sqrt(square) + 1e-4f;
       const float rise = std::max(0.0f, before / distance - kFlat);
-      closed += rise / (1 + (distance / reach) * (distance / reach));
+      closed += rise / (1 + (distance / reach_) * (distance / reach_));
     }
     return std::max(0.0f, 1 - 1.7f * closed / kCornerTaps);
   }
 
+  Around lookAround(const Surface& surface, const Spiral& spiral) const {
+    const float radius =
+        camera_.scale * reach_ / (camera_.parallel ? 1.0f : surface.depth);  // [pixels]
+    std::array<int, kCornerTaps> column, row;
+    for (int i = 0; i < kCornerTaps; ++i) {
+      column[i] = static_cast<int>(surface.pixel.x() + radius * spiral.x[i]);
+      row[i] = static_cast<int>(surface.pixel.y() + radius * spiral.y[i]);
+    }
+    Taps depth;
+    for (int i = 0; i < kCornerTaps; ++i) {
+      const bool inside = static_cast<unsigned>(column[i]) < static_cast<unsigned>(width_) &&
+                          static_cast<unsigned>(row[i]) < static_cast<unsigned>(height_);
+      depth[i] = inside ? depth_[index(column[i], row[i])] : 0.0f;
+    }
+    const Vector3f p = surface.p, n = surface.normal;
+    const Vector2f centre = camera_.centre;
+    const float across = 1.0f / camera_.scale, parallel = camera_.parallel ? 1.0f : 0.0f;
+    Around around;
+    for (int i = 0; i < kCornerTaps; ++i) {
+      const float wide = across * (parallel + (1.0f - parallel) * depth[i]);  // a pixel, there [m]
+      const float dx = (static_cast<float>(column[i]) + 0.5f - centre.x()) * wide - p.x();
+      const float dy = (static_cast<float>(row[i]) + 0.5f - centre.y()) * wide - p.y();
+      const float dz = depth[i] - p.z();
+      around.before[i] = depth[i] > 0 ? dx * n.x() + dy * n.y() + dz * n.z() : 0.0f;
+      around.square[i] = dx * dx + dy * dy + dz * dz;
+    }
+    return around;
+  }
+
   // Mean over 4 x 4 pixels (the noise repeats after as many) of about the same depth.
-  float smoothed(const SampleBuffer& samples, const std::vector<float>& raw, int x, int y) const {
-    const float depth = samples.depth[sampleOf(samples, x, y)];
+  float smoothed(const std::vector<float>& raw, int x, int y) const {
+    const float depth = depth_[index(x, y)];
     float sum = 0, weight = 0;
     for (int j = std::max(0, y - 2); j < std::min(height_, y + 2); ++j) {
       for (int i = std::max(0, x - 2); i < std::min(width_, x + 2); ++i) {
-        if (std::abs(samples.depth[sampleOf(samples, i, j)] - depth) > 0.01f * depth) continue;
+        if (std::abs(depth_[index(i, j)] - depth) > 0.01f * depth) continue;
         sum += raw[index(i, j)];
         weight += 1;
       }
@@ -207,6 +305,9 @@ class Corners {
   }
 
   int width_, height_;
+  float reach_;
+  Camera camera_;             // of the pixels
+  std::vector<float> depth_;  // of the sample that stands for each pixel [m]
   std::vector<float> open_;
 };
 
@@ -222,62 +323,109 @@ float plankShade(const Vector3f& p) {
   return 0.965f + 0.07f * noise(board * 17 + 3, row);
 }
 
-Vector3f lightSample(const Sample& sample, const Vector3f& p, float open, const Shadows& shadows,
-                     const LightSettings& settings) {
+// What the light of samples is made from.
+struct Lights {
+  const Camera& camera;
+  const LightSettings& settings;
+  const Shadows shadows;
+  Vector3f to_sun, background;  // unit length; linear
+
+  // That falls on a point, of which a white surface would send all back.
+  float at(const Vector3f& p, const Vector3f& normal, float open) const {
+    const float facing = std::max(0.0f, normal.dot(to_sun));
+    const float sun = facing > 0 ? facing * shadows.lit(p, normal) : 0;
+    const float sky = 0.70f + 0.30f * normal.z();
+    return (settings.sun * sun + settings.sky * sky * open) * 1.2f;
+  }
+};
+
+Vector3f linearColor(const Look& look) {
   const auto& linear = linearTable();
-  Vector3f color(linear[sample.color[0]], linear[sample.color[1]], linear[sample.color[2]]);
-  if ((sample.flags & kPlanks) && sample.normal.z() > 0.9f) color *= plankShade(p);
-  const float facing = std::max(0.0f, sample.normal.dot(settings.to_sun.normalized()));
-  const float sun = facing > 0 ? facing * shadows.lit(p, sample.normal) : 0;
-  const float sky = 0.70f + 0.30f * sample.normal.z();
-  return color * (settings.sun * sun + settings.sky * sky * open) * 1.2f;
+  return {linear[look.color[0]], linear[look.color[1]], linear[look.color[2]]};
+}
+
+bool hasPlanks(const Look& look, const Vector3f& normal) {
+  return (look.flags & kPlanks) && normal.z() > 0.9f;
+}
+
+Vector3f lightSample(const Sample& sample, const Vector3f& p, float open, const Lights& lights) {
+  const Vector3f normal = sample.normal();
+  const float shade = hasPlanks(sample, normal) ? plankShade(p) : 1.0f;
+  return linearColor(sample) * (shade * lights.at(p, normal, open));
 }
 
 // Whether the samples of a pixel show one surface, so that one of them may be lit for all.
 bool alike(const Sample& a, const Sample& b) {
-  return a.flags == b.flags && a.color == b.color &&
-         std::abs(a.depth - b.depth) < 0.004f * a.depth && a.normal.dot(b.normal) > 0.995f;
+  if (std::abs(a.depth - b.depth) >= 0.004f * a.depth) return false;
+  if (static_cast<const Look&>(a) == static_cast<const Look&>(b)) return true;
+  return a.flags == b.flags && a.color == b.color && a.normal().dot(b.normal()) > 0.995f;
+}
+
+constexpr int kCount = kSupersampling * kSupersampling;  // samples of a pixel
+
+// Where each sample of a pixel lies [samples].
+Vector2f sampleCentre(int x, int y, int k) {
+  return {static_cast<float>(x * kSupersampling + k % kSupersampling) + 0.5f,
+          static_cast<float>(y * kSupersampling + k / kSupersampling) + 0.5f};
+}
+
+// Of a pixel in which one surface is seen: lit in its middle. Planks have seams finer than a pixel.
+Vector3f lightOne(const Sample& sample, int x, int y, float open, const Lights& lights) {
+  const Vector2f middle(static_cast<float>(x * kSupersampling) + kSupersampling / 2.0f,
+                        static_cast<float>(y * kSupersampling) + kSupersampling / 2.0f);
+  const Vector3f normal = sample.normal();
+  float light = lights.at(lights.camera.toWorld(middle, sample.depth), normal, open);
+  if (hasPlanks(sample, normal)) {
+    float shade = 0;
+    for (int k = 0; k < kCount; ++k)
+      shade += plankShade(lights.camera.toWorld(sampleCentre(x, y, k), sample.depth));
+    light *= shade / kCount;
+  }
+  return linearColor(sample) * light;
 }
 
 // The light of a pixel: the mean of its samples.
-Vector3f lightPixel(const SampleBuffer& samples, const Camera& camera, int x, int y, float open,
-                    const Shadows& shadows, const Vector3f& background,
-                    const LightSettings& settings) {
-  constexpr int kCount = kSupersampling * kSupersampling;
+Vector3f lightPixel(const SampleBuffer& samples, int x, int y, float open, const Lights& lights) {
   std::array<Sample, kCount> seen;
-  bool one = true;
+  bool one = true, any = false;
   for (int k = 0; k < kCount; ++k) {
-    seen[k] = samples.at(x * kSupersampling + k % kSupersampling,
-                         y * kSupersampling + k / kSupersampling);
+    const size_t at = samples.index(x * kSupersampling + k % kSupersampling,
+                                    y * kSupersampling + k / kSupersampling);
+    seen[k].depth = samples.depth[at];
+    if (seen[k].depth == 0) {
+      one = false;
+      continue;
+    }
+    any = true;
+    seen[k] = {samples.look[at], seen[k].depth};
     one = one && alike(seen[0], seen[k]);
   }
-  if (one && seen[0].flags & kPlanks) one = false;  // seams are finer than a pixel
+  if (!any) return lights.background;
+  if (one) return lightOne(seen[0], x, y, open, lights);
   Vector3f sum = Vector3f::Zero();
-  for (int k = 0; k < (one ? 1 : kCount); ++k) {
-    const float middle = one ? kSupersampling / 2.0f : 0.5f;
-    const Vector2f pixel(static_cast<float>(x * kSupersampling + k % kSupersampling) + middle,
-                         static_cast<float>(y * kSupersampling + k / kSupersampling) + middle);
-    sum += seen[k].depth == 0 ? background
-                              : lightSample(seen[k], camera.toWorld(pixel, seen[k].depth), open,
-                                            shadows, settings);
+  for (int k = 0; k < kCount; ++k) {
+    sum += seen[k].depth == 0
+               ? lights.background
+               : lightSample(seen[k], lights.camera.toWorld(sampleCentre(x, y, k), seen[k].depth),
+                             open, lights);
   }
-  return one ? sum : Vector3f(sum / kCount);
+  return sum / kCount;
 }
 
 }  // namespace
 
 Image lightSamples(const SampleBuffer& samples, const Camera& camera,
                    std::span<const DrawTriangle> triangles, const LightSettings& settings) {
-  const Shadows shadows(triangles, settings);
+  const Lights lights = {camera, settings, Shadows(triangles, settings),
+                         settings.to_sun.normalized(),
+                         settings.background.unaryExpr([](float v) { return toLinear(v); })};
   const Corners corners(samples, camera, settings.corner_reach, settings.threads);
-  const Vector3f background = settings.background.unaryExpr([](float v) { return toLinear(v); });
   static const ByteTable bytes;
   Image image(samples.width / kSupersampling, samples.height / kSupersampling);
   forBands(image.height, settings.threads, [&](int first, int last) {
     for (int y = first; y < last; ++y) {
       for (int x = 0; x < image.width; ++x) {
-        const Vector3f light =
-            lightPixel(samples, camera, x, y, corners.at(x, y), shadows, background, settings);
+        const Vector3f light = lightPixel(samples, x, y, corners.at(x, y), lights);
         for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = bytes(light[c]);
       }
     }

@@ -66,9 +66,30 @@ void narrowRow(const ScreenTriangle& t, double area, double y, int& x0, int& x1)
   x1 = std::min(x1, static_cast<int>(std::ceil(high)));
 }
 
-// Calls visit(x, y, weights) for every sample of the triangle whose row is in [first, last).
+// Samples next to one another in a row, computed at once.
+struct SampleRun {
+  static constexpr int kLength = 8;
+  std::array<float, kLength> w0, w1, w2, depth;
+
+  // From sample x on of the row at height sy.
+  void compute(const ScreenTriangle& t, float inverse, bool parallel, int x, float sy) {
+    const Vector2f &a = t.at[0], &b = t.at[1], &c = t.at[2];
+    const float ay = a.y() - sy, by = b.y() - sy, cy = c.y() - sy;
+    for (int i = 0; i < kLength; ++i) {
+      const float sx = static_cast<float>(x + i) + 0.5f;
+      w0[i] = ((b.x() - sx) * cy - by * (c.x() - sx)) * inverse;
+      w1[i] = ((c.x() - sx) * ay - cy * (a.x() - sx)) * inverse;
+      w2[i] = 1 - w0[i] - w1[i];
+      const float nearness = w0[i] * t.nearness[0] + w1[i] * t.nearness[1] + w2[i] * t.nearness[2];
+      depth[i] = parallel ? -nearness : 1 / nearness;
+    }
+  }
+};
+
+// Calls visit(x, y, weights, depth) for every sample of the triangle whose row is in [first, last).
 template <typename Visit>
-void coverSamples(const ScreenTriangle& t, int width, int first, int last, const Visit& visit) {
+void coverSamples(const ScreenTriangle& t, bool parallel, int width, int first, int last,
+                  const Visit& visit) {
   const Vector2f &a = t.at[0], &b = t.at[1], &c = t.at[2];
   const float area = (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
   if (area == 0) return;
@@ -80,17 +101,17 @@ void coverSamples(const ScreenTriangle& t, int width, int first, int last, const
   const int y0 = std::max(first, static_cast<int>(std::max(low_y, -1.0f)));
   const int y1 = std::min(last - 1, static_cast<int>(std::min(high_y, 1e6f)));
   const float inverse = 1 / area;
-  constexpr int kNarrow = 8;  // samples, all of which are sooner asked
+  SampleRun run;
   for (int y = y0; y <= y1; ++y) {
     int from = x0, to = x1;
-    if (to - from > kNarrow) narrowRow(t, area, y + 0.5, from, to);
-    for (int x = from; x <= to; ++x) {
-      const Vector2f s(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-      const float w0 = ((b - s).x() * (c - s).y() - (b - s).y() * (c - s).x()) * inverse;
-      const float w1 = ((c - s).x() * (a - s).y() - (c - s).y() * (a - s).x()) * inverse;
-      const float w2 = 1 - w0 - w1;
-      if (w0 < 0 || w1 < 0 || w2 < 0) continue;
-      visit(x, y, Vector3f(w0, w1, w2));
+    if (to - from >= SampleRun::kLength) narrowRow(t, area, y + 0.5, from, to);
+    for (int x = from; x <= to; x += SampleRun::kLength) {
+      run.compute(t, inverse, parallel, x, static_cast<float>(y) + 0.5f);
+      const int count = std::min(SampleRun::kLength, to - x + 1);
+      for (int i = 0; i < count; ++i) {
+        if (run.w0[i] < 0 || run.w1[i] < 0 || run.w2[i] < 0) continue;
+        visit(x + i, y, Vector3f(run.w0[i], run.w1[i], run.w2[i]), run.depth[i]);
+      }
     }
   }
 }
@@ -133,22 +154,20 @@ class Projected {
   template <typename Wanted>
   Projected(std::span<const DrawTriangle> triangles, const Camera& camera, int rows, int threads,
             const Wanted& wanted)
-      : rows_(rows), bands_(bandCount(rows)) {
-    constexpr int kParts = 64;
-    std::array<std::vector<Item>, kParts> parts;
-    parallelFor(kParts, threads, [&](int part, int) {
-      const size_t begin = triangles.size() * part / kParts;
-      const size_t end = triangles.size() * (part + 1) / kParts;
+      : rows_(rows) {
+    parallelFor(kParts, threads, [&](int p, int) {
+      const size_t begin = triangles.size() * p / kParts;
+      const size_t end = triangles.size() * (p + 1) / kParts;
       for (const DrawTriangle& triangle : triangles.subspan(begin, end - begin)) {
         if (wanted(triangle))
           project(triangle, camera, [&](const ScreenTriangle& t) {
-            parts[part].push_back({t, &triangle});
+            const Bands bands = bandsOf(t);
+            if (bands.first > bands.last) return;
+            parts_[p].items.push_back({t, &triangle});
+            parts_[p].bands.push_back(bands);
           });
       }
     });
-    for (const std::vector<Item>& part : parts)
-      items_.insert(items_.end(), part.begin(), part.end());
-    for (size_t i = 0; i < items_.size(); ++i) addToBands(static_cast<int>(i));
   }
 
   static int bandCount(int rows) { return std::min(rows, kBands); }
@@ -156,30 +175,44 @@ class Projected {
   // Calls draw(item, first row, end of rows) for what meets each band.
   template <typename Draw>
   void forEach(int threads, const Draw& draw) const {
-    parallelFor(static_cast<int>(bands_.size()), threads, [&](int b, int) {
-      for (const int i : bands_[b]) draw(items_[i], begin(b), begin(b + 1));
+    parallelFor(bandCount(rows_), threads, [&](int b, int) {
+      for (const Part& part : parts_)
+        for (size_t i = 0; i < part.items.size(); ++i)
+          if (part.bands[i].first <= b && b <= part.bands[i].last)
+            draw(part.items[i], begin(b), begin(b + 1));
     });
   }
 
  private:
-  int begin(int band) const { return rows_ * band / static_cast<int>(bands_.size()); }
+  static constexpr int kParts = 64;  // of the triangles, for threads to take
 
-  void addToBands(int i) {
-    const auto& [a, b, c] = items_[i].screen.at;
+  struct Bands {
+    int8_t first = 1, last = 0;
+  };
+  struct Part {
+    std::vector<Item> items;
+    std::vector<Bands> bands;  // of each item
+  };
+
+  int begin(int band) const { return rows_ * band / bandCount(rows_); }
+
+  // None outside the picture, and of what is no number.
+  Bands bandsOf(const ScreenTriangle& t) const {
+    const auto& [a, b, c] = t.at;
     const auto [low, high] = std::minmax({a.y(), b.y(), c.y()});
     const float last = static_cast<float>(rows_);
-    if (!(high >= 0.0f && low <= last)) return;
-    for (int band = 0; band < static_cast<int>(bands_.size()); ++band)
-      if (static_cast<float>(begin(band)) <= high && low <= static_cast<float>(begin(band + 1)))
-        bands_[band].push_back(i);
+    if (!(high >= 0.0f && low <= last)) return {};
+    const int count = bandCount(rows_);
+    // A row more at both ends against rounding.
+    const int from = static_cast<int>(std::max(low - 1.0f, 0.0f)) * count / rows_;
+    const int to = static_cast<int>(std::min(high + 1.0f, last)) * count / rows_ + 1;
+    return {static_cast<int8_t>(std::max(from - 1, 0)),
+            static_cast<int8_t>(std::min(to, count - 1))};
   }
 
   int rows_;
-  std::vector<Item> items_;
-  std::vector<std::vector<int>> bands_;  // numbers of items, ascending
+  std::array<Part, kParts> parts_;
 };
-
-float depthOf(float nearness, bool parallel) { return parallel ? -nearness : 1 / nearness; }
 
 uint8_t byteOf(float v) {
   return static_cast<uint8_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 255));
@@ -187,23 +220,55 @@ uint8_t byteOf(float v) {
 
 void drawBand(const DrawTriangle& triangle, const ScreenTriangle& t, bool parallel, int first,
               int last, SampleBuffer& buffer) {
-  const std::array<uint8_t, 3> color = {byteOf(triangle.color.x()), byteOf(triangle.color.y()),
-                                        byteOf(triangle.color.z())};
+  Look look;
+  look.color = {byteOf(triangle.color.x()), byteOf(triangle.color.y()), byteOf(triangle.color.z())};
+  look.flags = triangle.flags;
+  const bool flat = t.normal[0] == t.normal[1] && t.normal[0] == t.normal[2];
+  if (flat) look.setNormal(t.normal[0]);
   const float lift = triangle.flags & kDecal ? kDecalLift : 0.0f;
-  coverSamples(t, buffer.width, first, last, [&](int x, int y, const Vector3f& w) {
+  const auto draw = [&](int x, int y, const Vector3f& w, float depth) {
     if ((triangle.flags & kSeeThrough) && ((x & 1) || (y & 1))) return;
-    const float nearness = w.x() * t.nearness[0] + w.y() * t.nearness[1] + w.z() * t.nearness[2];
-    const float depth = depthOf(nearness, parallel);
     float& seen = buffer.depth[buffer.index(x, y)];
     if (seen > 0 && depth - lift >= seen) return;
-    Vector3f normal = Vector3f::Zero();
-    for (int k = 0; k < 3; ++k) normal += w[k] * (parallel ? 1.0f : t.nearness[k]) * t.normal[k];
     seen = depth;
-    buffer.look[buffer.index(x, y)] = {normal.normalized(), color, triangle.flags};
-  });
+    if (!flat) {
+      Vector3f normal = Vector3f::Zero();
+      for (int k = 0; k < 3; ++k) normal += w[k] * (parallel ? 1.0f : t.nearness[k]) * t.normal[k];
+      look.setNormal(normal);
+    }
+    buffer.look[buffer.index(x, y)] = look;
+  };
+  coverSamples(t, parallel, buffer.width, first, last, draw);
 }
 
 }  // namespace
+
+void Look::setNormal(const Vector3f& direction) {
+  constexpr float kMost = 32767.0f;
+  const float sum = std::abs(direction.x()) + std::abs(direction.y()) + std::abs(direction.z());
+  if (!(sum > 0.0f)) return;
+  float a = direction.x() / sum, b = direction.y() / sum;
+  if (direction.z() < 0.0f) {
+    const float folded = std::copysign(1.0f - std::abs(b), a);
+    b = std::copysign(1.0f - std::abs(a), b);
+    a = folded;
+  }
+  const auto rounded = [](float share) {
+    return static_cast<int16_t>(share * kMost + std::copysign(0.5f, share));
+  };
+  u = rounded(a);
+  v = rounded(b);
+}
+
+Vector3f Look::normal() const {
+  constexpr float kMost = 32767.0f;
+  Vector3f n(static_cast<float>(u) / kMost, static_cast<float>(v) / kMost, 0.0f);
+  n.z() = 1.0f - std::abs(n.x()) - std::abs(n.y());
+  const float fold = std::max(-n.z(), 0.0f);
+  n.x() -= std::copysign(fold, n.x());
+  n.y() -= std::copysign(fold, n.y());
+  return n.normalized();
+}
 
 void forBands(int rows, int threads, const std::function<void(int, int)>& work) {
   const int bands = Projected::bandCount(rows);
@@ -230,13 +295,11 @@ DepthMap rasterizeDepth(std::span<const DrawTriangle> triangles, const Camera& c
   const Projected seen(triangles, camera, height, threads,
                        [&](const DrawTriangle& t) { return !(t.flags & skip_flags); });
   seen.forEach(threads, [&](const Projected::Item& item, int first, int last) {
-    const ScreenTriangle& t = item.screen;
-    coverSamples(t, width, first, last, [&](int x, int y, const Vector3f& w) {
-      const float nearness = w.x() * t.nearness[0] + w.y() * t.nearness[1] + w.z() * t.nearness[2];
-      const float depth = depthOf(nearness, camera.parallel);
+    const auto draw = [&](int x, int y, const Vector3f&, float depth) {
       float& old = map.depth[static_cast<size_t>(y) * width + x];
       if (old == 0 || depth < old) old = depth;
-    });
+    };
+    coverSamples(item.screen, camera.parallel, width, first, last, draw);
   });
   return map;
 }

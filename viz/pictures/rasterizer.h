@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -30,11 +31,17 @@ struct DrawTriangle {
   uint8_t flags = 0;
 };
 
-/// What a surface looks like.
+/// What a surface looks like, in eight bytes: a picture has millions of them.
 struct Look {
-  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  /// The normal's place on an octahedron that is folded flat (Meyer et al., On floating-point
+  /// normal vectors, EGSR 2010) [1/32767].
+  int16_t u = 0, v = 0;
   std::array<uint8_t, 3> color = {0, 0, 0};
   uint8_t flags = 0;
+
+  bool operator==(const Look&) const = default;
+  void setNormal(const Eigen::Vector3f& direction);  ///< of any length but 0
+  Eigen::Vector3f normal() const;                    ///< unit length, right to 0.004 degrees
 };
 
 /// What is seen at a sample.
@@ -48,11 +55,11 @@ struct SampleBuffer {
       : width(samples_x),
         height(samples_y),
         depth(static_cast<size_t>(samples_x) * samples_y),
-        look(depth.size()) {}
+        look(std::make_unique_for_overwrite<Look[]>(depth.size())) {}
 
   int width, height;
-  std::vector<float> depth;  ///< [m]; 0 where there is nothing
-  std::vector<Look> look;    ///< the same; where there is nothing without meaning
+  std::vector<float> depth;      ///< [m]; 0 where there is nothing
+  std::unique_ptr<Look[]> look;  ///< the same; where there is nothing without meaning
 
   size_t index(int x, int y) const { return static_cast<size_t>(y) * width + x; }
   Sample at(int x, int y) const { return {look[index(x, y)], depth[index(x, y)]}; }

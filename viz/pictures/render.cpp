@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "base/rotation.h"
 #include "base/text.h"
 #include "viz/pictures/draw_mesh.h"
@@ -28,21 +29,6 @@ constexpr double kPathLift = 0.006;   // of the path's ribbon above the floor [m
 constexpr double kPrintLift = 0.009;  // of footprints: over the path [m]
 constexpr float kMargin = 28;         // about the room [pixels]
 constexpr double kElevation = 0.72;   // of the eye above the horizon [rad]
-
-// Frames to draw a body at: every so many seconds, and the last.
-std::vector<int> bodyFrames(const WalkView& view, double every) {
-  std::vector<int> frames;
-  if (!view.hasBody()) return frames;
-  const int last = view.animation->size() - 1;
-  const double step = std::max(1.0, every / view.animation->frame_time);
-  for (int i = 0;; ++i) {
-    const int frame = static_cast<int>(std::lround(i * step));
-    if (frame > last) break;
-    frames.push_back(frame);
-  }
-  if (last - frames.back() > step / 2) frames.push_back(last);
-  return frames;
-}
 
 // What of a body must be seen, over the ground under it; the first is taken for its feet [m].
 constexpr std::array<double, 4> kWatchedHeights = {RoomSight::kFeet, 0.6, 1.1, 1.6};
@@ -111,29 +97,42 @@ struct Shot {
   std::vector<DrawTriangle> triangles;  // of the room
 };
 
-// The corner from which most of the walk is seen; the first of equals.
+// How far apart the walk's places lie in the picture, one after another: bodies hide one another
+// where it is seen along its way [pixels, >= 1].
+double spreadOf(const Camera& camera, const std::vector<Vector3d>& watched) {
+  constexpr size_t kPlace = kWatchedHeights.size();  // points of one place
+  double spread = 1.0;
+  for (size_t i = kPlace; i < watched.size(); i += kPlace) {
+    const auto at = [&](size_t k) {
+      return camera.toPixel(camera.toView(watched[k].cast<float>()));
+    };
+    spread += static_cast<double>((at(i) - at(i - kPlace)).norm());
+  }
+  return spread;
+}
+
+// The corner from which the most of the walk is seen, and widest; the first of equals.
 Shot chooseShot(const WalkView& view, const AlignedBox3d& focus,
                 const std::vector<Vector3d>& watched, const RenderSettings& settings) {
   constexpr int kSmall = 4;  // the trial pictures are so many times smaller
   const std::vector<RoomSurface> room = sortRoom(*view.scene, view.floor);
+  const DrawnSurfaces drawn = drawSurfaces(room, settings.threads);
   const std::vector<Vector3f> points = corners(focus);
   const bool wide = focus.sizes().x() >= focus.sizes().y();
   const double turn = wide ? 62 * kPi / 180 : 28 * kPi / 180;
-  Shot best;
-  int most = -1;
-  for (const double azimuth : {-turn, turn - kPi, turn, kPi - turn}) {
-    Shot shot;
+  const std::array<double, 4> azimuths = {-turn, turn - kPi, turn, kPi - turn};
+  std::array<Shot, 4> shots;
+  std::array<double, 4> worth = {};
+  parallelFor(4, settings.threads, [&](int i, int) {
+    Shot& shot = shots[i];
     shot.camera =
-        frameView(points, {azimuth, kElevation}, settings.width, settings.height, kMargin);
-    addRoom(room, {shot.camera.eye.cast<double>(), watched, view.floor}, shot.triangles);
-    const int count =
-        visibleCount(shot.triangles, shot.camera.enlarged(1.0f / kSmall), settings.width / kSmall,
-                     settings.height / kSmall, watched, settings.threads);
-    if (count <= most) continue;
-    most = count;
-    best = std::move(shot);
-  }
-  return best;
+        frameView(points, {azimuths[i], kElevation}, settings.width, settings.height, kMargin);
+    addRoom(room, drawn, {shot.camera.eye.cast<double>(), watched, view.floor}, shot.triangles);
+    const double seen = visibleCount(shot.triangles, shot.camera.enlarged(1.0f / kSmall),
+                                     settings.width / kSmall, settings.height / kSmall, watched, 1);
+    worth[i] = seen * seen * spreadOf(shot.camera, watched);  // hidden counts more: by trial
+  });
+  return std::move(shots[std::max_element(worth.begin(), worth.end()) - worth.begin()]);
 }
 
 // A disc, and a wedge before it where the heading is given.
@@ -210,8 +209,29 @@ void drawTimeBar(Image& image, double duration) {
 
 }  // namespace
 
+std::vector<int> bodyFrames(const WalkView& view, const RenderSettings& settings) {
+  if (!view.hasBody()) return {};
+  const PoseArray& poses = view.animation->poses;
+  const int last = view.animation->size() - 1;
+  const int step =
+      std::max(1, static_cast<int>(std::lround(settings.every / view.animation->frame_time)));
+  const auto merges = [&](int a, int b) {
+    return (poses.p_WR(a) - poses.p_WR(b)).norm() < settings.apart;
+  };
+  std::vector<int> frames = {0};
+  for (int frame = step; frame <= last; ++frame) {
+    if (frame - frames.back() >= step && !merges(frame, frames.back())) frames.push_back(frame);
+  }
+  // The last stands for one that it would merge with.
+  if (frames.back() == last) return frames;
+  const bool near = last - frames.back() <= step / 2 || merges(last, frames.back());
+  if (near && frames.size() > 1) frames.pop_back();
+  if (!near || !merges(last, 0)) frames.push_back(last);
+  return frames;
+}
+
 Image renderWalk(const WalkView& view, const RenderSettings& settings) {
-  const std::vector<int> frames = bodyFrames(view, settings.every);
+  const std::vector<int> frames = bodyFrames(view, settings);
   const std::vector<Vector3d> watched = watchedPoints(view, frames);
   const AlignedBox3d focus = focusBox(view, watched);
   Shot shot = chooseShot(view, focus, watched, settings);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <ostream>
+#include <vector>
 
 #include "viz/pictures/image.h"
 #include "viz/walk_view.h"
@@ -13,15 +14,20 @@ namespace amble {
 struct RenderSettings {
   int width = 1600;    ///< [pixels, 16 to 8192]
   int height = 1000;   ///< [pixels, 16 to 8192]
-  double every = 0.5;  ///< a body each so many seconds of the walk [s, > 0]
+  double every = 0.5;  ///< no two bodies are closer in time [s, > 0]
+  double apart = 0.5;  ///< nor, one after another, in place: else slow ones merge [m, >= 0]
   int threads = 1;     ///< change no byte of the picture [>= 1]
 };
 
-/// walk.png: the walk in its room, seen from a raised corner; the body at every half second,
-/// coloured by time, with footprints and root path on the floor. Walls towards the eye are cut and
-/// ceilings left out (viz/pictures/room.h). Of four corners the one that furniture hides least of
-/// the walk from is taken.
+/// walk.png: the walk in its room, seen from a raised corner; bodies half a second and half a metre
+/// apart, coloured by time, with footprints and root path on the floor. Walls towards the eye are
+/// cut and ceilings left out (viz/pictures/room.h). Of four corners the one is taken from which
+/// least of the walk is hidden and it lies widest.
 Image renderWalk(const WalkView& view, const RenderSettings& settings = {});
+
+/// The frames of its bodies: the first and the last, and between them those that are far enough
+/// from the one before. Ascending; one where nobody moves, none without a body.
+std::vector<int> bodyFrames(const WalkView& view, const RenderSettings& settings);
 
 struct StripSettings {
   int first = 0;          ///< frame of the first picture [>= 0]

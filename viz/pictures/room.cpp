@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
+#include "base/parallel.h"
 #include "viz/pictures/draw_mesh.h"
 
 namespace amble {
@@ -45,8 +47,32 @@ Color colorOf(RoomPart part, const AlignedBox3d& box, double floor, const SceneO
   if (part == RoomPart::kFloor)
     return named.value_or(box.max().z() > floor + kRugLift ? kRugColor : kFloorColor);
   if (part != RoomPart::kFurniture) return named.value_or(kWallColor);
-  if (isMotley(object.part)) return mix(*named, otherColor(std::to_string(piece)), 0.7f);
+  if (isMotley(object.part)) return mix(*named, motleyColor(piece), 0.7f);
   return tinted(named.value_or(otherColor(object.name)), piece);
+}
+
+// Families whose tops rise by a step each: the upper treads of a stair reach as high as walls do,
+// and are none.
+std::set<std::string> stairsOf(const Scene& scene) {
+  constexpr double kSame = 0.02, kStep = 0.35;  // between tops that are one, and of a step [m]
+  constexpr size_t kLeast = 4;                  // tops
+  std::map<std::string, std::vector<double>> tops;
+  for (const SceneObject& object : scene.objects)
+    if (familyName(object.name) != object.name)
+      tops[familyName(object.name)].push_back(worldBounds(object.shape, object.X_WO).max().z());
+  std::set<std::string> stairs;
+  for (auto& [family, heights] : tops) {
+    std::sort(heights.begin(), heights.end());
+    size_t steps = 1;
+    bool even = true;
+    for (size_t i = 1; i < heights.size(); ++i) {
+      const double rise = heights[i] - heights[i - 1];
+      steps += rise > kSame;
+      even = even && rise < kStep;
+    }
+    if (even && steps >= kLeast) stairs.insert(family);
+  }
+  return stairs;
 }
 
 // Whether the segment passes through the box.
@@ -152,6 +178,16 @@ bool isWalkedOn(const RoomSurface& s, const RoomSight& sight) {
   });
 }
 
+void addWhole(const std::vector<DrawTriangle>& surface, const Color& color, int flags,
+              std::vector<DrawTriangle>& triangles) {
+  const size_t first = triangles.size();
+  triangles.insert(triangles.end(), surface.begin(), surface.end());
+  for (size_t i = first; i < triangles.size(); ++i) {
+    triangles[i].color = color;
+    triangles[i].flags = static_cast<uint8_t>(flags);
+  }
+}
+
 }  // namespace
 
 std::vector<RoomSurface> sortRoom(const Scene& scene, double floor) {
@@ -159,12 +195,14 @@ std::vector<RoomSurface> sortRoom(const Scene& scene, double floor) {
   std::map<std::string, AlignedBox3d> things;
   for (const SceneObject& object : scene.objects)
     for (const Vector3d& p : worldMesh(object).vertices) things[object.name].extend(p);
+  const std::set<std::string> stairs = stairsOf(scene);
   for (const SceneObject& object : scene.objects) {
     const size_t first = room.size();
+    const bool tread = stairs.contains(familyName(object.name));
     for (MeshComponent& piece : splitComponents(worldMesh(object))) {
       RoomSurface surface;
       for (const Vector3d& p : piece.mesh.vertices) surface.box.extend(p);
-      surface.part = partOf(surface.box, floor);
+      surface.part = tread ? RoomPart::kFurniture : partOf(surface.box, floor);
       surface.color =
           colorOf(surface.part, surface.box, floor, object, static_cast<int>(room.size() - first));
       surface.thing = things[object.name];
@@ -183,17 +221,26 @@ std::vector<RoomSurface> sortRoom(const Scene& scene, double floor) {
   return room;
 }
 
-void addRoom(const std::vector<RoomSurface>& room, const RoomSight& sight,
-             std::vector<DrawTriangle>& triangles) {
+DrawnSurfaces drawSurfaces(const std::vector<RoomSurface>& room, int threads) {
+  DrawnSurfaces drawn(room.size());
+  parallelFor(static_cast<int>(room.size()), threads,
+              [&](int i, int) { drawn[i] = drawnMesh(room[i].mesh, room[i].color); });
+  return drawn;
+}
+
+void addRoom(const std::vector<RoomSurface>& room, const DrawnSurfaces& drawn,
+             const RoomSight& sight, std::vector<DrawTriangle>& triangles) {
   std::vector<const RoomSurface*> cut;
   for (const RoomSurface& surface : room)
     if (surface.part == RoomPart::kWall && onEyeSide(room, surface, sight) &&
         !isWalkedOn(surface, sight))
       cut.push_back(&surface);
-  for (const RoomSurface& s : room) {
+  for (size_t i = 0; i < room.size(); ++i) {
+    const RoomSurface& s = room[i];
     const uint8_t sides = s.closed ? 0 : kTwoSided;
     if (isWalkedOn(s, sight)) {
-      addMesh(s.mesh, s.color, sides, triangles);
+      const bool storey = s.part == RoomPart::kCeiling && s.color == kWallColor;
+      addWhole(drawn[i], storey ? kFloorColor : s.color, sides | (storey ? kPlanks : 0), triangles);
       continue;
     }
     const bool is_cut = std::find(cut.begin(), cut.end(), &s) != cut.end();
@@ -202,21 +249,19 @@ void addRoom(const std::vector<RoomSurface>& room, const RoomSight& sight,
       addMesh(cutLevel(s.mesh, sight.floor + kSkirting, true), s.color, kNoShadow | kCut,
               triangles);
     } else if (s.part == RoomPart::kFloor) {
-      addMesh(s.mesh, s.color,
-              static_cast<uint8_t>(kNoShadow | sides | (s.color == kFloorColor ? kPlanks : 0)),
-              triangles);
+      addWhole(drawn[i], s.color, kNoShadow | sides | (s.color == kFloorColor ? kPlanks : 0),
+               triangles);
     } else if (s.part == RoomPart::kWall && hides(s, sight)) {
       addMesh(cutLevel(s.mesh, sight.floor + kParapet, true), s.color, kNoShadow | kCut, triangles);
       addMesh(cutLevel(s.mesh, sight.floor + kParapet, false), s.color,
               static_cast<uint8_t>(kNoShadow | kSeeThrough | sides), triangles);
     } else if (s.part == RoomPart::kWall) {
-      addMesh(s.mesh, s.color, static_cast<uint8_t>(kNoShadow | sides), triangles);
+      addWhole(drawn[i], s.color, kNoShadow | sides, triangles);
     } else if (s.part == RoomPart::kOverhead) {
-      addMesh(s.mesh, s.color,
-              static_cast<uint8_t>(kNoShadow | sides | (hides(s, sight) ? kSeeThrough : 0)),
-              triangles);
+      addWhole(drawn[i], s.color, kNoShadow | sides | (hides(s, sight) ? kSeeThrough : 0),
+               triangles);
     } else {
-      addMesh(s.mesh, s.color, sides, triangles);
+      addWhole(drawn[i], s.color, sides, triangles);
     }
   }
 }

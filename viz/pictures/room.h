@@ -33,6 +33,11 @@ struct RoomSurface {
 /// room.
 std::vector<RoomSurface> sortRoom(const Scene& scene, double floor);
 
+/// The triangles of each surface, whole and without flags: made once for all places that a picture
+/// may be taken from.
+using DrawnSurfaces = std::vector<std::vector<DrawTriangle>>;
+DrawnSurfaces drawSurfaces(const std::vector<RoomSurface>& room, int threads = 1);
+
 /// Where the picture is taken from, and what it must show.
 struct RoomSight {
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();  ///< World [m]
@@ -46,7 +51,8 @@ struct RoomSight {
 /// Triangles to draw from there: walls on the eye's side of the room are cut to a skirting, others
 /// that hide a watched point to a parapet with a ghost above, ceilings are left out, all else is
 /// whole, and so is what the walk stands on.
-void addRoom(const std::vector<RoomSurface>& room, const RoomSight& sight,
-             std::vector<DrawTriangle>& triangles);
+/// @param drawn  of the room
+void addRoom(const std::vector<RoomSurface>& room, const DrawnSurfaces& drawn,
+             const RoomSight& sight, std::vector<DrawTriangle>& triangles);
 
 }  // namespace amble

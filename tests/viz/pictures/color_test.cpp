@@ -44,8 +44,34 @@ TEST(Color, APartsNameComesBeforeItsObjects) {
 TEST(Color, OthersKeepTheirsAndDifferAmongThemselves) {
   EXPECT_EQ(otherColor("crate"), otherColor("crate"));
   std::set<std::string> seen;
-  for (int i = 0; i < 100; ++i) seen.insert(hexColor(otherColor("thing-" + std::to_string(i))));
+  for (char a = 'a'; a <= 'z'; ++a)
+    for (char b = 'a'; b <= 'z'; ++b) seen.insert(hexColor(otherColor({a, b})));
   EXPECT_EQ(seen.size(), 10u);
+}
+
+TEST(Color, AFamilyIsWhatIsLeftOfANameWithoutItsNumber) {
+  for (const char* name : {"tread", "tread-1", "tread-12", "tread_07", "tread 3", "tread.001"})
+    EXPECT_EQ(familyName(name), "tread") << name;
+  EXPECT_EQ(familyName("2nd-floor"), "2nd-floor");
+  EXPECT_EQ(familyName("17"), "17");  // a number alone is a name
+  EXPECT_EQ(familyName(""), "");
+}
+
+TEST(Color, AFamilyHasOneColour) {
+  for (int i = 1; i <= 20; ++i)
+    EXPECT_EQ(otherColor("tread-" + std::to_string(i)), otherColor("tread-1"));
+}
+
+// Spread of a colour's channels: 0 of a grey.
+float saturation(const Color& color) { return color.maxCoeff() - color.minCoeff(); }
+
+TEST(Color, WhatHasNoneGetsAQuieterOneThanBodiesPrintsAndPath) {
+  float loudest = 0.0f;
+  for (char a = 'a'; a <= 'z'; ++a)
+    for (char b = 'a'; b <= 'z'; ++b) loudest = std::max(loudest, saturation(otherColor({a, b})));
+  for (int i = 0; i <= 100; ++i) EXPECT_GT(saturation(timeColor(i / 100.0)), 2 * loudest);
+  for (const Color& color : {sideColor(kLeft), sideColor(kRight), kPathColor})
+    EXPECT_GT(saturation(color), 2 * loudest);
 }
 
 TEST(Color, TintsStayNear) {

@@ -44,6 +44,23 @@ DrawTriangle turnedOver(DrawTriangle t) {
   return t;
 }
 
+TEST(Rasterizer, NormalsAreKeptToATenthOfAMilliradian) {
+  std::mt19937 random(1);
+  std::normal_distribution<float> draw;
+  Look look;
+  for (int i = 0; i < 20000; ++i) {
+    const Vector3f n(draw(random), draw(random), draw(random));
+    look.setNormal(n);
+    EXPECT_LT((look.normal() - n.normalized()).norm(), 1e-4f);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float sign : {-1.0f, 1.0f}) {
+      look.setNormal(sign * Vector3f::Unit(axis));
+      EXPECT_EQ(look.normal(), sign * Vector3f::Unit(axis));
+    }
+  }
+}
+
 TEST(Rasterizer, NothingIsSeenOfNothing) {
   const SampleBuffer buffer = rasterize({}, fromAbove(), kSize, kSize);
   for (const float depth : buffer.depth) EXPECT_EQ(depth, 0);
@@ -66,7 +83,7 @@ TEST(Rasterizer, BacksAreNotDrawnUnlessTwoSidedOrCut) {
     shown.flags = flag;
     const SampleBuffer buffer = rasterize(std::vector{shown}, fromAbove(), kSize, kSize);
     EXPECT_GT(buffer.at(32, 32).depth, 0);
-    EXPECT_GT(buffer.at(32, 32).normal.z(), 0.99f);
+    EXPECT_GT(buffer.at(32, 32).normal().z(), 0.99f);
   }
 }
 

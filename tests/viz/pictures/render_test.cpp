@@ -10,7 +10,7 @@
 namespace amble {
 namespace {
 
-constexpr RenderSettings kSmall{320, 200, 0.5};
+constexpr RenderSettings kSmall{.width = 320, .height = 200};
 
 // Pixels in which one colour channel leads the others clearly: none of wall and floor does.
 int strongPixels(const Image& image, int channel) {
@@ -147,6 +147,45 @@ TEST(RenderWalk, MoreBodiesCoverMoreOfThePicture) {
             strongPixels(few, 2) + strongPixels(few, 0));
 }
 
+// How often a body is drawn: the same walk at a quarter of its speed has four times the frames.
+TEST(RenderWalk, WhoWalksSlowlyIsDrawnAsOftenAsWhoWalksFast) {
+  const auto fast = makeTestWalk(), slow = makeTestWalk();
+  slow->animation.poses.resize(481);
+  slow->animation.states.resize(481);
+  for (int i = 0; i <= 480; ++i) slow->animation.poses.p_WR(i) = {1 + 4.0 * i / 480, 2, 0.9};
+  const std::vector<int> frames = bodyFrames(fast->view, {}), slowly = bodyFrames(slow->view, {});
+  ASSERT_EQ(frames.size(), 9u);  // 4 m, a body every half metre
+  ASSERT_EQ(slowly.size(), frames.size());
+  for (size_t i = 0; i < frames.size(); ++i) EXPECT_NEAR(slowly[i], 4 * frames[i], 4);
+}
+
+TEST(RenderWalk, BodiesStandApartInTimeAndPlaceFromTheFirstFrameToTheLast) {
+  const auto walk = makeTestWalk();
+  for (int i = 0; i <= 120; ++i)  // comes to a stand
+    walk->animation.poses.p_WR(i).x() = 1 + 4.0 * std::sin(i / 120.0 * std::acos(0.0));
+  for (const double apart : {0.0, 0.3, 0.5, 1.1}) {
+    for (const double every : {0.05, 0.5, 0.9}) {
+      const std::vector<int> frames = bodyFrames(walk->view, {.every = every, .apart = apart});
+      EXPECT_EQ(frames.front(), 0);
+      EXPECT_EQ(frames.back(), 120);
+      for (size_t k = 1; k < frames.size(); ++k) {
+        const bool last = k + 1 == frames.size();
+        EXPECT_GE(frames[k] - frames[k - 1], (last ? 15 : 30) * every - 1);
+        EXPECT_GE(walk->animation.poses.p_WR(frames[k]).x() -
+                      walk->animation.poses.p_WR(frames[k - 1]).x(),
+                  apart);
+      }
+    }
+  }
+}
+
+TEST(RenderWalk, WhoOnlyStandsIsDrawnOnce) {
+  const auto walk = makeTestWalk();
+  for (int i = 0; i <= 120; ++i) walk->animation.poses.p_WR(i) = {1, 2, 0.9};
+  EXPECT_EQ(bodyFrames(walk->view, {}).size(), 1u);
+  EXPECT_TRUE(bodyFrames(WalkView{}, {}).empty());
+}
+
 TEST(RenderWalk, AThingThatIsAddedChangesThePictureWhereItIsOnly) {
   const auto walk = makeTestWalk();
   const Image before = renderWalk(walk->view, kSmall);
@@ -179,7 +218,7 @@ TEST(RenderWalk, WhereTheWorldIsDoesNotMatter) {
 TEST(RenderWalk, AnyAskedSizeIsDrawn) {
   const auto walk = makeTestWalk();
   for (const auto& [width, height] : {std::pair{16, 16}, std::pair{33, 90}, std::pair{200, 40}}) {
-    const Image image = renderWalk(walk->view, {width, height, 1.0});
+    const Image image = renderWalk(walk->view, {.width = width, .height = height, .every = 1.0});
     EXPECT_EQ(image.width, width);
     EXPECT_EQ(image.height, height);
     EXPECT_EQ(image.rgb.size(), static_cast<size_t>(3 * width * height));
@@ -188,7 +227,7 @@ TEST(RenderWalk, AnyAskedSizeIsDrawn) {
 
 // The bar in the lower left corner is the key to the bodies' colours.
 TEST(RenderWalk, TheTimeBarRunsThroughTheColoursOfTime) {
-  const Image image = renderWalk(makeTestWalk()->view, {640, 400, 1.0});
+  const Image image = renderWalk(makeTestWalk()->view, {.width = 640, .height = 400, .every = 1.0});
   const auto near = [&](int x, const Color& color) {
     const uint8_t* p = image.pixel(x, 400 - 26 - 7);
     return (rgb(p[0], p[1], p[2]) - color).cwiseAbs().maxCoeff() < 0.02f;

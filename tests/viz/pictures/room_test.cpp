@@ -45,7 +45,7 @@ TEST(Room, LeavesOutTheCeilingAndCutsTheWallsTowardsTheEye) {
   const auto room = sortRoom(scene, 0);
   const RoomSight sight{{3, -8, 6}, {{3, 2, 1}}, 0};  // the eye is south of the room
   std::vector<DrawTriangle> triangles;
-  addRoom(room, sight, triangles);
+  addRoom(room, drawSurfaces(room), sight, triangles);
   float highest = 0, south = 0, north = 0;
   for (const DrawTriangle& t : triangles) {
     for (const auto& p : t.p) {
@@ -76,10 +76,29 @@ TEST(Room, TellsFloorsWallsBeamsAndFurniture) {
   EXPECT_EQ(room[6].part, RoomPart::kOverhead);
 }
 
+TEST(Room, TheTreadsOfAStairAreNoWallsHoweverHighAndHaveOneColour) {
+  Scene scene = testRoom();
+  for (int i = 1; i <= 18; ++i)
+    scene.objects.push_back(
+        testBox("tread-" + std::to_string(i), {0.3, 1.2, 0.17 * i}, {0.3 * i, 2, 0.085 * i}));
+  const auto room = sortRoom(scene, 0);
+  for (size_t i = 6; i < room.size(); ++i) {
+    EXPECT_EQ(room[i].part, RoomPart::kFurniture) << i;
+    EXPECT_EQ(room[i].color, room[6].color) << i;
+  }
+}
+
+TEST(Room, WallsThatAreNumberedAreWalls) {
+  Scene scene = testRoom();
+  for (int i = 1; i <= 4; ++i) scene.objects[i].name = "wall-" + std::to_string(i);
+  const auto room = sortRoom(scene, 0);
+  for (int i = 1; i <= 4; ++i) EXPECT_EQ(room[i].part, RoomPart::kWall);
+}
+
 TEST(Room, OfAnEmptySceneIsNothing) {
   EXPECT_TRUE(sortRoom(Scene{}, 0.0).empty());
   std::vector<DrawTriangle> triangles;
-  addRoom({}, {{0, 0, 5}, {}, 0.0}, triangles);
+  addRoom({}, DrawnSurfaces{}, {{0, 0, 5}, {}, 0.0}, triangles);
   EXPECT_TRUE(triangles.empty());
 }
 
@@ -139,7 +158,7 @@ TEST(Room, WallsHideNoHeadFromAnyCorner) {
          {Vector3d(-6, -6, 8), Vector3d(12, -6, 8), Vector3d(12, 10, 8), Vector3d(-6, 10, 8)}) {
       sight.eye = eye;
       std::vector<DrawTriangle> triangles;
-      addRoom(room, sight, triangles);
+      addRoom(room, drawSurfaces(room), sight, triangles);
       for (const Vector3d& p : sight.watched)
         EXPECT_FALSE(hidden(triangles, eye, p)) << n << ": " << p.transpose();
     }
@@ -152,9 +171,9 @@ TEST(Room, AWallThatIsCutForTheWalkIsAParapetBelowAGhost) {
   const auto room = sortRoom(scene, 0.0);
   RoomSight sight{{3, -8, 5}, {{3, 3, 1.1}}, 0.0};
   std::vector<DrawTriangle> behind, beside;
-  addRoom(room, sight, behind);
+  addRoom(room, drawSurfaces(room), sight, behind);
   sight.watched = {{3, 0.5, 1.1}};  // before it
-  addRoom(room, sight, beside);
+  addRoom(room, drawSurfaces(room), sight, beside);
   // Both sides and ends of the divider above the parapet, and its top: a ghost's area.
   EXPECT_NEAR(areaOf(behind, true), 2 * (3 + 0.1) * 1.6 + 0.3, 1e-4);
   EXPECT_EQ(areaOf(beside, true), 0.0);
@@ -166,7 +185,7 @@ TEST(Room, FurnitureIsDrawnWholeWhereverTheEyeIs) {
   const Color chest = room.back().color;
   for (const Vector3d& eye : {Vector3d(3, -8, 6), Vector3d(12, 2, 6), Vector3d(3, 12, 3)}) {
     std::vector<DrawTriangle> triangles;
-    addRoom(room, {eye, {{3, 2, 1}}, 0.0}, triangles);
+    addRoom(room, drawSurfaces(room), {eye, {{3, 2, 1}}, 0.0}, triangles);
     EXPECT_EQ(std::count_if(triangles.begin(), triangles.end(),
                             [&](const DrawTriangle& t) { return t.color == chest; }),
               12);
@@ -180,7 +199,7 @@ TEST(Room, WhatTheWalkStandsOnIsDrawnWholeThoughItIsAWall) {
   ASSERT_EQ(room.back().part, RoomPart::kWall);
   RoomSight sight{{3, -8, 9}, {{3, 0.3, 2.3 + RoomSight::kFeet}}, 0.0};
   std::vector<DrawTriangle> triangles;
-  addRoom(room, sight, triangles);
+  addRoom(room, drawSurfaces(room), sight, triangles);
   float top = 0.0f;
   for (const DrawTriangle& t : triangles)
     for (const auto& p : t.p)
