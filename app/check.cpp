@@ -1,16 +1,23 @@
-// amble check PATH...: every scenario found there, compared with what it expects.
+// amble check PATH...: every scenario found there, compared with what it expects and with its last
+// accepted run.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "app/check_table.h"
 #include "app/command.h"
+#include "app/output_folder.h"
 #include "app/progress.h"
 #include "app/say.h"
 #include "app/stop.h"
+#include "app/view_of.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
 #include "base/output_file.h"
@@ -18,60 +25,25 @@
 #include "scenarios/check_junit.h"
 #include "scenarios/check_scenarios.h"
 #include "scenarios/find_scenarios.h"
+#include "viz/pictures/render.h"
+#include "viz/regression/check_page.h"
 
 namespace amble {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 struct Options {
-  std::vector<std::string> paths;
-  std::string junit;
-  bool update = false, judge_times = false, json = false;
-  int threads = 0;
+  std::vector<std::string> paths, filters;
+  std::string junit, out;
+  bool update = false, judge_times = false, json = false, list = false;
+  int jobs = 1;
+  int threads = 0;                       // 0: the machine's, shared by the jobs
   size_t memory = GuardLimits{}.memory;  // [bytes]
+
+  fs::path page() const { return out.empty() ? fs::path() : fs::path(out) / "index.html"; }
 };
-
-void printRow(const CheckRow& row, int width) {
-  std::string text = fmt::format("{:<8} {:<{}}  {:<13}", verdictName(row.verdict), row.scenario,
-                                 width, row.status);
-  if (row.length > 0.0) {
-    text += fmt::format(" {:6.2f} m {:7.3f} m {:6.1f} mm", row.length, row.clearance,
-                        1000.0 * row.foot_skate);
-  } else {
-    text += fmt::format("{:29}", "");
-  }
-  text += row.status.empty() ? "" : fmt::format(" {:7.2f} s", row.planning_time);
-  say(stdout, "{}{}\n", text, row.updated ? "  (updated)" : "");
-  for (const std::string& note : row.notes) say(stdout, "{:9}{}\n", "", note);
-  std::fflush(stdout);
-}
-
-Json rowJson(const CheckRow& row) {
-  return {{"file", row.file.string()},
-          {"scenario", row.scenario},
-          {"verdict", verdictName(row.verdict)},
-          {"notes", row.notes},
-          {"status", row.status},
-          {"length", row.length},
-          {"clearance", row.clearance},
-          {"foot_skate", row.foot_skate},
-          {"planning_time", row.planning_time},
-          {"total_time", row.total_time},
-          {"updated", row.updated}};
-}
-
-void printSummary(const std::vector<CheckRow>& rows) {
-  const auto count = [&](CheckVerdict verdict) {
-    return std::count_if(rows.begin(), rows.end(),
-                         [&](const CheckRow& row) { return row.verdict == verdict; });
-  };
-  const auto stopped = count(CheckVerdict::kStopped);
-  say(stdout, "{} scenarios: {} as expected, {} differ, {} in error, {} skipped{}\n", rows.size(),
-      count(CheckVerdict::kHolds), count(CheckVerdict::kDiffers), count(CheckVerdict::kError),
-      count(CheckVerdict::kSkipped),
-      stopped > 0 ? fmt::format(", {} stopped", stopped) : std::string());
-}
 
 int statusOf(const std::vector<CheckRow>& rows) {
   if (stopFlag()) return kExitStopped;
@@ -84,8 +56,8 @@ int statusOf(const std::vector<CheckRow>& rows) {
 }
 
 // The scenarios, and their scenes as far as these can be read: what else is wrong is a row's.
-std::vector<std::filesystem::path> inputsOf(const std::vector<ScenarioFile>& files) {
-  std::vector<std::filesystem::path> inputs;
+std::vector<fs::path> inputsOf(const std::vector<ScenarioFile>& files) {
+  std::vector<fs::path> inputs;
   for (const ScenarioFile& file : files) {
     inputs.push_back(file.file);
     try {
@@ -96,67 +68,133 @@ std::vector<std::filesystem::path> inputsOf(const std::vector<ScenarioFile>& fil
   return inputs;
 }
 
-int run(const Options& options) {
-  const std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
-  const std::vector<ScenarioFile> files = findScenarios(paths);
-  if (!options.junit.empty()) keepInputs(options.junit, inputsOf(files));
-  size_t width = 8;
-  for (const ScenarioFile& file : files) width = std::max(width, file.file.stem().string().size());
-  Progress progress;
-  std::string running;
+int list(const std::vector<ScenarioFile>& files, bool as_json) {
+  Json all = Json::array();
+  for (const ScenarioFile& file : files) {
+    const std::string name = scenarioName(file.file);
+    if (as_json) {
+      all.push_back({{"scenario", name}, {"file", file.file.string()}});
+    } else {
+      say(stdout, "{}  {}\n", name, file.file.string());
+    }
+  }
+  if (as_json) std::cout << all.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  return kExitDone;
+}
+
+// As a card of the page shows it; large enough to look into.
+std::string pictureOf(const RunResult& result) {
+  constexpr int kWidth = 640, kHeight = 400;  // [pixels]
+  if (result.problem == nullptr) return "";
+  std::ostringstream png;
+  writePng(png, renderWalk(viewOf(result), {.width = kWidth, .height = kHeight}));
+  return png.str();
+}
+
+CheckOptions howToRun(const Options& options) {
   CheckOptions how;
+  how.jobs = options.jobs;
   how.update = options.update;
   how.judge_times = options.judge_times;
-  how.run.threads = options.threads;
+  how.run.threads =
+      options.threads > 0 ? options.threads : std::max(1, usualThreads() / options.jobs);
   how.run.memory = options.memory;
   how.run.stop = &stopFlag();
-  how.run.progress = [&](const SearchProgress& at) {
-    const double done = at.total > 0 ? static_cast<double>(at.done) / at.total : -1.0;
-    progress.update(fmt::format("{}: {}", running, at.phase), done);
+  if (options.update || !options.out.empty()) how.picture = pictureOf;
+  return how;
+}
+
+std::vector<CheckRow> runAll(const Options& options, const std::vector<ScenarioFile>& files) {
+  Progress progress;
+  std::mutex mutex;
+  std::string which;  // of how many
+  const CheckTable table(files);
+  CheckOptions how = howToRun(options);
+  how.started = [&](const ScenarioFile&, int index, int count) {
+    const std::lock_guard lock(mutex);
+    which = fmt::format("({} of {})", index + 1, count);
   };
-  how.started = [&](const ScenarioFile& file, int index, int count) {
-    running = fmt::format("{} ({} of {})", file.file.stem().string(), index + 1, count);
+  how.progress = [&](const ScenarioFile& file, const SearchProgress& at) {
+    const std::lock_guard lock(mutex);
+    const double done = at.total > 0 ? static_cast<double>(at.done) / at.total : -1.0;
+    progress.update(fmt::format("{} {}: {}", scenarioName(file.file), which, at.phase), done);
   };
   how.finished = [&](const CheckRow& row) {
     progress.clear();
-    if (!options.json) printRow(row, static_cast<int>(width));
+    if (!options.json) table.printRow(row);
   };
+  if (!options.json) table.printHead();
   const StoppableWork work;
-  const std::vector<CheckRow> rows = checkScenarios(files, how);
+  return checkScenarios(files, how);
+}
+
+void writePage(const fs::path& page, const std::vector<CheckRow>& rows) {
+  std::error_code error;
+  fs::create_directories(page.parent_path(), error);
+  writeFile(page, [&](std::ostream& out) { writeCheckPage(out, rows); });
+}
+
+int run(const Options& options) {
+  const std::vector<fs::path> paths(options.paths.begin(), options.paths.end());
+  const std::vector<ScenarioFile> files = scenariosNamed(findScenarios(paths), options.filters);
+  if (options.list) return list(files, options.json);
+  for (const fs::path& output : {fs::path(options.junit), options.page()})
+    if (!output.empty()) keepInputs(output, inputsOf(files));
+  if (!options.out.empty()) checkOutputFolder(options.out);
+  const std::vector<CheckRow> rows = runAll(options, files);
   if (options.json) {
-    Json all = Json::array();
-    for (const CheckRow& row : rows) all.push_back(rowJson(row));
-    std::cout << all.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << checkJson(rows).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   } else {
-    printSummary(rows);
+    printCheckSummary(rows);
   }
-  if (!options.junit.empty()) {
+  if (!options.junit.empty())
     writeFile(options.junit, [&](std::ostream& out) { writeJUnit(out, rows); });
-  }
+  if (!options.out.empty()) writePage(options.page(), rows);
   return statusOf(rows);
+}
+
+void addRunOptions(CLI::App& command, Options& options) {
+  command.add_flag("--update", options.update,
+                   "Accept what is found: the SHA-256 of each walk of a finished run into its "
+                   "`expect`, its figures and picture into accepted/ beside the scenario");
+  command.add_flag("--judge-times", options.judge_times, "Judge max_planning_time too");
+  command
+      .add_option("-j,--jobs", options.jobs, "Scenarios that are run at once; changes no result")
+      ->check(wholeNumber(1, kMostThreads))
+      ->capture_default_str();
+  command
+      .add_option("--threads", options.threads,
+                  "Threads of each; changes no result; default: the machine's, shared by the jobs")
+      ->check(wholeNumber(1, kMostThreads));
+  addMemoryOption(command, options.memory);
 }
 
 }  // namespace
 
 void addCheck(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<Options>();
-  options->threads = usualThreads();
   CLI::App* command = app.add_subcommand(
-      "check", "Run every scenario found at the paths and compare with its `expect`");
+      "check",
+      "Run every scenario found at the paths; compare with its `expect` and its last accepted run");
   command
       ->add_option("PATH", options->paths,
                    "Scenario files, and folders of them; - is one on standard input")
       ->required();
+  command
+      ->add_option("--filter", options->filters,
+                   "Only scenarios of such names: a pattern with * and ?, or several with commas")
+      ->delimiter(',');
+  command->add_flag("--list", options->list, "Say which they are, and run none");
+  command->add_option("-o,--output", options->out,
+                      "Folder for index.html: all on one page, with pictures; what is not as it "
+                      "was accepted, before and after");
   command->add_option("--junit", options->junit, "Write the table as JUnit's XML too");
-  command->add_flag("--update", options->update,
-                    "Write the SHA-256 of each walk of a finished run into its `expect`");
-  command->add_flag("--judge-times", options->judge_times, "Judge max_planning_time too");
-  command->add_option("--threads", options->threads, "Threads; changes no result")
-      ->check(wholeNumber(1, 64));
-  addMemoryOption(*command, options->memory);
+  addRunOptions(*command, *options);
   command->add_flag("--json", options->json, "Print results for machines");
-  addExamples(*command, {"amble check scenarios/narrow-gap-070.yaml",
-                         "amble check scenarios/narrow-gap-070.yaml --junit check.xml"});
+  addExamples(*command,
+              {"amble check scenarios/narrow-gap-070.yaml",
+               "amble check scenarios/narrow-gap-070.yaml --junit check.xml",
+               "amble check scenarios --filter narrow-gap-070,narrow-gap-080 -j 2 -o out/check"});
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

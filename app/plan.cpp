@@ -1,16 +1,14 @@
 // amble plan SCENARIO.yaml: one walk, with its report and pictures.
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <iostream>
 #include <memory>
 #include <utility>
 
 #include "app/command.h"
+#include "app/output_folder.h"
 #include "app/progress.h"
 #include "app/result_formats.h"
 #include "app/say.h"
@@ -54,32 +52,14 @@ Scenario readAsked(const Options& options) {
   return scenario;
 }
 
-// That a folder is there or can be made. @throws InputError
-void checkFolder(const std::filesystem::path& folder) {
-  namespace fs = std::filesystem;
-  std::error_code unknown;
-  fs::path there = fs::absolute(folder).lexically_normal();
-  while (!fs::exists(there, unknown) && there.has_relative_path()) there = there.parent_path();
-  if (!fs::is_directory(there, unknown)) {
-    throw InputError(folder.string(), 0,
-                     fmt::format("cannot be made: {} is no folder", there.string()), "a folder");
-  }
-  if (::access(there.c_str(), W_OK | X_OK) != 0) {
-    throw InputError(
-        folder.string(), 0,
-        fmt::format("{} cannot be written to: {}", there.string(), std::strerror(errno)),
-        "a folder that may be written to");
-  }
-}
-
 // Into a folder of the scenario's name below out/, unless one is named, queries below it. That they
 // can be made is seen before the planning, not after it.
 std::filesystem::path chooseFolder(const Options& options, const Scenario& scenario) {
   const std::filesystem::path folder = options.out.empty()
                                            ? std::filesystem::path("out") / scenario.name
                                            : std::filesystem::path(options.out);
-  checkFolder(folder);
-  for (const ScenarioQuery& query : scenario.queries) checkFolder(folder / query.name);
+  checkOutputFolder(folder);
+  for (const ScenarioQuery& query : scenario.queries) checkOutputFolder(folder / query.name);
   return folder;
 }
 

@@ -1,6 +1,7 @@
 #include "base/parallel.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -36,7 +37,9 @@ void parallelFor(int count, int threads, const std::function<void(int i, int thr
       next = count;
     }
   };
-  tbb::parallel_for(0, threads, work, tbb::simple_partitioner());
+  // Who waits for the others of a loop within a task begins no further task of the outer loop.
+  tbb::this_task_arena::isolate(
+      [&] { tbb::parallel_for(0, threads, work, tbb::simple_partitioner()); });
   const Failure& first =
       *std::min_element(failures.begin(), failures.end(),
                         [](const Failure& a, const Failure& b) { return a.i < b.i; });

@@ -15,7 +15,8 @@ int usualThreads();
 /// thread in 0 .. threads - 1, never two at a time of one thread. No more of them run at a time
 /// than the machine has. Where tasks throw no further ones are begun, and the exception of the
 /// smallest i is thrown again when all have ended: it does not depend on the threads either.
-/// With one thread (or one i) the caller does it all.
+/// With one thread (or one i) the caller does it all. A task may have a loop of its own; while it
+/// waits for that, its thread begins no other task of this one.
 /// @param threads  [>= 1]
 void parallelFor(int count, int threads, const std::function<void(int i, int thread)>& task);
 

@@ -34,7 +34,9 @@ void writeCase(XmlWriter& xml, const CheckRow& row) {
     return;
   }
   const XmlWriter::Element open = xml.open("testcase", attributes);
-  xml.empty(element, {{"message", joined(row.notes, "; ")}});
+  std::vector<std::string> notes = row.notes;
+  if (!row.changes.empty()) notes.push_back(row.changes);
+  xml.empty(element, {{"message", joined(notes, "; ")}});
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <mutex>
 #include <new>
 
 #include "base/error.h"
 #include "base/output_file.h"
+#include "base/parallel.h"
 #include "base/stop_request.h"
 #include "base/stopwatch.h"
 #include "scenarios/find_scenarios.h"
@@ -28,14 +30,13 @@ std::string over(const char* what, double value, double bar, const char* unit) {
 CheckRow rowOf(const ScenarioFile& file) {
   CheckRow row;
   row.file = file.file;
-  row.scenario = file.file == "-" ? "scenario" : file.file.stem().string();
+  row.scenario = scenarioName(file.file);
   return row;
 }
 
 // Writes the digest into the file, unless its author changed it while it ran.
 void updateDigest(const ScenarioFile& file, const std::string& digest) {
   const std::string name = file.file.string();
-  if (file.file == "-") throw InputError(name, 0, "cannot be updated", "a file");
   if (readScenarioFile(file.file).text != file.text) {
     throw InputError(name, 0, "was changed while it ran", "a file that is left alone");
   }
@@ -43,42 +44,61 @@ void updateDigest(const ScenarioFile& file, const std::string& digest) {
   writeFile(file.file, [&](std::ostream& out) { out << text; });
 }
 
-// The digest of a finished, counted run becomes what is expected, in the file and here.
-void update(const ScenarioFile& file, const RunResult& result, Expectation& expect, CheckRow& row) {
-  const Report& report = result.report;
-  if (!report.stopped_by.empty()) {
-    row.notes.push_back("ended by " + report.stopped_by + ", so nothing was updated; expected a " +
-                        "run that finishes");
+// A finished, counted run becomes what is expected, in the files and here.
+void update(const ScenarioFile& file, const std::string& query, const RunResult& result,
+            Expectation& expect, CheckRow& row) {
+  if (!result.report.stopped_by.empty()) {
+    row.notes.push_back("ended by " + result.report.stopped_by + ", so nothing was updated; " +
+                        "expected a run that finishes");
     return;
   }
-  if (report.status != PlanStatus::kSolved) return;
-  const std::string digest = result.bvhDigest();
-  if (expect.bvh_sha256 != digest) {
+  if (file.file == "-") throw InputError("-", 0, "cannot be updated", "a file");
+  const std::string& digest = row.run.bvh_sha256;
+  // A scenario has one digest, and its queries many walks.
+  if (row.run.hasWalk() && query.empty() && expect.bvh_sha256 != digest) {
     updateDigest(file, digest);
     row.updated = true;
   }
-  expect.bvh_sha256 = digest;
+  if (row.run.hasWalk() && query.empty()) expect.bvh_sha256 = digest;
+  if (row.accepted && row.changes.empty() && row.accepted->picture.empty() == row.picture.empty())
+    return;
+  writeAccepted(acceptedFile(file.file, query), {row.run, row.picture});
+  row.updated = true;
 }
 
-// What a run was like, against what is expected of it.
-CheckRow judge(const ScenarioFile& file, Expectation expect, const RunResult& result,
-               const CheckOptions& options) {
+// What was accepted; a file that is none is in the way of a comparison, and not of an update.
+std::optional<AcceptedRun> acceptedOf(const ScenarioFile& file, const std::string& query,
+                                      bool update) {
+  if (file.file == "-") return std::nullopt;
+  try {
+    return readAccepted(acceptedFile(file.file, query));
+  } catch (const InputError&) {
+    if (!update) throw;
+  }
+  return std::nullopt;
+}
+
+// What a run was like, against what is expected of it and what was accepted.
+CheckRow judge(const ScenarioFile& file, const std::string& query, Expectation expect,
+               const RunResult& result, const CheckOptions& options) {
   CheckRow row = rowOf(file);
-  const Report& report = result.report;
-  if (report.stopped_by == "interrupt") {
+  if (!query.empty()) row.scenario += "/" + query;
+  if (result.report.stopped_by == "interrupt") {
     row.verdict = CheckVerdict::kStopped;
     return row;
   }
-  row.status = statusName(report.status);
-  row.length = report.length;
-  row.clearance = report.clearance.min;
-  row.foot_skate = report.foot_skate_max;
-  row.planning_time = report.times.planning();
-  if (options.update) update(file, result, expect, row);
+  row.run = figuresOf(result);
+  row.why = result.report.why;
+  if (options.picture) row.picture = options.picture(result);
+  row.accepted = acceptedOf(file, query, options.update);
+  if (row.accepted) row.changes = changesSince(row.accepted->figures, row.run);
+  if (options.update) update(file, query, result, expect, row);
+  if (!row.changes.empty()) expect.bvh_sha256.reset();  // they tell more than that it is another
   for (const std::string& note : differences(expect, result, options.judge_times)) {
     row.notes.push_back(note);
   }
-  if (!row.notes.empty()) row.verdict = CheckVerdict::kDiffers;
+  const bool accepted = row.changes.empty() || row.updated;
+  if (!row.notes.empty() || !accepted) row.verdict = CheckVerdict::kDiffers;
   return row;
 }
 
@@ -92,14 +112,14 @@ std::vector<CheckRow> runOne(const ScenarioFile& file, const CheckOptions& optio
     return {row};
   }
   const Expectation expect = scenario.expect.value_or(Expectation{});
+  RunOptions how = options.run;
+  if (options.progress)
+    how.progress = [&](const SearchProgress& at) { options.progress(file, at); };
   if (scenario.queries.empty())
-    return {judge(file, expect, runScenario(scenario, options.run), options)};
-  CheckOptions as_they_are = options;
-  as_they_are.update = false;  // a scenario has one digest, and its queries many walks
+    return {judge(file, "", expect, runScenario(scenario, how), options)};
   std::vector<CheckRow> rows;
-  runQueries(scenario, options.run, [&](const ScenarioQuery& query, const RunResult& result) {
-    rows.push_back(judge(file, expect, result, as_they_are));
-    rows.back().scenario += "/" + query.name;
+  runQueries(scenario, how, [&](const ScenarioQuery& query, const RunResult& result) {
+    rows.push_back(judge(file, query.name, expect, result, options));
   });
   return rows;
 }
@@ -120,6 +140,40 @@ std::vector<CheckRow> runGuardedFromFaults(const ScenarioFile& file, const Check
   }
   return {row};
 }
+
+// Rows of scenarios that end in any order, told in that of the files.
+class InOrder {
+ public:
+  InOrder(const std::vector<ScenarioFile>& files, const CheckOptions& options)
+      : files_(files), options_(options), rows_(files.size()) {}
+
+  // @return whether it shall be run
+  bool begin(int i) {
+    const std::lock_guard lock(mutex_);
+    if (options_.run.stop != nullptr && options_.run.stop->load()) return false;
+    if (options_.started) options_.started(files_[i], i, static_cast<int>(files_.size()));
+    return true;
+  }
+  void end(int i, std::vector<CheckRow> rows) {
+    const std::lock_guard lock(mutex_);
+    rows_[i] = std::move(rows);
+    for (; told_ < rows_.size() && rows_[told_]; ++told_) {
+      for (CheckRow& row : *rows_[told_]) {
+        if (options_.finished) options_.finished(row);
+        all_.push_back(std::move(row));
+      }
+    }
+  }
+  std::vector<CheckRow> take() { return std::move(all_); }
+
+ private:
+  const std::vector<ScenarioFile>& files_;
+  const CheckOptions& options_;
+  std::mutex mutex_;
+  std::vector<std::optional<std::vector<CheckRow>>> rows_;  // of those that have ended
+  size_t told_ = 0;                                         // files whose rows were told
+  std::vector<CheckRow> all_;
+};
 
 }  // namespace
 
@@ -175,20 +229,16 @@ std::vector<std::string> differences(const Expectation& expect, const RunResult&
 
 std::vector<CheckRow> checkScenarios(const std::vector<ScenarioFile>& files,
                                      const CheckOptions& options) {
-  std::vector<CheckRow> rows;
-  for (size_t i = 0; i < files.size(); ++i) {
-    if (options.run.stop != nullptr && options.run.stop->load()) break;
-    if (options.started) {
-      options.started(files[i], static_cast<int>(i), static_cast<int>(files.size()));
-    }
+  InOrder order(files, options);
+  // They are begun in order, so those that Ctrl-C leaves out are the last.
+  parallelFor(static_cast<int>(files.size()), options.jobs, [&](int i, int) {
+    if (!order.begin(i)) return;
     const Stopwatch watch;
-    for (CheckRow& row : runGuardedFromFaults(files[i], options)) {
-      row.total_time = watch.seconds();
-      if (options.finished) options.finished(row);
-      rows.push_back(std::move(row));
-    }
-  }
-  return rows;
+    std::vector<CheckRow> rows = runGuardedFromFaults(files[i], options);
+    for (CheckRow& row : rows) row.total_time = watch.seconds();
+    order.end(i, std::move(rows));
+  });
+  return order.take();
 }
 
 bool allHold(const std::vector<CheckRow>& rows) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/accepted_run.h"
 #include "scenarios/run_scenario.h"
 
 namespace amble {
@@ -26,28 +27,36 @@ struct CheckRow {
   CheckVerdict verdict = CheckVerdict::kHolds;
   /// What differs, why it was skipped, or the error: one text each.
   std::vector<std::string> notes;
-  std::string status;          ///< "solved", ...; empty where it was not run
-  double length = 0.0;         ///< [m]; this and the next two with a walk only
-  double clearance = 0.0;      ///< [m]
-  double foot_skate = 0.0;     ///< largest [m]
-  double planning_time = 0.0;  ///< roadmap, search and refinement [s]
-  double total_time = 0.0;     ///< [s]
-  bool updated = false;        ///< its file was given a new bvh_sha256
+  RunFigures run;
+  std::string why;                      ///< without a walk: what stood in the way
+  std::string picture;                  ///< of the run: the bytes of a PNG; empty without one
+  std::optional<AcceptedRun> accepted;  ///< before this run
+  std::string changes;                  ///< in what it is not the accepted one; "" in nothing
+  bool updated = false;                 ///< it was accepted, and files were written
+  double total_time = 0.0;              ///< of the scenario, with its loading [s]
 };
 
 struct CheckOptions {
   RunOptions run;
-  /// Write the walk's SHA-256 into `expect` instead of comparing it: of finished, counted runs
-  /// only. What Ctrl-C or the time limit ended was found by chance, and changes no file.
+  int jobs = 1;  ///< scenarios that are run at once, each on run.threads; changes no row [1 to 64]
+  /// Accept what is found: write the walk's SHA-256 into `expect` instead of comparing it, and the
+  /// run's figures and picture beside the scenario. Of finished, counted runs only: what Ctrl-C or
+  /// the time limit ended was found by chance, and changes no file.
   bool update = false;
   bool judge_times = false;  ///< max_planning_time is judged, not only reported
-  /// Called before and after each scenario.
+  /// Makes a run's picture (a PNG). Called from several threads.
+  std::function<std::string(const RunResult&)> picture;
+  /// Called before and after each scenario, one call at a time: `finished` in the order of the
+  /// files.
   std::function<void(const ScenarioFile& file, int index, int count)> started;
   std::function<void(const CheckRow& row)> finished;
+  /// Called from the scenario's thread.
+  std::function<void(const ScenarioFile& file, const SearchProgress&)> progress;
 };
 
 /// Runs every one. Whatever is wrong with one makes its row an error and does not stop the others;
-/// Ctrl-C (options.run.stop) does.
+/// Ctrl-C (options.run.stop) does. A run that is other than the accepted one differs, by its time
+/// alone not.
 std::vector<CheckRow> checkScenarios(const std::vector<ScenarioFile>& files,
                                      const CheckOptions& options);
 

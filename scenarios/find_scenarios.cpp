@@ -7,6 +7,7 @@
 #include "base/data_directory.h"
 #include "base/error.h"
 #include "base/strict_yaml.h"
+#include "environments/scene/scene.h"
 
 namespace amble {
 namespace {
@@ -90,6 +91,33 @@ std::vector<ScenarioFile> findScenarios(const std::vector<fs::path>& paths) {
     }
   }
   return found;
+}
+
+std::string scenarioName(const fs::path& file) {
+  return file == "-" ? "scenario" : file.stem().string();
+}
+
+std::vector<ScenarioFile> scenariosNamed(const std::vector<ScenarioFile>& files,
+                                         const std::vector<std::string>& patterns) {
+  if (patterns.empty()) return files;
+  std::vector<std::string> names;
+  for (const ScenarioFile& file : files) names.push_back(scenarioName(file.file));
+  std::vector<bool> wanted(files.size());
+  for (const std::string& pattern : patterns) {
+    bool matched = false;
+    for (size_t i = 0; i < files.size(); ++i) {
+      if (!matchesPattern(pattern, names[i])) continue;
+      matched = wanted[i] = true;
+    }
+    if (matched) continue;
+    const std::string meant = nearestWord(pattern, names);
+    throw InputError(pattern, 0, "matches no scenario's name",
+                     meant.empty() ? "a name, or a pattern with * and ?" : "'" + meant + "'");
+  }
+  std::vector<ScenarioFile> named;
+  for (size_t i = 0; i < files.size(); ++i)
+    if (wanted[i]) named.push_back(files[i]);
+  return named;
 }
 
 std::string missingData(const Scenario& scenario) {

@@ -15,6 +15,14 @@ namespace amble {
 /// found.
 std::vector<ScenarioFile> findScenarios(const std::vector<std::filesystem::path>& paths);
 
+/// The file's name without folder and ending; "scenario" for standard input.
+std::string scenarioName(const std::filesystem::path& file);
+
+/// Those whose name one of the patterns matches, by matchesPattern; all of them where there are no
+/// patterns. @throws InputError for a pattern that matches none
+std::vector<ScenarioFile> scenariosNamed(const std::vector<ScenarioFile>& files,
+                                         const std::vector<std::string>& patterns);
+
 /// What a scenario needs that lies outside of Amble's own folders and is not there (a mesh of the
 /// shared captures' folder), or an empty text.
 std::string missingData(const Scenario& scenario);

@@ -19,7 +19,7 @@ set(rooms
   planner/steering planner/obstruction planner/refine_walk
   planner/roadmap planner/ompl planner/legs planner/plan_walk
   scenarios
-  viz viz/figure viz/pictures viz/exchange viz/page
+  viz viz/figure viz/pictures viz/exchange viz/page viz/regression
   app)
 list(FIND rooms animation/steps steps_floor)
 set(runtime animation/library animation/steps animation/synthesis)

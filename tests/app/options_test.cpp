@@ -148,10 +148,44 @@ TEST_F(Options, OfCheck) {
               {"--update",
                [&] {
                  good(check + "--update");
+                 EXPECT_TRUE(fs::exists(folder_ / "in/accepted/scenario.png"));
                  good("plan in/scenario.yaml -o out --formats bvh");
                  EXPECT_NE(read("in/scenario.yaml").find(sha256OfFile(folder_ / "out/walk.bvh")),
                            std::string::npos);
+                 fs::remove_all(folder_ / "in/accepted");
                  write("in/scenario.yaml", kShort);
+               }},
+              {"--output",
+               [&] {
+                 good(check + "-o there/it");
+                 const std::string page = read("there/it/index.html");
+                 EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u);
+                 EXPECT_NE(page.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
+                 expectRefused(check + "-o in/scenario.yaml", {"scenario.yaml: cannot be made"});
+               }},
+              {"--list",
+               [&] {
+                 EXPECT_EQ(good(check + "--list").out, "scenario  in/scenario.yaml\n");
+                 EXPECT_EQ(printed(check + "--list --json")[0]["scenario"], "scenario");
+               }},
+              {"--filter",
+               [&] {
+                 write("in/other.yaml", kShort);
+                 EXPECT_EQ(printed("check in --list --json --filter 'o*'").size(), 1u);
+                 EXPECT_EQ(printed("check in --list --json --filter other,scenario").size(), 2u);
+                 expectRefused("check in --filter scenaro", {"expected 'scenario'"});
+               }},
+              {"--jobs",
+               [&] {
+                 json one = printed("check in --json"), two = printed("check in --json -j 2");
+                 ASSERT_EQ(one.size(), 2u);
+                 for (json* rows : {&one, &two})
+                   for (json& row : *rows) {
+                     row.erase("planning_time");
+                     row.erase("total_time");
+                   }
+                 EXPECT_EQ(one, two);
+                 fs::remove(folder_ / "in/other.yaml");
                }},
               {"--judge-times",
                [&] {

@@ -97,7 +97,7 @@ TEST_F(CheckScenarios, ATimeLimitThatPassesWhileLoadingIsNoWalk) {
   EXPECT_EQ(checkOne(late + "expect: {status: no_walk}\n").verdict, CheckVerdict::kHolds);
   const CheckRow row = checkOne(late + "expect: {status: solved}\n");
   EXPECT_EQ(row.verdict, CheckVerdict::kDiffers);
-  EXPECT_EQ(row.status, "no_walk");
+  EXPECT_EQ(row.run.status, "no_walk");
 }
 
 TEST_F(CheckScenarios, WhatIsInterruptedIsStoppedAndNeitherJudgedNorWritten) {
@@ -158,6 +158,76 @@ TEST_F(CheckScenarios, DataThatLiesElsewhereAndIsNotThereSkipsAndSaysSo) {
   // What should lie beside the scene is a slip, not somebody else's data.
   write("inner/scene.yaml", "name: near\nobjects:\n  - {name: flat, mesh: flat.obj, up: y}\n");
   EXPECT_EQ(checkOne(text).verdict, CheckVerdict::kError);
+}
+
+TEST_F(CheckScenarios, ARunThatIsNotTheAcceptedOneDiffersUntilItIsAccepted) {
+  CheckOptions update;
+  update.update = true;
+  update.picture = [](const RunResult& result) { return result.report.scenario + "'s picture"; };
+  EXPECT_TRUE(checkOne(kScenario, update).updated);
+  EXPECT_FALSE(checkScenarios(findScenarios({folder_ / "case.yaml"}), update).at(0).updated);
+  EXPECT_EQ(read(folder_ / "accepted/case.png"), "case's picture");
+
+  // The same room with another goal: `expect` asks for nothing of it.
+  const std::string farther =
+      "scene: scene.yaml\nstart: {at: [0.8, 1.5], heading: 0}\ngoal: {at: [5.5, 1.5], heading: "
+      "90}\n";
+  const CheckRow differs = checkOne(farther);
+  EXPECT_EQ(differs.verdict, CheckVerdict::kDiffers);
+  EXPECT_TRUE(holds(differs.changes, "not the accepted one: length")) << differs.changes;
+  EXPECT_TRUE(differs.notes.empty()) << differs.notes.at(0);
+  ASSERT_TRUE(differs.accepted);
+  EXPECT_LT(differs.accepted->figures.length, differs.run.length);
+  EXPECT_EQ(differs.accepted->picture, "case's picture");
+
+  const CheckRow accepted = checkOne(farther, update);
+  EXPECT_EQ(accepted.verdict, CheckVerdict::kHolds);
+  EXPECT_NE(accepted.changes, "") << "so that it can be looked at";
+  const CheckRow after = checkScenarios(findScenarios({folder_ / "case.yaml"}), {}).at(0);
+  EXPECT_EQ(after.verdict, CheckVerdict::kHolds);
+  EXPECT_EQ(after.changes, "");
+}
+
+TEST_F(CheckScenarios, EachQueryHasAnAcceptedRunOfItsOwn) {
+  const std::string queries =
+      "scene: scene.yaml\nqueries:\n"
+      "  - {name: there, start: {at: [0.8, 1.5]}, goal: {at: [2.2, 1.5]}}\n";
+  CheckOptions update;
+  update.update = true;
+  EXPECT_TRUE(checkOne(queries, update).updated);
+  EXPECT_TRUE(fs::exists(folder_ / "accepted/case/there.json"));
+  EXPECT_EQ(read(folder_ / "case.yaml"), queries) << "a scenario has one digest";
+  EXPECT_EQ(checkOne(queries).verdict, CheckVerdict::kHolds);
+}
+
+TEST_F(CheckScenarios, ABrokenAcceptedRunIsAnErrorThatAnUpdateMends) {
+  write("accepted/case.json", "{\"status\": 1, \"colour\": 2}");
+  const CheckRow row = checkOne(kScenario);
+  EXPECT_EQ(row.verdict, CheckVerdict::kError);
+  EXPECT_TRUE(holds(row.notes.at(0), "case.json:1: unknown key 'colour'")) << row.notes.at(0);
+  CheckOptions update;
+  update.update = true;
+  EXPECT_EQ(checkOne(kScenario, update).verdict, CheckVerdict::kHolds);
+}
+
+TEST_F(CheckScenarios, RowsAreTheSameInTheSameOrderHoweverManyRunAtOnce) {
+  for (const char* name : {"a.yaml", "b.yaml", "c.yaml", "d.yaml"}) write(name, kScenario);
+  write("a.yaml", "scene: scene.yaml\nstart: {at: [1, 1]}\ngoal: {at: [1.4, 1]}\n");
+  write("c.yaml", "scene: none.yaml\nstart: {at: [1, 1]}\ngoal: {at: [2, 1]}\n");
+  const auto rowsWith = [&](int jobs) {
+    std::string told;
+    CheckOptions options;
+    options.jobs = jobs;
+    options.finished = [&](const CheckRow& row) { told += row.scenario; };
+    std::vector<std::string> rows;
+    for (const CheckRow& row : checkScenarios(findScenarios({folder_}), options)) {
+      rows.push_back(row.scenario + verdictName(row.verdict) + row.run.bvh_sha256);
+      for (const std::string& note : row.notes) rows.push_back(note);
+    }
+    EXPECT_EQ(told, "abcd");
+    return rows;
+  };
+  EXPECT_EQ(rowsWith(1), rowsWith(3));
 }
 
 TEST_F(CheckScenarios, StoppingEndsTheRound) {

@@ -70,5 +70,25 @@ TEST_F(FindScenarios, AScenarioThatIsNamedMayBeAPipeAndNotTooLarge) {
   EXPECT_TRUE(holds(error, "/dev/zero: is larger than 1 MiB; expected a scenario")) << error;
 }
 
+TEST_F(FindScenarios, AreNarrowedByNamesAndAPatternThatMatchesNoneIsASlip) {
+  for (const char* name : {"gap-020.yaml", "gap-070.yaml", "stairs.yaml"}) write(name, kScenario);
+  const std::vector<ScenarioFile> all = findScenarios({folder_});
+  const auto named = [&](const std::vector<std::string>& patterns) {
+    std::string names;
+    for (const ScenarioFile& file : scenariosNamed(all, patterns))
+      names += scenarioName(file.file) + " ";
+    return names;
+  };
+  EXPECT_EQ(named({}), "gap-020 gap-070 stairs ");
+  EXPECT_EQ(named({"GAP-*"}), "gap-020 gap-070 ");
+  EXPECT_EQ(named({"stairs", "gap-0?0", "gap-070"}), "gap-020 gap-070 stairs ") << "each once";
+  EXPECT_EQ(named({"gap-07?"}), "gap-070 ");
+  EXPECT_TRUE(holds(inputError([&] {
+                      named({"gap-*", "stairz"});
+                    }),
+                    "stairz: matches no scenario's name; expected 'stairs'"));
+  EXPECT_TRUE(holds(inputError([&] { named({"*kitchen*"}); }), "a pattern with * and ?"));
+}
+
 }  // namespace
 }  // namespace amble
