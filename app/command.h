@@ -24,6 +24,7 @@ void addLibrary(CLI::App& app, Command& chosen);
 void addConvert(CLI::App& app, Command& chosen);
 void addInspect(CLI::App& app, Command& chosen);
 void addRoadmap(CLI::App& app, Command& chosen);
+void addView(CLI::App& app, Command& chosen);
 
 /// Accepts a finite decimal number within a range, ends included; CLI11's own lets `nan` through.
 CLI::Validator number(double min, double max, const std::string& unit = "");

@@ -42,6 +42,7 @@ int runProgram(int argc, char** argv) {
   addConvert(app, chosen);
   addInspect(app, chosen);
   addRoadmap(app, chosen);
+  addView(app, chosen);
   takeOneArgumentEach(app);
   try {
     app.parse(argc, argv);

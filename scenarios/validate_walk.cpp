@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "animation/body/foot_shape.h"
-#include "animation/body/reference_pose.h"
 #include "animation/captures/motion_reader.h"
 #include "base/error.h"
-#include "base/statistics.h"
 #include "base/text.h"
+#include "scenarios/captured_body.h"
 #include "scenarios/find_contacts.h"
 #include "scenarios/problem.h"
 #include "scenarios/standing_feet.h"
@@ -19,8 +18,6 @@ namespace {
 
 // Of the skeleton. Beyond it is no person, but a wrong unit [m].
 constexpr double kShortest = 0.4, kTallest = 3.0;
-// How far the floor may be from the feet that stand on it [m].
-constexpr double kNearFloor = 0.3;
 
 CapturedMotion readWalk(const std::filesystem::path& file, const ValidateOptions& options) {
   CapturedMotion walk = readMotion(file, {.metres_per_unit = options.metres_per_unit,
@@ -34,20 +31,6 @@ CapturedMotion readWalk(const std::filesystem::path& file, const ValidateOptions
   return walk;
 }
 
-// Height of the ankles where they are lowest: the tenth lowest of a hundred, so that one bad frame
-// does not count [m, World].
-double lowestAnkle(const Clip& clip, const JointRoles& roles) {
-  std::vector<JointFrame> joints(clip.skeleton.size());
-  std::vector<double> heights;
-  for (int frame = 0; frame < clip.frames(); ++frame) {
-    forwardKinematics(clip, frame, joints);
-    for (const LegJoints& leg : roles.legs) heights.push_back(joints[leg.foot].p_WJ.z());
-  }
-  const auto tenth = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 10);
-  std::nth_element(heights.begin(), tenth, heights.end());
-  return *tenth;
-}
-
 void requirePerson(const CapturedMotion& walk, const std::string& file) {
   const double stature = statureOf(walk.clip.skeleton, walk.roles);
   if (stature >= kShortest && stature <= kTallest) return;
@@ -56,59 +39,6 @@ void requirePerson(const CapturedMotion& walk, const std::string& file) {
                        shortNumber(walk.metres_per_unit.value) + " m",
                    shortNumber(kShortest) + " to " + shortNumber(kTallest) +
                        " m; --unit says what the file's is");
-}
-
-// Under the lower ankle of a frame: how high the nearest floor is, and how far from the ankle.
-struct FloorBelow {
-  double height = 0.0, distance = 0.0;  // [m]
-};
-
-std::vector<FloorBelow> floorsBelow(const SceneGround& ground, const Clip& clip,
-                                    const JointRoles& roles) {
-  constexpr int kMostFrames = 200;  // asked about: a walk's way, no more than every few of them
-  const int step = std::max(1, clip.frames() / kMostFrames);
-  std::vector<JointFrame> joints(clip.skeleton.size());
-  std::vector<FloorBelow> below;
-  for (int frame = 0; frame < clip.frames(); frame += step) {
-    forwardKinematics(clip, frame, joints);
-    Eigen::Vector3d ankle = joints[roles.legs[kLeft].foot].p_WJ;
-    const Eigen::Vector3d& other = joints[roles.legs[kRight].foot].p_WJ;
-    if (other.z() < ankle.z()) ankle = other;
-    std::optional<FloorBelow> nearest;
-    for (const double height : ground.floors(ankle.x(), ankle.y())) {
-      const double distance = std::abs(height - ankle.z());
-      if (!nearest || distance < nearest->distance) nearest = {height, distance};
-    }
-    if (nearest) below.push_back(*nearest);
-  }
-  return below;
-}
-
-// The floor that the walk begins on. Where its feet are near none, they hang over one or sink into
-// it: then it is that which most of the way lies over, and not a wall's top that is passed.
-double floorOf(const Scene& scene, const Clip& clip, const JointRoles& roles,
-               const GroundSettings& settings, const std::string& file) {
-  const std::vector<FloorBelow> below = floorsBelow(SceneGround(scene, settings), clip, roles);
-  if (below.empty()) {
-    throw InputError(file, 0, "the walk is where '" + scene.file.string() + "' has no floor",
-                     "a walk within the scene");
-  }
-  for (const FloorBelow& each : below) {
-    if (each.distance <= kNearFloor) return each.height;
-  }
-  std::vector<double> heights;
-  for (const FloorBelow& each : below) heights.push_back(each.height);
-  return median(heights);
-}
-
-SoleHeight soleOf(const Clip& clip, const JointRoles& roles, double floor, double stature) {
-  if (roles.legs[kLeft].toe >= 0) {
-    const FootShape shape = makeFootShape(clip.skeleton, roles, kLeft, stature);
-    return {shape.ankle_height, shape.radius};
-  }
-  // A foot whose ankle is lower is a broken capture; one that is higher hangs in the air [m].
-  constexpr double kThinnest = 0.02, kThickest = 0.12;
-  return {std::clamp(lowestAnkle(clip, roles) - floor, kThinnest, kThickest), 0.5 * kThinnest};
 }
 
 // The clip at the rate that it is checked at: each interval in equal parts, as a player shows them.
@@ -165,12 +95,10 @@ WalkValidation validateWalk(const std::filesystem::path& bvh,
   const Scene scene = readScene(scene_file, options.load);
   GroundSettings settings = walkerGround(result.stature, options.limits);
   result.floor =
-      options.floor ? *options.floor : floorOf(scene, clip, roles, settings, bvh.string());
+      options.floor ? *options.floor : floorUnder(clip, roles, scene, settings, bvh.string());
   settings.level = result.floor;
   const SceneGround ground(scene, settings, options.load.stop);
-  const Body body = makeBody(clip.skeleton, roles, result.stature,
-                             soleOf(clip, roles, result.floor, result.stature),
-                             {.upright = referenceOf(clip, roles)});
+  const Body body = capturedBody(clip, roles, result.floor, result.stature);
   const CollisionWorld world(scene, ground, clip.skeleton, body, options.load.stop);
   const PoseArray poses = densify(clip.poses, parts);
   const double frame_time = clip.frame_time / parts;

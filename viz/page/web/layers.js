@@ -55,7 +55,7 @@ export class Layers {
       body: page.actors.some((actor) => actor.body.length > 0),
       prints: page.takes.some((take) => take.prints.length > 0),
       nearest: page.takes.some((take) => take.clearance),
-      roadmap: this.roadmap && !this.roadmap.isEmpty,
+      roadmap: Boolean(this.roadmap) && !this.roadmap.isEmpty,
       walls: viewer.room.walls.length > 0,
     };
     return [

@@ -1,0 +1,114 @@
+// amble view DIR | WALK.bvh | CLIP...: a page to look at results and captures with, in a browser.
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/clip_sources.h"
+#include "app/command.h"
+#include "app/open_file.h"
+#include "app/read_options.h"
+#include "app/result_folder.h"
+#include "app/say.h"
+#include "app/stop.h"
+#include "base/error.h"
+#include "base/keep_inputs.h"
+#include "base/output_file.h"
+#include "viz/page/clip_page.h"
+
+namespace amble {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::vector<std::string> paths;
+  ReadOptions read;
+  std::string scene, out;
+  bool open = false;
+};
+
+// What is to be shown, and where the page goes if nobody says.
+struct Shown {
+  std::vector<fs::path> clips;
+  std::optional<fs::path> scene;
+  fs::path page;
+};
+
+Shown find(const Options& options) {
+  Shown shown;
+  if (!options.scene.empty()) shown.scene = options.scene;
+  if (options.paths.size() == 1 && isResultFolder(options.paths[0])) {
+    const fs::path folder = options.paths[0];
+    shown.clips = {folder / "walk.bvh"};
+    shown.page = folder / "walk.html";
+    if (!shown.scene) shown.scene = sceneOfResult(folder);
+    return shown;
+  }
+  shown.clips = findClips(options.paths);
+  const fs::path& first = shown.clips.front();
+  shown.page = first == "-" ? fs::path("motion.html") : first.stem().concat(".html");
+  if (shown.scene && shown.clips.size() > 1)
+    throw InputError("--scene", 0, fmt::format("with {} clips", shown.clips.size()), "one walk");
+  return shown;
+}
+
+void keepAll(const Shown& shown, const Options& options, const std::optional<Scene>& scene) {
+  std::vector<fs::path> inputs;
+  for (const fs::path& clip : shown.clips)
+    for (const fs::path& file : options.read.filesOf(clip)) inputs.push_back(file);
+  if (shown.scene) inputs.push_back(*shown.scene);
+  if (scene) inputs.insert(inputs.end(), scene->inputs.begin(), scene->inputs.end());
+  if (shown.page != "-") keepInputs(shown.page, inputs);
+}
+
+int run(const Options& options) {
+  Shown shown = find(options);
+  if (!options.out.empty()) shown.page = options.out;
+  keepAll(shown, options, std::nullopt);
+  std::optional<Scene> scene;
+  if (shown.scene) {
+    LoadLimits limits;
+    limits.memory = options.read.memory;
+    scene = readScene(*shown.scene, limits);
+    keepAll(shown, options, scene);
+  }
+  std::vector<ShownClip> clips;
+  for (const fs::path& file : shown.clips) {
+    if (stopFlag()) return kExitStopped;
+    const MotionReadOptions how = options.read.forReader();
+    clips.push_back(scene ? readWalkIn(*scene, file, how) : readShownClip(file, how));
+  }
+  const PageSubject page = clipPage(clips, scene ? &*scene : nullptr);
+  writeFile(shown.page, [&](std::ostream& out) { writePage(out, page); });
+  if (shown.page == "-") return kExitDone;
+  say(stdout, "{}: open it in a browser\n", shown.page.string());
+  if (options.open) openFile(shown.page);
+  return kExitDone;
+}
+
+}  // namespace
+
+void addView(CLI::App& app, Command& chosen) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("view", "Write a page to look at a result or at captures, in a browser");
+  command
+      ->add_option(
+          "PATH", options->paths,
+          "A folder of results, a walk, or captures and folders of them; - is standard input")
+      ->required();
+  command->add_option("--scene", options->scene, "Scene file (YAML) that the walk is in");
+  command->add_option(
+      "-o,--output", options->out,
+      "The page; - is standard output; default: walk.html of the folder of results, "
+      "or STEM.html");
+  command->add_flag("--open", options->open, "Open it in the browser");
+  addReadOptions(*command, options->read);
+  addExamples(*command, {"amble view out/living-room --open",
+                         "amble view walk.bvh --scene scene.yaml -o walk.html",
+                         "amble view captures/walk1.bvh captures/walk2.bvh -o walks.html"});
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace amble

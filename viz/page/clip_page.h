@@ -1,0 +1,35 @@
+/// The page of captured motion: whoever moves in each clip, and what analysis finds in it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "animation/analysis/clip_analysis.h"
+#include "animation/captures/motion_reader.h"
+#include "environments/body/body.h"
+#include "environments/ground/scene_ground.h"
+#include "viz/page/page.h"
+
+namespace amble {
+
+/// A capture with what is known of it.
+struct ShownClip {
+  std::string name;
+  CapturedMotion motion;                 ///< all frames of the file
+  double floor = 0.0;                    ///< that it is on [m, World]
+  std::optional<Body> body;              ///< none where nobody is found in the skeleton
+  std::optional<ClipAnalysis> analysis;  ///< the same
+  int first_frame = 0;                   ///< of the clip, that is frame 0 of the analysis
+};
+
+/// Reads a capture, finds its floor, body, plants and events. @throws InputError as readMotion
+ShownClip readShownClip(const std::filesystem::path& file, const MotionReadOptions& options);
+/// The same of a walk in a scene: floor and plants are over its ground.
+ShownClip readWalkIn(const Scene& scene, const std::filesystem::path& file,
+                     const MotionReadOptions& options);
+
+/// @pre the clips, and the scene, outlive it; there is a clip. @param scene  null: an empty floor
+PageSubject clipPage(const std::vector<ShownClip>& clips, const Scene* scene = nullptr);
+
+}  // namespace amble
