@@ -4,24 +4,11 @@
 #include <cassert>
 #include <cmath>
 
-#include "animation/analysis/low_pass.h"
+#include "animation/analysis/plant_signals.h"
 #include "animation/clips/floor_fit.h"
-#include "base/ease.h"
-#include "base/statistics.h"
 
 namespace amble {
 namespace {
-
-// Heights of a standing joint are read from its slow frames at this quantile: low enough to leave
-// out a heel that has risen while the foot is still slow, high enough to pass over noise.
-constexpr double kStandingQuantile = 0.25;
-
-// Frames that count as slow there: below this share of the foot's own speed quantile. By trial.
-constexpr double kSwingQuantile = 0.95;
-
-// The point between toe (0) and ankle (1) whose vertical velocity tells of strike and lift-off:
-// O'Connor's middle of the foot. Scores hardly change from 0.5 to 0.7.
-constexpr double kAnkleShare = 0.5;
 
 // A foot whose ankle comes in (whose toe goes off) faster than this share of its swing is in the
 // air, whatever its vertical velocity says: drawn motion often lands and leaves softer than people
@@ -29,65 +16,22 @@ constexpr double kAnkleShare = 0.5;
 constexpr double kLandingShare = 0.35;
 constexpr double kLeavingShare = 0.5;
 
-/// A foot's joints over the floor, low-passed: in leg lengths and leg lengths a second. A row a
-/// frame.
-struct FootSignals {
-  Eigen::MatrixXd height;                // ankle, toe over the floor
-  Eigen::MatrixXd speed;                 // of ankle, toe
-  Eigen::VectorXd rise;                  // velocity of the foot's middle along the floor's normal
-  std::array<double, 2> swing = {0, 0};  // how fast ankle and toe swing
-
-  Eigen::Index frames() const { return speed.rows(); }
-};
-
 /// The frames of a foot, told apart by how low and slow its ankle and toe are.
 struct FootStates {
   std::vector<bool> planted;  // stage 1: one of them is low and slow
   std::vector<bool> still;    // one of them is low and stands as good as still: certainly planted
 };
 
-FootSignals footSignals(Eigen::MatrixXd path, const FloorFit& floor, double leg, double rate,
-                        double cutoff) {
-  path /= leg;
-  lowPass(path, rate, cutoff);
-  const Eigen::MatrixXd velocity = derivative(path, rate);
-  const Eigen::Vector3d& n = floor.normal;
-  const auto along = [&n](const Eigen::MatrixXd& rows, int j) -> Eigen::VectorXd {
-    return n.x() * rows.col(3 * j) + n.y() * rows.col(3 * j + 1) + n.z() * rows.col(3 * j + 2);
-  };
-  FootSignals signals;
-  signals.height.resize(path.rows(), 2);
-  signals.speed.resize(path.rows(), 2);
-  for (int j = 0; j < 2; ++j) {
-    signals.height.col(j) = along(path, j).array() - floor.height / leg;
-    signals.speed.col(j) =
-        (velocity.col(3 * j).array().square() + velocity.col(3 * j + 1).array().square() +
-         velocity.col(3 * j + 2).array().square())
-            .sqrt();
-    const Eigen::VectorXd speed = signals.speed.col(j);
-    signals.swing[j] = quantile({speed.begin(), speed.end()}, kSwingQuantile);
-  }
-  signals.rise = kAnkleShare * along(velocity, 0) + (1.0 - kAnkleShare) * along(velocity, 1);
-  return signals;
-}
-
 /// Stage 1: ankle or toe low and slow.
-FootStates lowAndSlow(const FootSignals& signals, const PlantOptions& options) {
+FootStates lowAndSlow(const PlantSignals& signals, const PlantOptions& options) {
   const Eigen::Index frames = signals.frames();
+  const PlantLimits limits = plantLimits(signals, options);
   FootStates states{std::vector<bool>(frames, false), std::vector<bool>(frames, false)};
   for (int j = 0; j < 2; ++j) {
-    const double limit =
-        std::clamp(options.speed_of_swing * signals.swing[j], options.min_speed, options.max_speed);
-    std::vector<double> slow_heights;
     for (Eigen::Index i = 0; i < frames; ++i) {
-      if (signals.speed(i, j) < limit) slow_heights.push_back(signals.height(i, j));
-    }
-    if (slow_heights.empty()) continue;
-    const double highest = quantile(slow_heights, kStandingQuantile) + options.height;
-    for (Eigen::Index i = 0; i < frames; ++i) {
-      if (signals.height(i, j) >= highest) continue;
-      if (signals.speed(i, j) < limit) states.planted[i] = true;
-      if (signals.speed(i, j) < options.min_speed) states.still[i] = true;
+      if (signals.height(i, j) >= limits.height[j]) continue;
+      if (signals.speed(i, j) < limits.speed[j]) states.planted[i] = true;
+      if (signals.speed(i, j) < limits.still) states.still[i] = true;
     }
   }
   return states;
@@ -140,7 +84,7 @@ double climb(const Eigen::VectorXd& values, const Eigen::Ref<const Eigen::Vector
 }
 
 /// The ends of a run of frames moved to strike and lift-off.
-FootPlant refined(const FootPlant& run, const FootSignals& signals, const std::vector<bool>& still,
+FootPlant refined(const FootPlant& run, const PlantSignals& signals, const std::vector<bool>& still,
                   const PlantOptions& options, double rate) {
   const int reach = static_cast<int>(std::lround(options.reach * rate));
   const int frames = static_cast<int>(signals.frames());
@@ -180,24 +124,6 @@ void mergeTouching(std::vector<FootPlant>& plants) {
     }
   }
   plants = std::move(merged);
-}
-
-/// Rows at `factor` times the rate, on a Catmull-Rom spline through them.
-Eigen::MatrixXd finer(const Eigen::MatrixXd& rows, int factor) {
-  const Eigen::Index last = rows.rows() - 1;
-  Eigen::MatrixXd fine(last * factor + 1, rows.cols());
-  for (Eigen::Index i = 0; i <= last * factor; ++i) {
-    const Eigen::Index k = std::min(i / factor, std::max<Eigen::Index>(0, last - 1));
-    const double t = static_cast<double>(i - k * factor) / factor;
-    const auto row = [&](Eigen::Index r) { return rows.row(std::clamp<Eigen::Index>(r, 0, last)); };
-    const Eigen::RowVectorXd from = row(k), to = row(k + 1);
-    const Eigen::RowVectorXd slope_from = 0.5 * (to - row(k - 1)),
-                             slope_to = 0.5 * (row(k + 2) - from);
-    const double s = smoothstep(t);
-    fine.row(i) = (1.0 - s) * from + s * to + t * (1.0 - t) * (1.0 - t) * slope_from -
-                  t * t * (1.0 - t) * slope_to;
-  }
-  return fine;
 }
 
 /// Plants of `fine`, which has `factor` times the frames, on the frames that are there.
@@ -258,16 +184,15 @@ FootPlants detectPlants(const FootPaths& paths, const std::array<double, 2>& leg
   result.frames = static_cast<int>(paths[kLeft].rows());
   if (result.frames == 0) return result;
   const double rate = 1.0 / frame_time;
-  if (rate < kPlantRate && result.frames > 1) {
-    const int factor = static_cast<int>(std::ceil(kPlantRate / rate));
-    const FootPaths fine = {finer(paths[kLeft], factor), finer(paths[kRight], factor)};
+  if (const int factor = plantFactor(frame_time, result.frames); factor > 1) {
+    const FootPaths fine = {finerRows(paths[kLeft], factor), finerRows(paths[kRight], factor)};
     return coarser(detectPlants(fine, legs, frame_time / factor, options), factor, result.frames);
   }
   const FloorFit floor = fitFloor(paths, legs, frame_time);
-  std::array<FootSignals, 2> signals;
+  std::array<PlantSignals, 2> signals;
   std::array<std::vector<bool>, 2> planted, still;
   for (const Side side : {kLeft, kRight}) {
-    signals[side] = footSignals(paths[side], floor, legs[side], rate, options.cutoff);
+    signals[side] = plantSignals(paths[side], floor, legs[side], rate, options.cutoff);
     FootStates states = lowAndSlow(signals[side], options);
     planted[side] = std::move(states.planted);
     still[side] = std::move(states.still);
