@@ -14,15 +14,15 @@ struct Change {
   double middle;  // [frames]
 };
 
-// When the other foot leaves, nearest to the strike; none where it does so on no side of it.
-double liftOffNear(const std::vector<FootPlant>& plants, int frames, double strike) {
-  double nearest = std::numeric_limits<double>::quiet_NaN();
+// When the other foot leaves that stood before the strike; NaN where it did not, or is not seen to
+// leave.
+double otherLeaves(const std::vector<FootPlant>& plants, int frames, double strike) {
+  double leaves = std::numeric_limits<double>::quiet_NaN();
   for (const FootPlant& plant : plants) {
-    if (plant.last >= frames - 1) continue;  // the clip ends before it leaves
-    const double away = std::abs(plant.lift_off - strike);
-    if (!(away >= std::abs(nearest - strike))) nearest = plant.lift_off;
+    if (plant.strike >= strike) break;
+    leaves = plant.last < frames - 1 ? plant.lift_off : std::numeric_limits<double>::quiet_NaN();
   }
-  return nearest;
+  return leaves;
 }
 
 std::vector<Change> changesOf(const FootPlants& plants) {
@@ -30,7 +30,7 @@ std::vector<Change> changesOf(const FootPlants& plants) {
   for (const Side side : {kLeft, kRight}) {
     for (const FootPlant& plant : plants.plants[side]) {
       if (plant.first == 0) continue;  // it came down before the clip
-      const double leaves = liftOffNear(plants.plants[other(side)], plants.frames, plant.strike);
+      const double leaves = otherLeaves(plants.plants[other(side)], plants.frames, plant.strike);
       if (std::isfinite(leaves))
         changes.push_back({side, plant.strike, 0.5 * (plant.strike + leaves)});
     }
