@@ -185,6 +185,7 @@ void GaitBlend::mixStraight(const std::vector<Pace>& paces, const std::vector<Cy
        {std::pair(where.low, 1.0 - where.share), {high, where.share}}) {
     straight_.coefficients +=
         share * warped(paces[index].coefficients, straight_.step / paces[index].step);
+    if (share > 0.0) straight_.sources.emplace_back(cycles[index], share);
     const double each = share / static_cast<double>(cycles[index].size());
     for (const WalkCycle* cycle : cycles[index]) {
       step_width_ += each * cycle->step_width * scale;
@@ -206,6 +207,7 @@ void GaitBlend::mixStraight(const std::vector<Pace>& paces, const std::vector<Cy
 void GaitBlend::addTurns(const std::vector<Cycles>& turns, int harmonics, double scale) {
   for (const Cycles& cycles : turns) {
     Pace turn = meanPace(cycles, harmonics, scale);
+    turn.sources = {{cycles, 1.0}};
     turn.coefficients -= warped(straight_.coefficients, turn.step / straight_.step);
     const Eigen::Index kept =
         std::min<Eigen::Index>(2 * kTurnHarmonics + 2, turn.coefficients.cols());
@@ -247,6 +249,30 @@ void GaitBlend::weigh(double turn_rate, int frame, LaneBlend& blend) const {
   const double share = smoothstep(turn.share);
   addWeight(blend, paces[turn.low], frame, 1.0 - share);
   if (share > 0.0) addWeight(blend, paces[turn.low + 1], frame, share);
+}
+
+std::vector<GaitBlend::Share> GaitBlend::shares(const MotionLibrary& library,
+                                                double turn_rate) const {
+  LaneBlend blend;
+  weigh(turn_rate, 0, blend);
+  std::vector<double> weights(paces_.size(), 0.0);
+  for (int i = 0; i < blend.count; ++i)
+    weights[blend.paces[i].pace - paces_.data()] = blend.paces[i].weight[0];
+  // A turn is what it adds to the straight walk: so much less of that is left.
+  for (size_t i = 1; i < weights.size(); ++i) weights[0] -= weights[i];
+  std::vector<const Pace*> all = {&straight_};
+  for (const std::vector<Pace>& side : turns_)
+    for (const Pace& turn : side) all.push_back(&turn);
+  std::vector<Share> shares;
+  for (size_t i = 0; i < all.size(); ++i) {
+    for (const auto& [cycles, share] : all[i]->sources) {
+      shares.push_back({{}, weights[i] * share});
+      for (const Motion& motion : library.motions)
+        if (std::find(cycles.begin(), cycles.end(), &motion.cycle) != cycles.end())
+          shares.back().motions.push_back(motion.name);
+    }
+  }
+  return shares;
 }
 
 void GaitBlend::evaluate(const Frames& frames, std::span<double> values) const {

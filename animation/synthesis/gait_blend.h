@@ -13,6 +13,8 @@
 #include <Eigen/Core>
 #include <array>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "animation/library/motion_library.h"
@@ -51,6 +53,15 @@ class GaitBlend {
     std::array<double, 4> phase, turn_rate, step_length;
   };
   void evaluate(const Frames& frames, std::span<double> values) const;
+  /// Motions that are averaged into one, by name, and how much of them is in a frame [0 to 1].
+  struct Share {
+    std::vector<std::string> motions;
+    double share = 0.0;
+  };
+  /// Of what the walk is blended at a turn rate [rad/s]: the same motions in the same order
+  /// whatever it is, with shares that sum to 1. For who wants to know, not for who blends.
+  /// @pre the library is the one that it was made of
+  std::vector<Share> shares(const MotionLibrary& library, double turn_rate) const;
   int channels() const { return static_cast<int>(straight_.coefficients.rows()); }
 
   /// Walks whose speeds, or turn rates, differ by less than this share are one pace: two captures
@@ -68,14 +79,15 @@ class GaitBlend {
   static constexpr double kLeastPower = 0.2, kMostPower = 0.7;
 
  private:
+  using Cycles = std::vector<const WalkCycle*>;
   struct Pace {
+    std::vector<std::pair<Cycles, double>> sources;  ///< of what it is mixed; shares sum to 1
     Eigen::MatrixXd coefficients;  ///< rows: channels; columns: alpha_0, beta_0 = 0, alpha_1, ...
     double speed = 0.0;            ///< [m/s]
     double turn_rate = 0.0;        ///< [rad/s]
     double step = 0.0;             ///< planted [m]
   };
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  using Cycles = std::vector<const WalkCycle*>;
 
   static Pace meanPace(const Cycles& cycles, int harmonics, double scale);
   void fitLaw(const std::vector<Pace>& paces);

@@ -23,7 +23,7 @@ const char* const kShort =
 TEST_F(Options, EveryCommandIsTriedHere) {
   EXPECT_EQ(listed("", "Subcommands:"),
             (std::vector<std::string>{"plan", "check", "validate", "animate", "analyse", "library",
-                                      "convert", "inspect", "roadmap"}));
+                                      "convert", "inspect", "roadmap", "view"}));
   EXPECT_EQ(listed("library", "Subcommands:"),
             (std::vector<std::string>{"build", "show", "add", "check", "find"}));
   EXPECT_EQ(optionsOf("library"), std::set<std::string>{});

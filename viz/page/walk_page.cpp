@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "viz/page/motion_sources.h"
+#include "viz/page/nearest_things.h"
+
 namespace amble {
 namespace {
 
@@ -61,7 +64,11 @@ PageSubject walkPage(const RunResult& result, const WalkView& view) {
   describeWalk(result.report, page);
   page.actors = {{"walker", view.skeleton, view.body}};
   page.takes = {takeOf(*view.animation, soleLength(view))};
-  page.takes[0].name = view.title;
+  PageTake& walk = page.takes[0];
+  walk.name = view.title;
+  const Problem& problem = *result.problem;
+  walk.clearance = nearestThings(problem.world, *view.skeleton, view.animation->poses);
+  walk.sources = motionSources(*view.animation, problem.library, problem.synthesizer);
   return page;
 }
 

@@ -36,8 +36,12 @@ export class Cameras {
     this.changed = () => {};
     this.orbit.addEventListener('change', () => this.changed());
     this.plan.addEventListener('change', () => this.changed());
+    this.free = 1;
     this.frameAll();
     this.setMode('orbit');
+    for (const controls of [this.orbit, this.plan]) {
+      controls.addEventListener('start', () => (this.moved = true));
+    }
   }
 
   // In first person, dragging turns the head.
@@ -62,13 +66,14 @@ export class Cameras {
   }
 
   // Everything in sight, from a raised corner and from above.
-  frameAll() {
+  frameAll(free = this.free) {
+    this.free = free;
     const { min, max } = this.bounds;
     const middle = new Vector3().addVectors(min, max).multiplyScalar(0.5);
     middle.z = Math.min(middle.z, min.z + 0.8);
     const size = Math.max(2.2, Math.hypot(max.x - min.x, max.y - min.y));
     const wide = Math.min(1, this.perspective.aspect);
-    const away = (0.5 * size) / Math.tan((this.perspective.fov * Math.PI) / 360) / Math.max(0.55, wide) * 1.02;
+    const away = (0.5 * size) / Math.tan((this.perspective.fov * Math.PI) / 360) / Math.max(0.36, wide) / Math.min(1, free * 1.3);
     this.orbit.target.copy(middle);
     this.perspective.position.set(middle.x - 0.42 * away, middle.y - 0.7 * away, middle.z + 0.58 * away);
     this.orbit.maxDistance = 6 * size + 20;
@@ -95,19 +100,28 @@ export class Cameras {
     this.orbit.update();
   }
 
-  resize(width, height) {
+  resize(width, height, covered) {
     const aspect = width / height;
+    const first = !this.sized;
+    this.sized = true;
     for (const camera of [this.perspective, this.eyes]) {
       camera.aspect = aspect;
+      camera.setViewOffset(width, height, 0, camera === this.eyes ? 0 : covered / 2, width, height);
       camera.updateProjectionMatrix();
     }
     const { min, max } = this.bounds;
-    const half = 0.56 * Math.max(max.y - min.y, (max.x - min.x) / aspect, 2);
+    const free = Math.max(0.3, 1 - covered / height - 0.1);
+    const half = 0.53 * Math.max((max.y - min.y) / free, (max.x - min.x) / aspect, 2);
     this.top.top = half;
     this.top.bottom = -half;
     this.top.right = half * aspect;
     this.top.left = -half * aspect;
+    this.top.setViewOffset(width, height, 0, covered / 2, width, height);
     this.top.updateProjectionMatrix();
+    if (first || Math.abs(covered - this.covered) > 1) {
+      this.covered = covered;
+      if (!this.moved) this.frameAll(free);
+    }
   }
 
   /** @param aim  middle of the walker's body  @param head  of it  @param heading  [rad] */

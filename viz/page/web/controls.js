@@ -1,6 +1,7 @@
 // Buttons, keys and the address: what people do, told to the viewer.
 
 import { kModes } from './cameras.js';
+import { kSourceColors } from './colors.js';
 import { kSpeeds } from './player.js';
 import { Timeline } from './timeline.js';
 
@@ -25,7 +26,9 @@ export class Controls {
     this.player.changed = () => this.refresh();
     this.viewer.drawn = () => this.showTime();
     this.viewer.listeners.push(() => this.showTake());
-    new ResizeObserver(() => this.resize()).observe(this.viewer.canvas);
+    const resized = new ResizeObserver(() => this.resize());
+    resized.observe(this.viewer.canvas);
+    resized.observe(this.byId('transport'));
     window.addEventListener('hashchange', () => this.goToHash());
     const moving = this.viewer.takes.length > 0;
     this.byId('transport').hidden = !moving;
@@ -48,7 +51,7 @@ export class Controls {
     const why = this.byId('why');
     why.textContent = page.why;
     why.hidden = !page.why;
-    for (const note of page.notes) {
+    for (const note of [...notesOfRoom(page.room), ...page.notes]) {
       const p = document.createElement('p');
       p.textContent = note;
       this.byId('notes').append(p);
@@ -189,8 +192,11 @@ export class Controls {
     apply();
   }
 
+  // What the time line covers is no place to look at: the picture's middle lies above it.
   resize() {
-    this.viewer.resize();
+    const covered = this.byId('transport').offsetHeight;
+    document.documentElement.style.setProperty('--transport', `${covered}px`);
+    this.viewer.resize(covered);
     if (this.viewer.take) this.timeline.draw();
   }
 
@@ -224,10 +230,21 @@ export class Controls {
     const frame = take.frameAt(time);
     this.byId('time').textContent = `${time.toFixed(2)} / ${duration.toFixed(2)} s`;
     this.byId('frame').textContent = `frame ${frame}`;
+    this.showSources(frame);
     const slider = this.byId('timeline');
     slider.setAttribute('aria-valuenow', time.toFixed(2));
     slider.setAttribute('aria-valuemax', duration.toFixed(2));
     slider.setAttribute('aria-valuetext', `${time.toFixed(2)} seconds, frame ${frame}`);
+  }
+
+  showSources(frame) {
+    const chips = this.viewer.take.sourcesAt(frame).map(({ name, index, share }) => {
+      const chip = document.createElement('span');
+      chip.style.setProperty('--chip', kSourceColors[index % kSourceColors.length]);
+      chip.textContent = `${name} ${Math.round(100 * share)} %`;
+      return chip;
+    });
+    this.byId('sources').replaceChildren(...chips);
   }
 
   // #t=3.2 [s]
@@ -245,4 +262,12 @@ export class Controls {
       history.replaceState(null, '', `#t=${+this.player.time.toFixed(3)}`);
     }, 300);
   }
+}
+
+// A room of very many triangles is shown with fewer.
+function notesOfRoom(room) {
+  if (!room?.thinned) return [];
+  const [all, shown] = [room.triangles, room.shown].map((n) => n.toLocaleString('en'));
+  const lost = `${(100 * room.thinned).toPrecision(2)} cm`;
+  return [`The room has ${all} triangles. ${shown} are shown: details of up to ${lost} are left out here, nowhere else.`];
 }

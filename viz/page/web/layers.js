@@ -25,7 +25,7 @@ export class Layers {
     this.add('path').renderOrder = 2;
     this.add('prints');
     if (walk) {
-      this.roadmap = new Roadmap(walk.roadmap);
+      this.roadmap = new Roadmap(page);
       this.add('roadmap').add(this.roadmap.group);
       this.add('places');
       this.addPlaces(walk);
@@ -63,7 +63,7 @@ export class Layers {
       ['bones', 'Bones', false, (on) => { parts.bones = on; showParts(); }],
       ['path', 'Root path', true, visible('path')],
       ['prints', 'Footprints', true, visible('prints')],
-      ['roadmap', 'Roadmap', false, visible('roadmap')],
+      ['roadmap', 'Roadmap', page.takes.length === 0, visible('roadmap')],
       ['nearest', 'Nearest thing', true, (on) => this.nearest.show(on)],
       ['walls', 'Walls give way', true, (on) => { viewer.room.gives = on; }],
     ].filter(([key]) => has[key] ?? page.takes.length > 0)

@@ -15,12 +15,13 @@ function material(color) {
 }
 
 export class Roadmap {
-  constructor(json) {
+  constructor(page) {
+    const json = page.walk.roadmap;
     this.group = new Group();
     this.json = json;
     this.isEmpty = json.nodes.length === 0;
     this.materials = { edge: material(0x6941c6), chosen: material(0xf79009), node: material(0x53389e) };
-    this.edges = json.edges.map((edge) => this.addEdge(edge));
+    this.edges = json.edges.map((edge) => this.addEdge({ ...edge, line: page.array(edge.line) }));
     for (const node of json.nodes) this.addNode(node);
   }
 

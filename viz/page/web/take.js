@@ -50,6 +50,14 @@ export class Take {
     return [...starts].sort((a, b) => a - b);
   }
 
+  /** Captured motions that a frame is made of, the largest share first: [{name, index, share}]. */
+  sourcesAt(frame) {
+    return this.sources
+      .map((source, index) => ({ name: source.name, index, share: source.share[frame] }))
+      .filter((source) => source.share >= 0.005)
+      .sort((a, b) => b.share - a.share);
+  }
+
   frameAt(time) {
     return Math.max(0, Math.min(this.frames - 1, Math.round(time / this.frameTime)));
   }

@@ -1,6 +1,9 @@
 // The time line: bars where a foot stands, ticks at gait events, what is nearest, captured motions.
 
+import { kSourceColors } from './colors.js';
+
 const kRow = 13, kGap = 4, kLabels = 74;  // [CSS pixels]
+const kSecond = 46;  // what a time written below it takes [CSS pixels]
 
 function styleOf(element, name) {
   return getComputedStyle(element).getPropertyValue(name).trim();
@@ -43,8 +46,8 @@ export class Timeline {
     if (take.clearance) {
       rows.push({ label: 'Clearance', draw: (c, x, y) => this.drawClearance(c, x, y, take) });
     }
-    for (const source of take.sources) {
-      rows.push({ label: source.name, draw: (c, x, y) => this.drawShare(c, x, y, source, take) });
+    if (take.sources.length > 0) {
+      rows.push({ label: 'Motions', draw: (c, x, y) => this.drawSources(c, x, y, take) });
     }
     return rows;
   }
@@ -103,18 +106,30 @@ export class Timeline {
     c.fill();
   }
 
-  drawShare(c, x, y, source, take) {
-    c.fillStyle = styleOf(this.element, '--source');
+  // Captured motions over one another, as high as they have a share in the frame.
+  drawSources(c, x, y, take) {
+    const below = new Float32Array(take.frames);
+    c.save();
     c.beginPath();
-    c.moveTo(x(0), y + kRow);
-    source.share.forEach((share, i) => c.lineTo(x(i), y + kRow * (1 - share)));
-    c.lineTo(x(take.frames - 1), y + kRow);
-    c.fill();
+    c.roundRect(x(0), y, x(take.frames - 1) - x(0), kRow, 3);
+    c.clip();
+    take.sources.forEach((source, index) => {
+      c.fillStyle = kSourceColors[index % kSourceColors.length];
+      c.beginPath();
+      for (let i = 0; i < take.frames; ++i) c.lineTo(x(i), y + kRow * (1 - below[i]));
+      for (let i = take.frames - 1; i >= 0; --i) {
+        below[i] += source.share[i];
+        c.lineTo(x(i), y + kRow * (1 - below[i]));
+      }
+      c.fill();
+    });
+    c.restore();
   }
 
   drawSeconds(c, x, y) {
     const duration = this.player.duration;
-    const every = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 60, 120, 300].find((s) => duration / s < 13) ?? 600;
+    const most = (x(this.player.take.frames - 1) - x(0)) / kSecond;
+    const every = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 60, 120, 300].find((s) => duration / s < most) ?? 600;
     c.fillStyle = styleOf(this.element, '--muted');
     c.textAlign = 'center';
     for (let i = 0; i * every <= duration + 1e-9; ++i) {

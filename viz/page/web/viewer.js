@@ -72,10 +72,12 @@ export class Viewer {
     this.head.setFromMatrixPosition(this.actor.eye.matrixWorld);
   }
 
-  resize() {
+  /** @param covered  pixels at the lower edge that something else lies over */
+  resize(covered = this.covered ?? 0) {
+    this.covered = covered;
     const { clientWidth: width, clientHeight: height } = this.canvas;
     this.stage.resize(width, height);
-    this.cameras.resize(width, height);
+    this.cameras.resize(width, height, covered);
     this.dirty = true;
   }
 
