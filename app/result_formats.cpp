@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+
+#include "viz/exchange/glb.h"
 #include "viz/exchange/walk_csv.h"
 #include "viz/exchange/walk_npz.h"
 #include "viz/page/walk_page.h"
@@ -35,6 +38,15 @@ void addStrip(const ResultSubject& subject, std::vector<ResultFile>& files) {
   files.push_back({"strip.png", [view = &subject.view, strip](std::ostream& out) {
                      writePng(out, renderStrip(*view, strip));
                    }});
+}
+
+void addGlb(const ResultSubject& subject, std::vector<ResultFile>& files) {
+  files.push_back(
+      {"walk.glb", [view = &subject.view, report = &subject.result.report](std::ostream& out) {
+         std::ostringstream json;
+         writeJson(json, *report);
+         writeGlb(out, *view, {.report = json.str()});
+       }});
 }
 
 void addTables(const ResultSubject& subject, std::vector<ResultFile>& files) {
@@ -76,6 +88,11 @@ const std::vector<ResultFormat>& resultFormats() {
        .what = "frame by frame from the side",
        .usual = false,
        .add = addStrip},
+      {.name = "glb",
+       .files = {"walk.glb"},
+       .what = "the walk with a body, in its scene, for Blender, Unity, Unreal, Godot",
+       .usual = false,
+       .add = addGlb},
       {.name = "csv",
        .files = {"path.csv", "steps.csv", "joints.csv"},
        .what = "tables of root path, steps and joints",
