@@ -222,6 +222,7 @@ RunOptions runOptions(const Options& options) {
 
 int run(const Options& options) {
   if (options.list_planners) return printPlanners();
+  checkPrograms(options.formats);
   const Scenario scenario = readAsked(options);
   const std::filesystem::path folder = chooseFolder(options, scenario);
   const auto keep =

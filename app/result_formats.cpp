@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
+#include "app/stop.h"
+#include "base/child_program.h"
+#include "base/error.h"
 #include "viz/exchange/glb.h"
+#include "viz/exchange/movie.h"
 #include "viz/exchange/walk_csv.h"
 #include "viz/exchange/walk_npz.h"
 #include "viz/page/walk_page.h"
@@ -66,6 +71,16 @@ void addArrays(const ResultSubject& subject, std::vector<ResultFile>& files) {
        }});
 }
 
+// A wish to stop that was there before, which ended the planning, does not end the film too.
+void addFilm(const ResultSubject& subject, std::vector<ResultFile>& files) {
+  FilmSettings settings;
+  settings.threads = subject.threads;
+  const StopRequest stop{.flag = stopFlag() ? nullptr : &stopFlag(), .deadline = {}};
+  files.push_back({"walk.mp4", [view = &subject.view, settings, stop](std::ostream& out) {
+                     writeMp4(out, *view, settings, stop);
+                   }});
+}
+
 }  // namespace
 
 const std::vector<ResultFormat>& resultFormats() {
@@ -103,6 +118,12 @@ const std::vector<ResultFormat>& resultFormats() {
        .what = "arrays for NumPy",
        .usual = false,
        .add = addArrays},
+      {.name = "mp4",
+       .files = {"walk.mp4"},
+       .what = "a film, which ffmpeg makes",
+       .usual = false,
+       .program = "ffmpeg",
+       .add = addFilm},
   };
   return formats;
 }
@@ -118,6 +139,17 @@ std::vector<std::string> usualFormats() {
   for (const ResultFormat& format : resultFormats())
     if (format.usual) names.emplace_back(format.name);
   return names;
+}
+
+void checkPrograms(const std::vector<std::string>& formats) {
+  for (const ResultFormat& format : resultFormats()) {
+    const bool asked = std::find(formats.begin(), formats.end(), format.name) != formats.end();
+    if (!asked || format.program == nullptr || !findProgram(format.program).empty()) continue;
+    throw InputError("--formats", 0,
+                     fmt::format("{} is made by the program {}, which is not installed",
+                                 format.name, format.program),
+                     "it, or other formats");
+  }
 }
 
 std::string formatsHelp() {

@@ -25,6 +25,7 @@ struct ResultFormat {
   const char* what;                ///< for help
   bool usual = true;               ///< written unless formats are named
   bool of_walk = true;             ///< there is none without a walk
+  const char* program = nullptr;   ///< another program that makes it
   /// Adds to `files` what is written of the subject, paths relative to the folder. Null for
   /// walk.bvh and report.json, which writeResults writes itself.
   void (*add)(const ResultSubject& subject, std::vector<ResultFile>& files) = nullptr;
@@ -35,6 +36,10 @@ const std::vector<ResultFormat>& resultFormats();
 /// Their names, in the table's order; or of the usual ones.
 std::vector<std::string> formatNames();
 std::vector<std::string> usualFormats();
+
+/// That the programs are there which make these formats. @throws InputError naming the one that is
+/// not
+void checkPrograms(const std::vector<std::string>& formats);
 
 /// "What to write: bvh (the walk), ..."
 std::string formatsHelp();

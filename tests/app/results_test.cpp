@@ -72,6 +72,40 @@ TEST_F(Results, AnUpdateThatIsInterruptedChangesNoScenario) {
   EXPECT_EQ(read("in/scenario.yaml"), before);
 }
 
+class Films : public Results {
+ protected:
+  // Instead of ffmpeg.
+  void installFilmMaker(const std::string& script) const {
+    write("bin/ffmpeg", "#!/bin/sh\n" + script + "\n");
+    fs::permissions(folder_ / "bin/ffmpeg", fs::perms::owner_all);
+  }
+  const std::string path_ = "PATH=$PWD/bin:$PATH;";
+};
+
+TEST_F(Films, WithoutFfmpegItIsSaidBeforeThePlanning) {
+  makeEndless();
+  expectRefused("plan in/scenario.yaml -o out --formats bvh,mp4",
+                {"--formats: mp4 is made by the program ffmpeg, which is not installed; expected"},
+                "PATH=/nowhere;");
+}
+
+TEST_F(Films, WhatFfmpegComplainsOfIsSaidAndNothingIsWritten) {
+  installFilmMaker("echo \"Unknown encoder 'libx264'\" >&2; exit 3");
+  expectRefused("plan in/scenario.yaml -o out --formats bvh,mp4",
+                {"ffmpeg: ended with status 3: Unknown encoder 'libx264'; expected"}, path_);
+}
+
+TEST_F(Films, CtrlCWhileOneIsMadeLeavesNothing) {
+  installFilmMaker("exec sleep 3");
+  const Ran ran =
+      run("plan in/scenario.yaml -o out --formats bvh,mp4 & pid=$!; sleep 2; kill -TERM $pid; wait "
+          "$pid",
+          path_);
+  EXPECT_EQ(ran.status, 130) << ran.err;
+  EXPECT_NE(ran.err.find("stopped while the film was made"), std::string::npos) << ran.err;
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
 TEST_F(Results, APipeThatNobodyReadsFromIsNotWaitedForAndCtrlCEndsTheWait) {
   const Ran alone = run("animate --duration 2 -o pipe", "mkfifo pipe;");
   EXPECT_EQ(alone.status, 2);

@@ -88,6 +88,21 @@ class Shadows {
     measureTiles(settings.threads);
   }
 
+  // With what else throws shadows. The farthest of a tile may be nearer than is kept then.
+  void add(std::span<const DrawTriangle> triangles, int threads) {
+    if (triangles.empty()) return;
+    const DepthMap more =
+        rasterizeDepth(triangles, camera_, size_, size_, kNoShadow | kDecal, threads);
+    for (size_t i = 0; i < map_.depth.size(); ++i) {
+      const float depth = more.depth[i];
+      if (depth == 0 || depth >= map_.depth[i]) continue;
+      map_.depth[i] = depth;
+      const size_t x = i % static_cast<size_t>(size_), y = i / static_cast<size_t>(size_);
+      Reach& tile = reach_[y / kTile * static_cast<size_t>(tiles_) + x / kTile];
+      tile.nearest = std::min(tile.nearest, depth);
+    }
+  }
+
   // Share of the sun that reaches a point with this normal [0, 1].
   float lit(const Vector3f& p, const Vector3f& normal) const {
     const Vector3f view = camera_.toView(p + 0.006f * normal);
@@ -327,7 +342,7 @@ float plankShade(const Vector3f& p) {
 struct Lights {
   const Camera& camera;
   const LightSettings& settings;
-  const Shadows shadows;
+  const Shadows& shadows;
   Vector3f to_sun, background;  // unit length; linear
 
   // That falls on a point, of which a white surface would send all back.
@@ -412,12 +427,9 @@ Vector3f lightPixel(const SampleBuffer& samples, int x, int y, float open, const
   return sum / kCount;
 }
 
-}  // namespace
-
-Image lightSamples(const SampleBuffer& samples, const Camera& camera,
-                   std::span<const DrawTriangle> triangles, const LightSettings& settings) {
-  const Lights lights = {camera, settings, Shadows(triangles, settings),
-                         settings.to_sun.normalized(),
+Image lightWith(const Shadows& shadows, const SampleBuffer& samples, const Camera& camera,
+                const LightSettings& settings) {
+  const Lights lights = {camera, settings, shadows, settings.to_sun.normalized(),
                          settings.background.unaryExpr([](float v) { return toLinear(v); })};
   const Corners corners(samples, camera, settings.corner_reach, settings.threads);
   static const ByteTable bytes;
@@ -431,6 +443,28 @@ Image lightSamples(const SampleBuffer& samples, const Camera& camera,
     }
   });
   return image;
+}
+
+}  // namespace
+
+Image lightSamples(const SampleBuffer& samples, const Camera& camera,
+                   std::span<const DrawTriangle> triangles, const LightSettings& settings) {
+  return lightWith(Shadows(triangles, settings), samples, camera, settings);
+}
+
+struct StillLight::Shade {
+  Shadows shadows;
+};
+
+StillLight::StillLight(std::span<const DrawTriangle> still, const LightSettings& settings)
+    : settings_(settings), shade_(new Shade{Shadows(still, settings)}) {}
+StillLight::~StillLight() = default;
+
+Image StillLight::light(const SampleBuffer& samples, const Camera& camera,
+                        std::span<const DrawTriangle> moving) const {
+  Shadows shadows = shade_->shadows;
+  shadows.add(moving, settings_.threads);
+  return lightWith(shadows, samples, camera, settings_);
 }
 
 }  // namespace amble

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <memory>
 #include <span>
 
 #include "viz/pictures/image.h"
@@ -30,5 +31,21 @@ inline constexpr int kSupersampling = 2;
 /// @param camera  of the samples, kSupersampling times as large as the picture
 Image lightSamples(const SampleBuffer& samples, const Camera& camera,
                    std::span<const DrawTriangle> triangles, const LightSettings& settings);
+
+/// The same light on many pictures of one place: what stands still throws its shadows once.
+class StillLight {
+ public:
+  StillLight(std::span<const DrawTriangle> still, const LightSettings& settings);
+  ~StillLight();
+
+  /// lightSamples with the shadows of both.
+  Image light(const SampleBuffer& samples, const Camera& camera,
+              std::span<const DrawTriangle> moving) const;
+
+ private:
+  struct Shade;
+  LightSettings settings_;
+  std::unique_ptr<const Shade> shade_;
+};
 
 }  // namespace amble

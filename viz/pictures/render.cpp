@@ -230,25 +230,30 @@ std::vector<int> bodyFrames(const WalkView& view, const RenderSettings& settings
   return frames;
 }
 
-Image renderWalk(const WalkView& view, const RenderSettings& settings) {
-  const std::vector<int> frames = bodyFrames(view, settings);
-  const std::vector<Vector3d> watched = watchedPoints(view, frames);
+WalkShot takeShot(const WalkView& view, const RenderSettings& settings) {
+  const std::vector<Vector3d> watched = watchedPoints(view, bodyFrames(view, settings));
   const AlignedBox3d focus = focusBox(view, watched);
   Shot shot = chooseShot(view, focus, watched, settings);
+  addFloorMarks(view, shot.triangles);
+  LightSettings light;
+  light.threads = settings.threads;
+  light.to_sun = sunDirection(shot.camera);
+  light.shadowed = Eigen::AlignedBox3f(focus.min().cast<float>(), focus.max().cast<float>());
+  return {shot.camera, std::move(shot.triangles), light};
+}
+
+Image renderWalk(const WalkView& view, const RenderSettings& settings) {
+  WalkShot shot = takeShot(view, settings);
+  const std::vector<int> frames = bodyFrames(view, settings);
   for (const int frame : frames) {
     const double share = static_cast<double>(frame) / std::max(1, view.animation->size() - 1);
     const std::vector<Color> colors(view.body->parts.size(), timeColor(share));
     addBody(view, frame, colors, shot.triangles);
   }
-  addFloorMarks(view, shot.triangles);
   const Camera large = shot.camera.enlarged(kSupersampling);
   const SampleBuffer samples = rasterize(shot.triangles, large, settings.width * kSupersampling,
                                          settings.height * kSupersampling, settings.threads);
-  LightSettings light;
-  light.threads = settings.threads;
-  light.to_sun = sunDirection(shot.camera);
-  light.shadowed = Eigen::AlignedBox3f(focus.min().cast<float>(), focus.max().cast<float>());
-  Image image = lightSamples(samples, large, shot.triangles, light);
+  Image image = lightSamples(samples, large, shot.triangles, shot.light);
   if (!frames.empty())
     drawTimeBar(image, (view.animation->size() - 1) * view.animation->frame_time);
   return image;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viz/pictures/image.h"
+#include "viz/pictures/lighting.h"
 #include "viz/walk_view.h"
 
 namespace amble {
@@ -28,6 +29,15 @@ Image renderWalk(const WalkView& view, const RenderSettings& settings = {});
 /// The frames of its bodies: the first and the last, and between them those that are far enough
 /// from the one before. Ascending; one where nobody moves, none without a body.
 std::vector<int> bodyFrames(const WalkView& view, const RenderSettings& settings);
+
+/// What walk.png shows before bodies are drawn: the room from the corner that is taken, with the
+/// marks on the floor, and the light in it.
+struct WalkShot {
+  Camera camera;
+  std::vector<DrawTriangle> triangles;
+  LightSettings light;
+};
+WalkShot takeShot(const WalkView& view, const RenderSettings& settings);
 
 struct StripSettings {
   int first = 0;          ///< frame of the first picture [>= 0]

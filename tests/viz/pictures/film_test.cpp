@@ -1,0 +1,73 @@
+#include "viz/pictures/film.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/viz/test_walk.h"
+#include "viz/pictures/draw_mesh.h"
+
+namespace amble {
+namespace {
+
+constexpr FilmSettings kSmall{.width = 320, .height = 200, .rate = 10.0, .threads = 1};
+
+// The first row of the time in the corner.
+constexpr int kTimeRow = 200 - 26 - 14 - 8;
+
+// All of a picture drawn at once, from the nearer of room and body.
+Image drawnAtOnce(const WalkView& view, int frame) {
+  RenderSettings settings;
+  settings.width = kSmall.width;
+  settings.height = kSmall.height;
+  WalkShot shot = takeShot(view, settings);
+  shot.light.shadow_size = WalkFilm::kShadowSize;
+  const Camera large = shot.camera.enlarged(kSupersampling);
+  const int width = kSupersampling * kSmall.width, height = kSupersampling * kSmall.height;
+  SampleBuffer samples = rasterize(shot.triangles, large, width, height);
+  const double share = static_cast<double>(frame) / (view.animation->size() - 1);
+  std::vector<DrawTriangle> body;
+  addBody(view, frame, std::vector<Color>(view.body->parts.size(), timeColor(share)), body);
+  const SampleBuffer front = rasterize(body, large, width, height);
+  for (size_t i = 0; i < samples.depth.size(); ++i) {
+    const float near = front.depth[i], far = samples.depth[i];
+    if (near == 0 || (far > 0 && near >= far)) continue;
+    samples.depth[i] = near;
+    samples.look[i] = front.look[i];
+  }
+  shot.triangles.insert(shot.triangles.end(), body.begin(), body.end());
+  return lightSamples(samples, large, shot.triangles, shot.light);
+}
+
+TEST(WalkFilm, APictureIsWhatDrawingAllOfItGives) {
+  const auto walk = makeTestWalk();
+  const WalkFilm film(walk->view, kSmall);
+  for (const int i : {0, 17, 40}) {
+    const Image picture = film.picture(i), whole = drawnAtOnce(walk->view, 3 * i);
+    int other = 0;
+    for (int y = 0; y < kTimeRow; ++y)
+      for (int x = 0; x < 3 * picture.width; ++x)
+        other += picture.pixel(0, y)[x] != whole.pixel(0, y)[x];
+    EXPECT_LT(other, 20) << "picture " << i << ": more than edges' rounding";
+  }
+}
+
+TEST(WalkFilm, LastsAsLongAsTheWalk) {
+  const auto walk = makeTestWalk();
+  EXPECT_EQ(WalkFilm(walk->view, kSmall).pictures(), 41);  // 4 s
+}
+
+TEST(WalkFilm, ShowsABodyThatMoves) {
+  const auto walk = makeTestWalk();
+  const WalkFilm film(walk->view, kSmall);
+  EXPECT_NE(film.picture(3).rgb, film.picture(4).rgb);
+}
+
+TEST(WalkFilm, ThreadsChangeNoByte) {
+  const auto walk = makeTestWalk();
+  FilmSettings two = kSmall;
+  two.threads = 2;
+  EXPECT_EQ(WalkFilm(walk->view, kSmall).picture(20).rgb,
+            WalkFilm(walk->view, two).picture(20).rgb);
+}
+
+}  // namespace
+}  // namespace amble
