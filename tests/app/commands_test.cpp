@@ -5,7 +5,6 @@
 #include <regex>
 #include <sstream>
 
-#include "test_paths.h"
 #include "tests/app/program.h"
 
 namespace amble {
@@ -164,24 +163,6 @@ TEST_F(Commands, InspectSaysSizesForMachines) {
   EXPECT_EQ(all[0]["objects"].size(), 2u);
   EXPECT_DOUBLE_EQ(all[0]["bounds"]["max"][0], 6.0);
   EXPECT_EQ(all[1]["kind"], "scenario");
-}
-
-// All but `amble check scenarios`, which scripts/test runs itself.
-TEST_F(Commands, TheExamplesOfTheReadmeWork) {
-  for (const char* folder : {"scenarios", "environments", "animation"}) {
-    fs::create_directory_symlink(fs::path(AMBLE_SOURCE_DIR) / folder, folder_ / folder);
-  }
-  std::ifstream readme(fs::path(AMBLE_SOURCE_DIR) / "README.md");
-  int examples = 0;
-  for (std::string line; std::getline(readme, line);) {
-    const std::string prompt = "    amble ";
-    if (line.rfind(prompt, 0) != 0 || line.find("amble check") != std::string::npos) continue;
-    const std::string arguments = line.substr(prompt.size(), line.find('#') - prompt.size());
-    const Ran ran = run(arguments);
-    EXPECT_EQ(ran.status, 0) << line << '\n' << ran.err;
-    ++examples;
-  }
-  EXPECT_GE(examples, 5);
 }
 
 TEST_F(Commands, NamesOfAnyBytesSteerNoTerminal) {

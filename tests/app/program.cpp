@@ -40,8 +40,9 @@ int runShell(const std::string& command, size_t& memory) {
 
 void Program::SetUp() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  folder_ = fs::path(testing::TempDir()) /
-            ("amble_app_" + std::string(test->name()) + "_" + std::to_string(::getpid()));
+  std::string name = test->name();
+  std::replace(name.begin(), name.end(), '/', '_');  // of tests with a parameter
+  folder_ = fs::path(testing::TempDir()) / ("amble_app_" + name + "_" + std::to_string(::getpid()));
   fs::remove_all(folder_);
   fs::create_directories(folder_ / "in");
 }
@@ -59,6 +60,10 @@ Program::Ran Program::run(const std::string& arguments, const std::string& befor
 Program::Ran Program::onTerminal(const std::string& arguments, const std::string& before) const {
   return shell("script -qec \"'" AMBLE_PROGRAM "' " + arguments + "\" /dev/null",
                "export TERM=xterm; " + before);
+}
+
+Program::Ran Program::type(const std::string& line) const {
+  return shell("amble() { '" AMBLE_PROGRAM "' \"$@\"; }; " + line, "");
 }
 
 Program::Ran Program::shell(const std::string& commands, const std::string& before) const {

@@ -28,6 +28,9 @@ class Program : public testing::Test {
   /// The same on a terminal of its own, by script(1): what it shows there, both streams, is `out`.
   Ran onTerminal(const std::string& arguments, const std::string& before = "") const;
 
+  /// A line as a reader of the docs types it, `amble` being the program.
+  Ran type(const std::string& line) const;
+
   /// Writes a file into folder_; its folders are made.
   void write(const std::string& name, const std::string& text) const;
   std::string read(const std::string& name) const;
