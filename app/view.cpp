@@ -11,10 +11,12 @@
 #include "app/result_folder.h"
 #include "app/say.h"
 #include "app/stop.h"
+#include "app/view_bench.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
 #include "base/output_file.h"
 #include "viz/page/clip_page.h"
+#include "viz/page/thin_clips.h"
 
 namespace amble {
 namespace {
@@ -25,7 +27,7 @@ struct Options {
   std::vector<std::string> paths;
   ReadOptions read;
   std::string scene, out;
-  bool open = false;
+  bool open = false, json = false;
 };
 
 // What is to be shown, and where the page goes if nobody says.
@@ -62,29 +64,55 @@ void keepAll(const Shown& shown, const Options& options, const std::optional<Sce
   if (shown.page != "-") keepInputs(shown.page, inputs);
 }
 
+std::optional<Scene> sceneFor(const Shown& shown, const Options& options) {
+  if (!shown.scene) return std::nullopt;
+  LoadLimits limits;
+  limits.memory = options.read.memory;
+  const Scene scene = readScene(*shown.scene, limits);
+  keepAll(shown, options, scene);
+  return scene;
+}
+
+// A walk in its scene, or captures, of which some may be bad.
+ReadClips readShown(const Shown& shown, const std::optional<Scene>& scene,
+                    const MotionReadOptions& how) {
+  if (!scene) return readClips(shown.clips, how);
+  ReadClips read;
+  read.clips.push_back(readWalkIn(*scene, shown.clips.front(), how));
+  return read;
+}
+
+void writeShown(const Shown& shown, std::vector<ShownClip>& clips,
+                const std::optional<Scene>& scene) {
+  Bench bench;
+  if (!scene) bench = benchOf(clips);
+  const bool exactly = fitExactly(clips);
+  const std::vector<std::string> notes = thinClips(clips);
+  PageSubject page = clipPage(clips, scene ? &*scene : nullptr);
+  for (PageTake& take : page.takes) take.coarse = !exactly;
+  page.notes.insert(page.notes.end(), notes.begin(), notes.end());
+  if (!scene) page.bench = &bench;
+  writeFile(shown.page, [&](std::ostream& out) { writePage(out, page); });
+}
+
 int run(const Options& options) {
   Shown shown = find(options);
   if (!options.out.empty()) shown.page = options.out;
+  if (options.json && shown.page == "-")
+    throw InputError("--json", 0, "with a page on standard output", "-o FILE, or no page");
   keepAll(shown, options, std::nullopt);
-  std::optional<Scene> scene;
-  if (shown.scene) {
-    LoadLimits limits;
-    limits.memory = options.read.memory;
-    scene = readScene(*shown.scene, limits);
-    keepAll(shown, options, scene);
-  }
-  std::vector<ShownClip> clips;
-  for (const fs::path& file : shown.clips) {
-    if (stopFlag()) return kExitStopped;
-    const MotionReadOptions how = options.read.forReader();
-    clips.push_back(scene ? readWalkIn(*scene, file, how) : readShownClip(file, how));
-  }
-  const PageSubject page = clipPage(clips, scene ? &*scene : nullptr);
-  writeFile(shown.page, [&](std::ostream& out) { writePage(out, page); });
-  if (shown.page == "-") return kExitDone;
-  say(stdout, "{}: open it in a browser\n", shown.page.string());
+  const std::optional<Scene> scene = sceneFor(shown, options);
+  ReadClips read = readShown(shown, scene, options.read.forReader());
+  if (stopFlag()) return kExitStopped;
+  for (const std::string& error : read.errors) say(stderr, "{}\n", error);
+  const int status = read.errors.empty() ? kExitDone : kExitWrong;
+  if (options.json) printBench(benchOf(read.clips));
+  if (read.clips.empty() || (options.json && options.out.empty())) return status;
+  writeShown(shown, read.clips, scene);
+  if (shown.page == "-") return status;
+  if (!options.json) say(stdout, "{}: open it in a browser\n", shown.page.string());
   if (options.open) openFile(shown.page);
-  return kExitDone;
+  return status;
 }
 
 }  // namespace
@@ -104,6 +132,8 @@ void addView(CLI::App& app, Command& chosen) {
       "The page; - is standard output; default: walk.html of the folder of results, "
       "or STEM.html");
   command->add_flag("--open", options->open, "Open it in the browser");
+  command->add_flag("--json", options->json,
+                    "Print what the page of captures shows, for machines; a page only with -o");
   addReadOptions(*command, options->read);
   addExamples(*command, {"amble view out/living-room --open",
                          "amble view walk.bvh --scene scene.yaml -o walk.html",

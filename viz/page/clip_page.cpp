@@ -19,10 +19,12 @@ const char* sideName(Side side) { return side == kLeft ? "left" : "right"; }
 ShownClip readClip(const std::filesystem::path& file, MotionReadOptions options) {
   options.person = false;
   ShownClip shown;
+  shown.file = file.string();
   shown.name = file == "-" ? "standard input" : file.filename().string();
   shown.motion = readMotion(file, options);
   if (shown.motion.clip.frames() == 0)
     throw InputError(file.string(), 0, "holds no frames", "a motion");
+  shown.file_frames = shown.motion.clip.frames();
   return shown;
 }
 
@@ -46,6 +48,11 @@ std::string eventName(Side side, const char* what) {
   return std::string(sideName(side)) + " " + what;
 }
 
+// Of the analysis' frames, those that are shown.
+double shownFrame(const ShownClip& shown, double frame) {
+  return (frame + shown.first_frame) / shown.every;
+}
+
 void addEvents(const ShownClip& shown, PageTake& take) {
   for (const Side side : {kLeft, kRight}) {
     for (const SwingEvents& swing : shown.analysis->events.swings[side]) {
@@ -55,11 +62,11 @@ void addEvents(const ShownClip& shown, PageTake& take) {
                                                     {"landing", swing.landing}};
       for (const auto& [what, frame] : all)
         if (std::isfinite(frame))
-          take.events.push_back({eventName(side, what), side, frame + shown.first_frame});
+          take.events.push_back({eventName(side, what), side, shownFrame(shown, frame)});
     }
     for (const FootPlant& plant : shown.analysis->plants.plants[side])
-      take.planted[side].push_back(
-          {plant.first + shown.first_frame, plant.last + shown.first_frame});
+      take.planted[side].push_back({static_cast<int>(std::ceil(shownFrame(shown, plant.first))),
+                                    static_cast<int>(shownFrame(shown, plant.last))});
   }
 }
 
@@ -67,6 +74,7 @@ PageTake takeOf(const ShownClip& shown, int actor) {
   PageTake take;
   take.name = shown.name;
   take.actor = actor;
+  take.every = shown.every;
   take.frame_time = shown.motion.clip.frame_time;
   take.poses = &shown.motion.clip.poses;
   take.joint_positions = &shown.motion.clip.joint_positions;
@@ -88,7 +96,11 @@ ShownClip readShownClip(const std::filesystem::path& file, const MotionReadOptio
   makeItsBody(shown);
   const GoodFrames good = goodFrames(clip);
   shown.first_frame = good.first;
-  shown.analysis = analyseClip(levelled(trimmed(clip, good.first, good.last), roles), roles);
+  const Clip level = levelled(trimmed(clip, good.first, good.last), roles, &shown.fit);
+  if (const std::string doubt = doubtOf(shown.fit); !doubt.empty())
+    shown.motion.warnings.push_back("the floor " + doubt);
+  shown.analysis = analyseClip(level, roles);
+  shown.feet = tracePlants(footPaths(level, roles), legLengths(level, roles), level.frame_time);
   return shown;
 }
 

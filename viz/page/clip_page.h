@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "animation/analysis/clip_analysis.h"
+#include "animation/analysis/plant_signals.h"
 #include "animation/captures/motion_reader.h"
+#include "animation/clips/floor_fit.h"
 #include "environments/body/body.h"
 #include "environments/ground/scene_ground.h"
 #include "viz/page/page.h"
@@ -15,12 +17,17 @@ namespace amble {
 
 /// A capture with what is known of it.
 struct ShownClip {
-  std::string name;
-  CapturedMotion motion;                 ///< all frames of the file
-  double floor = 0.0;                    ///< that it is on [m, World]
-  std::optional<Body> body;              ///< none where nobody is found in the skeleton
-  std::optional<ClipAnalysis> analysis;  ///< the same
-  int first_frame = 0;                   ///< of the clip, that is frame 0 of the analysis
+  std::string file;                               ///< as it was asked for
+  std::string name;                               ///< of the file, without its folder
+  CapturedMotion motion;                          ///< every frame of the file, or every `every`th
+  int file_frames = 0;                            ///< of the file
+  int every = 1;                                  ///< [>= 1]; thin_clips.h
+  double floor = 0.0;                             ///< that it is on [m, World]
+  std::optional<Body> body;                       ///< none where nobody is found in the skeleton
+  std::optional<ClipAnalysis> analysis;           ///< the same
+  FloorFit fit;                                   ///< of the floor, for the analysis
+  std::optional<std::array<PlantTrace, 2>> feet;  ///< by Side, of the analysis' frames
+  int first_frame = 0;                            ///< of the file, that is frame 0 of the analysis
 };
 
 /// Reads a capture, finds its floor, body, plants and events. @throws InputError as readMotion

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/text.h"
+#include "viz/page/bench.h"
 #include "viz/page/page_data.h"
 #include "viz/page/page_texts.h"
 
@@ -60,6 +61,9 @@ std::string dataOf(const PageSubject& subject, PageBytes& bytes) {
       ",\"room\":" + (subject.scene == nullptr ? std::string("null")
                                                : roomJson(*subject.scene, subject.floor, bytes));
   data += ",\"walk\":" + (subject.walk == nullptr ? std::string("null") : walkJson(subject, bytes));
+  data +=
+      ",\"bench\":" + (subject.bench == nullptr ? std::string("null")
+                                                : benchJson(*subject.bench, pageNumbers(bytes)));
   data += ",\"notes\":" + listOf(subject.notes, jsonString);
   return data + "}";
 }

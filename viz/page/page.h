@@ -20,6 +20,8 @@
 
 namespace amble {
 
+struct Bench;  // viz/page/bench.h
+
 /// Who moves. Borrowed: what the pointers name outlives the page.
 struct PageActor {
   std::string name;
@@ -60,6 +62,7 @@ struct PageTake {
   const PoseArray* poses = nullptr;  ///< never null, not empty
   /// As Clip::joint_positions: null or empty where only the root moves.
   const std::vector<Eigen::Vector3d>* joint_positions = nullptr;
+  int every = 1;                     ///< of the file's frames every so manieth is here [>= 1]
   bool coarse = false;               ///< for looking at only: rotations in 16 bits
   std::vector<Eigen::Vector3d> way;  ///< of the root on the ground, to be drawn [m, World]
   std::vector<float> headings;       ///< by frame [rad]; empty: the way that the root moves
@@ -89,6 +92,7 @@ struct PageSubject {
   std::vector<PageTake> takes;     ///< none: the room alone
   const WalkView* walk = nullptr;  ///< start, goal and roadmap; null where there is none
   std::vector<PageEdgeTake> edge_takes;
+  const Bench* bench = nullptr;  ///< what is known of the takes' clips; null: no workbench
 };
 
 void writePage(std::ostream& out, const PageSubject& subject);

@@ -105,6 +105,7 @@ std::string takeJson(const PageTake& take, PageBytes& bytes) {
                {"actor", take.actor},
                {"frames", take.poses->size()},
                {"frame_time", take.frame_time},
+               {"every", take.every},
                {"root", array(bytes.add(std::span<const float>(flat(root))))},
                {"rotations", rotationsOf(take, bytes)},
                {"planted", plantedJson(take.planted)},
