@@ -21,9 +21,13 @@ std::string base64(const std::string& text) {
 
 // RFC 4648, section 10.
 TEST(PageBytes, Base64IsThatOfTheStandard) {
-  const std::pair<const char*, const char*> examples[] = {
-      {"", ""},          {"f", "Zg=="},       {"fo", "Zm8="},        {"foo", "Zm9v"},
-      {"foob", "Zm9vYg=="}, {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}};
+  const std::pair<const char*, const char*> examples[] = {{"", ""},
+                                                          {"f", "Zg=="},
+                                                          {"fo", "Zm8="},
+                                                          {"foo", "Zm9v"},
+                                                          {"foob", "Zm9vYg=="},
+                                                          {"fooba", "Zm9vYmE="},
+                                                          {"foobar", "Zm9vYmFy"}};
   for (const auto& [plain, coded] : examples) EXPECT_EQ(base64(plain), coded);
   EXPECT_EQ(base64(std::string("\xff\xfe\xfd\x00", 4)), "//79AA==");
 }
