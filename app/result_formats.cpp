@@ -33,7 +33,7 @@ void addPicture(const ResultSubject& subject, std::vector<ResultFile>& files) {
 
 void addPage(const ResultSubject& subject, std::vector<ResultFile>& files) {
   files.push_back({"walk.html", [subject](std::ostream& out) {
-                     writePage(out, walkPage(subject.result, subject.view));
+                     writePage(out, walkPage(subject.result, subject.view).subject);
                    }});
 }
 

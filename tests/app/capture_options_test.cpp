@@ -176,6 +176,42 @@ TEST_F(CaptureOptions, OfConvert) {
   expectEach("convert", uses);
 }
 
+TEST_F(CaptureOptions, OfView) {
+  Uses uses = reading([](const std::string& clip) { return "view -o out.html '" + clip + "'"; });
+  uses["--output"] = [&] {
+    good("view in/walk.bvh --output there.html");
+    EXPECT_TRUE(read("there.html").starts_with("<!DOCTYPE html>"));
+    expectRefused("view in/walk.bvh -o in/walk.bvh", {"in/walk.bvh: "});
+  };
+  uses["--scene"] = [&] {
+    good("plan in/scenario.yaml -o out --formats bvh");
+    good("view out/walk.bvh --scene in/room.yaml -o in-room.html");
+    EXPECT_NE(read("in-room.html").find("\"objects\":[\"floor\""), std::string::npos);
+    expectRefused("view in/walk.bvh out/walk.bvh --scene in/room.yaml", {"--scene", "one walk"});
+  };
+  uses["--open"] = [&] {
+    write("bin/xdg-open", "#!/bin/sh\necho \"$1\" > opened\n");
+    good("view in/walk.bvh -o new.html --open", 0, "chmod +x bin/xdg-open; PATH=$PWD/bin:$PATH;");
+    EXPECT_EQ(read("opened"), (folder_ / "new.html").string() + "\n");
+    const Ran none = run("view in/walk.bvh -o new.html --open", "PATH=$PWD;");
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.err.find("new.html: cannot be shown"), std::string::npos) << none.err;
+  };
+  expectEach("view", uses);
+}
+
+TEST_F(CaptureOptions, OfViewOfAFolderOfResults) {
+  good("plan in/scenario.yaml -o out --formats bvh,json");
+  expectRefused("view out", {"report.json: its scene is found nowhere", "--scene FILE"});
+  good("view out --scene in/room.yaml");
+  const std::string named = read("out/walk.html");
+  EXPECT_NE(named.find("\"objects\":[\"floor\""), std::string::npos);
+  good("view ../out -o ../found.html", 0, "cd in;");
+  EXPECT_EQ(read("found.html"), named);
+  write("in/room.yaml", read("in/room.yaml") + "# other bytes\n");
+  expectRefused("view ../out", {"report.json: its scene is found nowhere"}, "cd in;");
+}
+
 TEST_F(CaptureOptions, OfLibrary) {
   const std::string mocap = captureFolder();
   write("in/it.recipe.yaml",

@@ -55,8 +55,8 @@ class Options : public InRoom {
       use();
     }
   }
-  Ran good(const std::string& arguments, int status = 0) const {
-    Ran ran = run(arguments);
+  Ran good(const std::string& arguments, int status = 0, const std::string& before = "") const {
+    Ran ran = run(arguments, before);
     EXPECT_EQ(ran.status, status) << "amble " << arguments << '\n' << ran.out << ran.err;
     return ran;
   }

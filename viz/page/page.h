@@ -1,8 +1,9 @@
 /// A page to look at motion with: one HTML file that needs nothing beside itself.
 ///
 /// Actors move through takes in a room. A take is a motion of an actor with what is known of it; a
-/// page shows one of them at a time, or several together. Of a planned walk the first take is the
-/// walk and the others are edges of its roadmap; of captures each is a take of its own actor.
+/// page shows one of them at a time, or several together, and begins with the first. Of a planned
+/// walk that is the walk, and the others are edges of its roadmap; where no walk was found it is an
+/// attempt that was refused; of captures each is a take of its own actor.
 ///
 /// In the file: data as JSON, with arrays of numbers in base64 behind it (viz/page/page_bytes.h),
 /// and the page's program (viz/page/web). No name, of whatever bytes, leaves its string. The same
@@ -10,12 +11,15 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "animation/body/pose.h"
+#include "planner/plan_request.h"
 #include "viz/walk_view.h"
 
 namespace amble {
@@ -26,7 +30,7 @@ struct Bench;  // viz/page/bench.h
 struct PageActor {
   std::string name;
   const Skeleton* skeleton = nullptr;  ///< never null
-  const Body* body = nullptr;          ///< null: its bones are shown
+  const Body* body = nullptr;          ///< null: its bones are shown; else a skin is made of it
 };
 
 /// First and last frame of something.
@@ -54,6 +58,13 @@ struct PageClearance {
   std::vector<int> part, object;                ///< of the body, of the scene
 };
 
+/// Where an attempt failed.
+struct PageStop {
+  double frame = 0.0;                            ///< of the take; may lie between two frames [>= 0]
+  int part = -1, object = -1;                    ///< what touched what: of the body, of the scene
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< [m, World]
+};
+
 /// A motion. Borrowed as above.
 struct PageTake {
   std::string name;
@@ -71,13 +82,29 @@ struct PageTake {
   std::vector<Footprint> footprints;
   double sole = 0.27;  ///< length of the soles that made them [m]
   std::vector<PageSource> sources;
-  PageClearance clearance;  ///< empty where it is not known
+  PageClearance clearance;       ///< empty where it is not known
+  std::optional<PageStop> stop;  ///< it is played up to there
 };
 
 /// An edge of the roadmap that can be played.
 struct PageEdgeTake {
   int edge = 0;  ///< index in RoadmapView::edges
   int take = 0;  ///< index
+};
+
+/// A walk from one place to another that was refused.
+struct PageAttempt {
+  std::vector<Eigen::Vector3d> line;  ///< its root path on the ground; else its ends [m, World]
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< where [m, World]
+  std::string what;                              ///< by which rule, and what touched
+  int take = -1;                                 ///< index; -1: it cannot be played
+};
+
+/// Ground as strips along World x, of a few kinds each.
+struct PageGround {
+  double breadth = 0.0;                      ///< of a strip, along World y [m, > 0]
+  std::vector<ReachedRegion::Strip> strips;  ///< [m, World]
+  std::vector<std::uint8_t> kind;            ///< of each
 };
 
 struct PageSubject {
@@ -93,6 +120,11 @@ struct PageSubject {
   const WalkView* walk = nullptr;  ///< start, goal and roadmap; null where there is none
   std::vector<PageEdgeTake> edge_takes;
   const Bench* bench = nullptr;  ///< what is known of the takes' clips; null: no workbench
+  std::vector<PageAttempt> attempts;
+  PageGround reached;  ///< where there is no walk: how far one gets; empty where it is not known
+  /// Where the body can be: kind 0 with hardly room beside it, 1 with some, 2 with much.
+  PageGround room_to_walk;
+  std::optional<Eigen::Vector3d> obstruction;  ///< what stopped most attempts [m, World]
 };
 
 void writePage(std::ostream& out, const PageSubject& subject);

@@ -22,7 +22,7 @@ class PageBytes {
   std::string add(std::span<const std::uint32_t> values) { return add("u32", values); }
 
   size_t size() const { return bytes_.size(); }
-  void writeBase64(std::ostream& out) const;  ///< RFC 4648, section 4, in one line
+  void writeBase64(std::ostream& out) const;  ///< in one line
 
  private:
   template <typename Value>

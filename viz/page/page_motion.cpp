@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "viz/figure/figure.h"
 #include "viz/page/page_data.h"
 
 namespace amble {
@@ -83,19 +84,55 @@ Json clearanceJson(const PageClearance& clearance, PageBytes& bytes) {
           {"object", clearance.object}};
 }
 
+template <typename Row>
+void addAll(const Row& row, std::vector<typename Row::value_type>& values) {
+  values.insert(values.end(), row.begin(), row.end());
+}
+
+Json figureJson(const Figure& figure, PageBytes& bytes) {
+  std::vector<float> vertices, normals, weights, bind;
+  std::vector<std::uint8_t> colors;
+  std::vector<std::uint16_t> joints;
+  std::vector<std::uint32_t> triangles;
+  for (size_t i = 0; i < figure.vertices.size(); ++i) {
+    vertices.insert(vertices.end(), figure.vertices[i].data(), figure.vertices[i].data() + 3);
+    normals.insert(normals.end(), figure.normals[i].data(), figure.normals[i].data() + 3);
+    addAll(figure.colors[i], colors);
+    addAll(figure.joints[i], joints);
+    addAll(figure.weights[i], weights);
+  }
+  for (const auto& triangle : figure.triangles) addAll(triangle, triangles);
+  for (const JointFrame& frame : figure.bind) {
+    const Eigen::Vector3d& p = frame.p_WJ;
+    const Eigen::Quaterniond& q = frame.q_WJ;
+    for (const double value : {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()})
+      bind.push_back(static_cast<float>(value));
+  }
+  return {{"vertices", array(bytes.add(std::span<const float>(vertices)))},
+          {"normals", array(bytes.add(std::span<const float>(normals)))},
+          {"colors", array(bytes.add(std::span<const std::uint8_t>(colors)))},
+          {"joints", array(bytes.add(std::span<const std::uint16_t>(joints)))},
+          {"weights", array(bytes.add(std::span<const float>(weights)))},
+          {"triangles", array(bytes.add(std::span<const std::uint32_t>(triangles)))},
+          {"bind", array(bytes.add(std::span<const float>(bind)))}};
+}
+
 }  // namespace
 
 std::string jsonString(const std::string& text) { return dumped(text); }
 
-std::string actorJson(const PageActor& actor, PageBytes&) {
+std::string actorJson(const PageActor& actor, PageBytes& bytes) {
   Json joints = Json::array(), body = Json::array();
   for (const Joint& joint : actor.skeleton->joints()) joints.push_back(jointJson(joint));
   if (actor.body != nullptr)
     for (const BodyPart& part : actor.body->parts) body.push_back(partJson(part));
+  Json figure = nullptr;
+  if (actor.body != nullptr) figure = figureJson(makeFigure(*actor.skeleton, *actor.body), bytes);
   return dumped({{"name", actor.name},
                  {"joints", joints},
                  {"body", body},
-                 {"head", actor.body != nullptr ? actor.body->head : -1}});
+                 {"head", actor.body != nullptr ? actor.body->head : -1},
+                 {"figure", figure}});
 }
 
 std::string takeJson(const PageTake& take, PageBytes& bytes) {
@@ -118,6 +155,12 @@ std::string takeJson(const PageTake& take, PageBytes& bytes) {
   if (!take.way.empty()) json["way"] = array(bytes.add(std::span<const float>(flat(take.way))));
   if (!take.headings.empty())
     json["headings"] = array(bytes.add(std::span<const float>(take.headings)));
+  if (take.stop) {
+    json["stop"] = {{"frame", take.stop->frame},
+                    {"part", take.stop->part},
+                    {"object", take.stop->object},
+                    {"at", triple(take.stop->at)}};
+  }
   for (const PageEvent& event : take.events)
     json["events"].push_back(
         {{"name", event.name}, {"side", static_cast<int>(event.side)}, {"frame", event.frame}});

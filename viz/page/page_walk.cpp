@@ -60,16 +60,57 @@ Json roadmapJson(const PageSubject& subject, PageBytes& bytes) {
   return {{"nodes", std::move(nodes)}, {"edges", std::move(edges)}};
 }
 
+std::vector<float> flat(const std::vector<Eigen::Vector3d>& points) {
+  std::vector<float> values;
+  for (const Eigen::Vector3d& p : points)
+    for (int i = 0; i < 3; ++i) values.push_back(static_cast<float>(p[i]));
+  return values;
+}
+
+Json attemptsJson(const std::vector<PageAttempt>& attempts, PageBytes& bytes) {
+  Json all = Json::array();
+  for (const PageAttempt& attempt : attempts) {
+    const std::vector<float> line = flat(attempt.line);
+    all.push_back({{"line", Json::parse(bytes.add(std::span<const float>(line)))},
+                   {"at", {attempt.at.x(), attempt.at.y(), attempt.at.z()}},
+                   {"what", attempt.what},
+                   {"take", attempt.take < 0 ? Json(nullptr) : Json(attempt.take)}});
+  }
+  return all;
+}
+
+Json groundJson(const PageGround& ground, PageBytes& bytes) {
+  if (ground.strips.empty()) return nullptr;
+  std::vector<Eigen::Vector3d> ends;
+  for (const ReachedRegion::Strip& strip : ground.strips) {
+    ends.push_back(strip.from);
+    ends.push_back(strip.to);
+  }
+  const std::vector<float> points = flat(ends);
+  return {{"breadth", ground.breadth},
+          {"strips", Json::parse(bytes.add(std::span<const float>(points)))},
+          {"kind", Json::parse(bytes.add(std::span<const std::uint8_t>(ground.kind)))}};
+}
+
 }  // namespace
 
 std::string walkJson(const PageSubject& subject, PageBytes& bytes) {
   const WalkView& walk = *subject.walk;
   Json via = Json::array();
   for (const PlaceView& place : walk.via) via.push_back(placeJson(place));
+  Json obstruction = nullptr;
+  if (subject.obstruction) {
+    const Eigen::Vector3d& at = *subject.obstruction;
+    obstruction = {at.x(), at.y(), at.z()};
+  }
   const Json json = {{"start", placeJson(walk.start)},
                      {"goal", placeJson(walk.goal)},
                      {"via", std::move(via)},
-                     {"roadmap", roadmapJson(subject, bytes)}};
+                     {"roadmap", roadmapJson(subject, bytes)},
+                     {"attempts", attemptsJson(subject.attempts, bytes)},
+                     {"reached", groundJson(subject.reached, bytes)},
+                     {"room_to_walk", groundJson(subject.room_to_walk, bytes)},
+                     {"obstruction", std::move(obstruction)}};
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 

@@ -2,37 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "viz/page/edge_takes.h"
 #include "viz/page/motion_sources.h"
 #include "viz/page/nearest_things.h"
+#include "viz/page/room_to_walk.h"
 
 namespace amble {
 namespace {
-
-constexpr double kWaySpacing = 0.04;  // between points of the root path [m]
-
-// The root's way on the ground, a point every few centimetres.
-std::vector<Eigen::Vector3d> wayOf(const AnimationBuffer& walk) {
-  std::vector<Eigen::Vector3d> way;
-  for (const FrameState& state : walk.states) {
-    if (way.empty() || (state.position - way.back()).norm() >= kWaySpacing)
-      way.push_back(state.position);
-  }
-  return way;
-}
-
-PageTake takeOf(const AnimationBuffer& walk, double sole) {
-  PageTake take;
-  take.frame_time = walk.frame_time;
-  take.poses = &walk.poses;
-  take.way = wayOf(walk);
-  take.sole = sole;
-  for (const FrameState& state : walk.states)
-    take.headings.push_back(static_cast<float>(state.heading));
-  take.footprints = walk.footprints;
-  for (const Footprint& print : walk.footprints)
-    take.planted[print.side].push_back({print.first_frame, print.last_frame});
-  return take;
-}
 
 void describeWalk(const Report& report, PageSubject& page) {
   page.facts = {{"Length", fmt::format("{:.2f} m", report.length)},
@@ -48,27 +24,50 @@ void describeWalk(const Report& report, PageSubject& page) {
                   report.scenario, report.duration, report.steps.size());
 }
 
-}  // namespace
-
-PageSubject walkPage(const RunResult& result, const WalkView& view) {
-  PageSubject page;
-  page.title = view.title;
-  page.scene = view.scene;
-  page.floor = view.floor;
-  page.walk = &view;
-  if (!view.hasBody()) {
-    page.why = result.report.why;
-    page.description = fmt::format("The room of {}, in which no walk was found.", view.title);
-    return page;
-  }
-  describeWalk(result.report, page);
-  page.actors = {{"walker", view.skeleton, view.body}};
-  page.takes = {takeOf(*view.animation, soleLength(view))};
-  PageTake& walk = page.takes[0];
-  walk.name = view.title;
+void addWalk(const RunResult& result, const WalkView& view, PageSubject& page) {
   const Problem& problem = *result.problem;
+  PageTake walk = takeOf(*view.animation, soleLength(view));
+  walk.name = view.title;
   walk.clearance = nearestThings(problem.world, *view.skeleton, view.animation->poses);
   walk.sources = motionSources(*view.animation, problem.library, problem.synthesizer);
+  page.takes.push_back(std::move(walk));
+  describeWalk(result.report, page);
+}
+
+// How far one gets, and what is in the way.
+void tellWhy(const RunResult& result, PageSubject& page) {
+  page.why = result.report.why;
+  page.description =
+      fmt::format("The room of {}, in which no walk was found: {}", page.title, result.report.why);
+  const PlanOutcome& outcome = result.outcome;
+  if (outcome.reached) page.reached = reachedGround(*outcome.reached);
+  if (outcome.why) page.obstruction = outcome.why->at;
+}
+
+void addRoomToWalk(const Problem& problem, PageSubject& page) {
+  const WalkSteering steering(problem.synthesizer, problem.world, problem.ground);
+  const auto map = steering.map(problem.bounds(), [] { return false; });
+  if (map) page.room_to_walk = roomToWalk(*map);
+}
+
+}  // namespace
+
+WalkPage walkPage(const RunResult& result, const WalkView& view) {
+  WalkPage page;
+  PageSubject& subject = page.subject;
+  const Problem& problem = *result.problem;
+  subject.title = view.title;
+  subject.scene = view.scene;
+  subject.floor = view.floor;
+  subject.walk = &view;
+  subject.actors = {{"walker", view.skeleton, view.body}};
+  if (view.hasBody()) {
+    addWalk(result, view, subject);
+  } else {
+    tellWhy(result, subject);
+  }
+  addEdgeTakes(problem, result.outcome.roadmap, soleLength(view), page);
+  addRoomToWalk(problem, subject);
   return page;
 }
 

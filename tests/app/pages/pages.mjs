@@ -87,7 +87,7 @@ async function open(context, file, hash = '') {
   return page;
 }
 
-// Pixels of the picture, few of them: what is told apart when something is switched.
+// Pixels of the picture, few of them, and the label in it: what is told apart when something is switched.
 const picture = () => {
   const { stage, cameras } = window.amble;
   window.amble.frame(0);
@@ -96,7 +96,7 @@ const picture = () => {
   [small.width, small.height] = [160, 100];
   const c = small.getContext('2d', { willReadFrequently: true });
   c.drawImage(stage.renderer.domElement, 0, 0, 160, 100);
-  let sum = 0;
+  let sum = document.getElementById('nearest-label').hidden ? 1 : 2;
   const { data } = c.getImageData(0, 0, 160, 100);
   for (let i = 0; i < data.length; ++i) sum = (sum * 31 + data[i]) % 4294967291;
   return sum;
@@ -207,7 +207,13 @@ async function tryNone(context, folder) {
   const page = await open(context, join(folder, 'walk.html'));
   const why = await page.textContent('#why');
   claim('without a walk the page says why', why.length > 20, why);
-  claim('and has no clock', await page.isHidden('#transport'));
+  const lit = await page.evaluate(() => {
+    window.amble.frame(0);
+    const { take, player, room, pin = window.amble.layers.pin } = window.amble;
+    return Boolean(take.stop) && player.time === player.duration && Boolean(room.lit) && pin.visible;
+  });
+  claim('and shows an attempt where it failed, with what it touched lit up', lit);
+  claim('and how far one gets', (await page.$('#layer-reached')) !== null);
   await page.close();
 }
 
@@ -229,7 +235,7 @@ const browser = await browsers.launch({
   executablePath: chromium,
   args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
 });
-const context = await browser.newContext({ viewport: { width: 640, height: 480 }, colorScheme: 'light' });
+const context = await browser.newContext({ viewport: { width: 900, height: 600 }, colorScheme: 'light' });
 await tryWalk(context, walk);
 await tryView(context, walk);
 await tryNone(context, none);

@@ -50,7 +50,8 @@ TEST(ThinMesh, TheCellIsTheFirstThatIsEnough) {
 }
 
 TEST(ThinMesh, ManyThingsThatCannotBeThinnedEndTheSearch) {
-  const TriangleMesh box = makeBox({1.0, 1.0, 1.0});  // about the origin: in eight cells of any size
+  const TriangleMesh box =
+      makeBox({1.0, 1.0, 1.0});  // about the origin: in eight cells of any size
   const std::vector<const TriangleMesh*> meshes(100, &box);
   EXPECT_GT(thinningCell(meshes, 10), 1.0);
 }

@@ -5,8 +5,10 @@ import {
   Mesh, MeshStandardMaterial, Quaternion, Vector3,
 } from 'three';
 import { kLeftColor, kRightColor } from './colors.js';
+import { makeFigure } from './figure.js';
 
 const kUp = new Vector3(0, 1, 0);
+const kLit = new MeshStandardMaterial({ color: 0xf04438, emissive: 0xb42318, roughness: 0.6 });
 
 function bonesOf(joints) {
   const bones = joints.map((joint) => {
@@ -35,7 +37,7 @@ function capsuleOf(part, material) {
 }
 
 export class Actor {
-  constructor(json) {
+  constructor(page, json) {
     this.name = json.name;
     this.json = json;
     this.bones = bonesOf(json.joints);
@@ -44,6 +46,8 @@ export class Actor {
     this.group.add(this.root);
     this.parts = this.addCapsules();
     this.lines = this.addBones();
+    this.figure = json.figure ? makeFigure(page, json.figure, this.bones) : null;
+    if (this.figure) this.group.add(this.figure);
     this.eye = json.head >= 0 ? this.parts[json.head] : this.bones[0];
   }
 
@@ -52,8 +56,9 @@ export class Actor {
     const soles = [kLeftColor, kRightColor].map(
       (color) => new MeshStandardMaterial({ color, roughness: 0.7 }),
     );
-    return this.json.body.map((part) => {
-      const mesh = capsuleOf(part, part.side >= 0 ? soles[part.side] : skin);
+    this.skins = this.json.body.map((part) => (part.side >= 0 ? soles[part.side] : skin));
+    return this.json.body.map((part, i) => {
+      const mesh = capsuleOf(part, this.skins[i]);
       this.bones[part.joint].add(mesh);
       return mesh;
     });
@@ -78,9 +83,20 @@ export class Actor {
     return lines;
   }
 
-  show({ body, bones }) {
-    for (const part of this.parts) part.visible = body;
+  show({ body, capsules, bones }) {
+    if (this.figure) this.figure.visible = body;
+    for (const part of this.parts) part.visible = capsules;
     this.lines.visible = bones || this.parts.length === 0;
+    this.shown = { body, capsules, bones };
+  }
+
+  /** A part of the body, or -1 for none, lights up. */
+  light(part) {
+    this.parts.forEach((mesh, i) => {
+      mesh.material = i === part ? kLit : this.skins[i];
+      mesh.visible = this.shown.capsules || i === part;
+      mesh.scale.setScalar(i === part ? 1.06 : 1);
+    });
   }
 
   /** Poses the body as the take has it at a time [s]. */

@@ -3,6 +3,7 @@
 import { kModes } from './cameras.js';
 import { kSourceColors } from './colors.js';
 import { kSpeeds } from './player.js';
+import { edgeAt } from './roadmap.js';
 import { Timeline } from './timeline.js';
 
 const kMoved = 5;  // a pointer that has moved so far did not click [CSS pixels]
@@ -34,7 +35,9 @@ export class Controls {
     this.byId('transport').hidden = !moving;
     if (!moving) return;
     this.showTake();
-    if (!this.goToHash() && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
+    if (this.viewer.take.stop) {
+      this.player.seek(this.player.duration);  // where it fails
+    } else if (!this.goToHash() && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
       this.player.play();
     }
   }
@@ -106,6 +109,7 @@ export class Controls {
     on('step-back', () => this.player.stepSteps(-1));
     on('step-on', () => this.player.stepSteps(1));
     on('back', () => this.viewer.show(0));
+    if (this.viewer.page.why) this.byId('back').textContent = 'Back';
     on('help', () => this.byId('keys').showModal());
     on('keys-close', () => this.byId('keys').close());
     const speed = this.byId('speed');
@@ -144,8 +148,9 @@ export class Controls {
     };
     document.addEventListener('keydown', (event) => {
       if (event.ctrlKey || event.metaKey || event.altKey || this.byId('keys').open) return;
-      const inControl = /^(SELECT|INPUT|BUTTON)$/.test(event.target.tagName);
-      if (inControl && (event.key === ' ' || event.key.startsWith('Arrow'))) return;
+      const at = event.target.tagName;
+      if (event.key === ' ' && /^(SELECT|INPUT|BUTTON)$/.test(at)) return;
+      if (event.key.startsWith('Arrow') && at === 'SELECT') return;
       const act = keys[event.key];
       if (!act || this.viewer.takes.length === 0) return;
       event.preventDefault();
@@ -159,19 +164,23 @@ export class Controls {
     let from = null;
     canvas.addEventListener('pointerdown', (event) => (from = [event.clientX, event.clientY]));
     canvas.addEventListener('pointerup', (event) => {
-      if (!from || !layers.roadmap || !layers.groups.roadmap.visible) return;
+      if (!from || !layers.roadmap) return;
       if (Math.hypot(event.clientX - from[0], event.clientY - from[1]) > kMoved) return;
       const box = canvas.getBoundingClientRect();
-      const edge = layers.roadmap.edgeAt(event.clientX - box.left, event.clientY - box.top, cameras.current, canvas);
-      if (edge >= 0) this.playEdge(edge);
+      for (const name of ['roadmap', 'attempts']) {
+        if (!layers.groups[name].visible) continue;
+        const edge = edgeAt(layers[name].edges, event.clientX - box.left, event.clientY - box.top, cameras.current, canvas);
+        if (edge < 0) continue;
+        this.playEdge(name, edge);
+        return;
+      }
     });
   }
 
-  playEdge(index) {
-    const edge = this.viewer.layers.roadmap.edges[index];
-    if (edge.take === null) return;
-    this.viewer.show(edge.take);
-    this.viewer.layers.roadmap.choose(index);
+  playEdge(name, index) {
+    const { layers } = this.viewer;
+    this.viewer.show(layers[name].edges[index].take);
+    layers.roadmap.choose(name === 'roadmap' ? index : -1);
     this.player.play();
   }
 
@@ -203,7 +212,8 @@ export class Controls {
   showTake() {
     const { viewer } = this;
     this.byId('back').hidden = viewer.index === 0;
-    this.byId('take-name').textContent = viewer.index === 0 ? '' : viewer.take.name;
+    const named = viewer.index > 0 || viewer.take.stop || viewer.actors.length > 1;
+    this.byId('take-name').textContent = named ? viewer.take.name : '';
     if (viewer.index === 0) viewer.layers.roadmap?.choose(-1);
     this.timeline.draw();
     this.refresh();

@@ -1,8 +1,12 @@
 // What can be shown beside the body, each to be switched: path, prints, roadmap, nearest thing.
 
-import { DoubleSide, Group, Mesh, MeshBasicMaterial } from 'three';
+import {
+  DoubleSide, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, SphereGeometry,
+} from 'three';
+import { Attempts } from './attempts.js';
 import { kGoalColor, kLeftColor, kPathColor, kRightColor, kStartColor } from './colors.js';
 import { fan, ribbon } from './flat.js';
+import { groundOf } from './grounds.js';
 import { Nearest } from './nearest.js';
 import { Roadmap } from './roadmap.js';
 
@@ -27,10 +31,14 @@ export class Layers {
     if (walk) {
       this.roadmap = new Roadmap(page);
       this.add('roadmap').add(this.roadmap.group);
+      this.attempts = new Attempts(page, flatMaterial);
+      this.add('attempts').add(this.attempts.group);
+      this.addGrounds(walk);
       this.add('places');
       this.addPlaces(walk);
     }
     this.nearest = new Nearest(this.add('nearest'), document.getElementById('nearest-label'));
+    this.mark(walk?.obstruction);
     this.list = this.whatThereIs();
     for (const layer of this.list) layer.apply(layer.on);
   }
@@ -46,7 +54,7 @@ export class Layers {
   whatThereIs() {
     const { page, viewer, groups } = this;
     const visible = (name) => (on) => (groups[name].visible = on);
-    const parts = { body: true, bones: false };
+    const parts = { body: true, capsules: false, bones: false };
     const showParts = () => {
       for (const actor of viewer.actors) actor.show(parts);
       viewer.pose();
@@ -55,15 +63,23 @@ export class Layers {
       body: page.actors.some((actor) => actor.body.length > 0),
       prints: page.takes.some((take) => take.prints.length > 0),
       nearest: page.takes.some((take) => take.clearance),
+      capsules: page.actors.some((actor) => actor.body.length > 0),
+      attempts: Boolean(this.attempts) && this.attempts.edges.length > 0,
+      reached: Boolean(page.walk?.reached),
+      room: Boolean(page.walk?.room_to_walk),
       roadmap: Boolean(this.roadmap) && !this.roadmap.isEmpty,
       walls: viewer.room.walls.length > 0,
     };
     return [
       ['body', 'Body', true, (on) => { parts.body = on; showParts(); }],
+      ['capsules', 'Capsules', false, (on) => { parts.capsules = on; showParts(); }],
       ['bones', 'Bones', false, (on) => { parts.bones = on; showParts(); }],
       ['path', 'Root path', true, visible('path')],
       ['prints', 'Footprints', true, visible('prints')],
-      ['roadmap', 'Roadmap', page.takes.length === 0, visible('roadmap')],
+      ['roadmap', 'Roadmap', !page.takes.some((take) => !take.stop), visible('roadmap')],
+      ['attempts', 'Refused attempts', this.isRefused, visible('attempts')],
+      ['reached', 'Reached from the start', true, visible('reached')],
+      ['room', 'Room to walk', false, visible('room')],
       ['nearest', 'Nearest thing', true, (on) => this.nearest.show(on)],
       ['walls', 'Walls give way', true, (on) => { viewer.room.gives = on; }],
     ].filter(([key]) => has[key] ?? page.takes.length > 0)
@@ -74,7 +90,33 @@ export class Layers {
     const layer = this.list.find((one) => one.key === key);
     layer.on = on;
     layer.apply(on);
-    this.viewer.dirty = true;
+    this.viewer.reshade();
+  }
+
+  // Where no walk was found.
+  get isRefused() {
+    return Boolean(this.page.why);
+  }
+
+  addGrounds(walk) {
+    if (walk.reached) this.add('reached').add(groundOf(this.page, walk.reached, [flatMaterial(0x12b76a, 0.3)]));
+    if (!walk.room_to_walk) return;
+    const colors = [0xf79009, 0xfac515, 0x2e90fa];
+    this.add('room').add(groundOf(this.page, walk.room_to_walk, colors.map((color) => flatMaterial(color, 0.32))));
+  }
+
+  /** Something is at this place; null: nothing is. */
+  mark(at) {
+    if (!this.pin) {
+      const material = new MeshStandardMaterial({
+        color: 0xf04438, emissive: 0xd92d20, depthTest: false, transparent: true, opacity: 0.85,
+      });
+      this.pin = new Mesh(new SphereGeometry(0.045, 24, 16), material);
+      this.pin.renderOrder = 12;
+      this.viewer.stage.overlays.add(this.pin);
+    }
+    this.pin.visible = Boolean(at);
+    if (at) this.pin.position.fromArray(at);
   }
 
   addPlaces(walk) {

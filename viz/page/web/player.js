@@ -52,7 +52,7 @@ export class Player {
     if (!this.playing) return false;
     this.time += elapsed * this.speed;
     if (this.time > this.duration) {
-      if (this.looping) {
+      if (this.looping && !this.take.stop) {
         this.time %= this.duration;
       } else {
         this.time = this.duration;

@@ -60,23 +60,24 @@ export class Roadmap {
       }
     });
   }
+}
 
-  /** The edge that is seen at (x, y) of a canvas, or -1. */
-  edgeAt(x, y, camera, canvas) {
-    let found = -1, least = kNearClick;
-    const p = new Vector3();
-    this.edges.forEach((edge, index) => {
-      for (let i = 0; i < edge.line.length; i += 3) {
-        p.fromArray(edge.line, i).project(camera);
-        if (p.z > 1) continue;
-        const dx = ((p.x + 1) / 2) * canvas.clientWidth - x;
-        const dy = ((1 - p.y) / 2) * canvas.clientHeight - y;
-        const away = Math.hypot(dx, dy);
-        if (away < least) [found, least] = [index, away];
-      }
-    });
-    return found;
-  }
+/** The edge, of those with a take, that is seen at (x, y) of a canvas, or -1. */
+export function edgeAt(edges, x, y, camera, canvas) {
+  let found = -1, least = kNearClick;
+  const p = new Vector3();
+  edges.forEach((edge, index) => {
+    if (edge.take === null) return;
+    for (let i = 0; i < edge.line.length; i += 3) {
+      p.fromArray(edge.line, i).project(camera);
+      if (p.z > 1) continue;
+      const dx = ((p.x + 1) / 2) * canvas.clientWidth - x;
+      const dy = ((1 - p.y) / 2) * canvas.clientHeight - y;
+      const away = Math.hypot(dx, dy);
+      if (away < least) [found, least] = [index, away];
+    }
+  });
+  return found;
 }
 
 function aside(line) {

@@ -16,6 +16,10 @@ const kHip = 0.9;        // of a walker over his feet [m]
 const kAround = 0.8;     // what is to be seen around the walker [m]
 
 const kThing = new MeshStandardMaterial({ vertexColors: true, roughness: 0.85, side: DoubleSide });
+const kLit = new MeshStandardMaterial({
+  color: 0xf04438, emissive: 0x7a1510, roughness: 0.8, side: DoubleSide, transparent: true, opacity: 0.75,
+  polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1,
+});
 const kGhost = new MeshStandardMaterial({
   vertexColors: true, roughness: 0.85, transparent: true, opacity: 0.1, depthWrite: false,
 });
@@ -107,6 +111,7 @@ function instanced(corners, triangles, instances) {
 
 export class Room {
   constructor(page) {
+    this.page = page;
     this.group = new Group();
     this.walls = [];
     this.ceilings = [];
@@ -174,6 +179,27 @@ export class Room {
       return !this.floors.some((f) => p.x > f.min.x && p.x < f.max.x && p.y > f.min.y && p.y < f.max.y);
     });
     return { axis, sides };
+  }
+
+  /** A thing, by its index in the scene, or -1 for none, lights up. */
+  light(object) {
+    if (this.lit) {
+      this.group.remove(this.lit);
+      this.lit.geometry.dispose();
+      this.lit = null;
+    }
+    if (object < 0 || !this.page.room) return;
+    const merge = new Merge();
+    for (const json of this.page.room.meshes) {
+      for (const instance of instancesOf(this.page, json)) {
+        if (instance.object !== object) continue;
+        const corners = this.page.array(json.corners);
+        merge.add(placed(corners, instance.matrix), this.page.array(json.triangles), instance.color);
+      }
+    }
+    if (merge.count === 0) return;
+    this.lit = new Mesh(merge.geometry(), kLit);
+    this.group.add(this.lit);
   }
 
   /** Lets what stands between the eye and the walker give way. @param aim  the walker's hips */

@@ -14,6 +14,8 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.shadowMap.autoUpdate = false;  // but when something moves
+    this.renderer.shadowMap.needsUpdate = true;
     this.scene = new Scene();
     this.ratio = Math.min(devicePixelRatio, 2);
     this.average = 1 / 60;
@@ -57,7 +59,7 @@ export class Stage {
   watch(x, y, z) {
     if (!this.follows) return;
     const step = 4;  // so that shadows do not swim [m]
-    this.lightUp(Math.round(x / step) * step, Math.round(y / step) * step, z - 1);
+    this.lightUp(Math.round(x / step) * step, Math.round(y / step) * step, Math.round(z / step) * step - 1);
   }
 
   addGrid(size, z) {

@@ -35,12 +35,14 @@ export class Take {
       part: json.clearance.part,
       object: json.clearance.object,
     };
+    this.stop = json.stop ?? null;
     this.joints = this.rotations.length / 4 / this.frames;
     this.steps = this.findSteps();
   }
 
+  /** Up to where it ends, or fails [s]. */
   get duration() {
-    return (this.frames - 1) * this.frameTime;
+    return (this.stop ? this.stop.frame : this.frames - 1) * this.frameTime;
   }
 
   /** Frames in which a foot comes down, in order. */

@@ -66,7 +66,8 @@ export class Timeline {
     c.font = '11px system-ui, sans-serif';
     c.textBaseline = 'middle';
     const span = width - kLabels - 8;
-    const x = (frame) => kLabels + (span * frame) / Math.max(1, this.player.take.frames - 1);
+    const last = this.player.duration / this.player.take.frameTime;  // shorter than the take where it fails
+    const x = (frame) => kLabels + (span * Math.min(frame, last)) / Math.max(1e-6, last);
     rows.forEach((row, i) => {
       const y = i * (kRow + kGap);
       c.fillStyle = styleOf(this.element, '--muted');
@@ -85,6 +86,7 @@ export class Timeline {
   drawSpans(c, x, y, spans, events, color) {
     c.fillStyle = styleOf(this.element, color);
     for (const [first, last] of spans) {
+      if (x(last) <= x(first) && first > 0) continue;
       c.beginPath();
       c.roundRect(x(first), y, Math.max(2, x(last) - x(first)), kRow, 3);
       c.fill();

@@ -17,7 +17,7 @@ export class Viewer {
     this.player = new Player();
     this.room = new Room(page);
     this.takes = page.takes.map((json) => new Take(page, json));
-    this.actors = page.actors.map((json) => new Actor(json));
+    this.actors = page.actors.map((json) => new Actor(page, json));
     this.stage.scene.add(this.room.group, ...this.actors.map((actor) => actor.group));
     this.aim = new Vector3();
     this.head = new Vector3();
@@ -60,9 +60,16 @@ export class Viewer {
     for (const actor of this.actors) actor.group.visible = actor === this.actor;
     this.player.setTake(this.take, time);
     this.layers.showTake(this.take);
+    this.stop = null;
     this.pose();
-    this.dirty = true;
+    this.reshade();
     for (const listener of this.listeners ?? []) listener();
+  }
+
+  /** Something else is to be seen, that may throw a shadow. */
+  reshade() {
+    this.stage.renderer.shadowMap.needsUpdate = true;
+    this.dirty = true;
   }
 
   pose() {
@@ -70,6 +77,18 @@ export class Viewer {
     this.actor.pose(this.take, this.player.time);
     this.aim.setFromMatrixPosition(this.actor.root.matrixWorld);
     this.head.setFromMatrixPosition(this.actor.eye.matrixWorld);
+  }
+
+  // An attempt that has come to where it failed: part and thing light up.
+  lightUp() {
+    if (!this.take) return;
+    const stop = this.player.time >= this.player.duration - 1e-6 ? this.take.stop : null;
+    if (stop === this.stop) return;
+    this.stop = stop;
+    this.actor.light(stop ? stop.part : -1);
+    this.room.light(stop ? stop.object : -1);
+    this.layers.mark(stop ? stop.at : this.page.walk?.obstruction);
+    this.reshade();
   }
 
   /** @param covered  pixels at the lower edge that something else lies over */
@@ -97,7 +116,7 @@ export class Viewer {
     if (moved || this.player.time !== this.posed) {
       this.posed = this.player.time;
       this.pose();
-      this.dirty = true;
+      this.reshade();
     }
     const heading = this.take ? this.take.heading(this.player.time) : 0;
     this.cameras.update(this.aim, this.head, heading, elapsed);
@@ -106,6 +125,7 @@ export class Viewer {
     this.dirty = false;
     this.room.giveWay(this.cameras, this.aim);
     this.layers.update(this.player.time);
+    this.lightUp();
     this.stage.watch(this.aim.x, this.aim.y, this.aim.z);
     this.stage.render(this.cameras.current);
     this.drawn?.();
