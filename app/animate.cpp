@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
 #include "animation/ground/ground.h"
 #include "animation/library/motion_library_reader.h"
@@ -16,11 +17,15 @@
 #include "animation/synthesis/walk_synthesizer.h"
 #include "app/command.h"
 #include "app/demo_walk.h"
+#include "app/motion_output.h"
 #include "app/say.h"
 #include "app/unit_text.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
+#include "base/output_file.h"
 #include "base/rotation.h"
+#include "scenarios/walker_body.h"
+#include "viz/exchange/glb.h"
 
 namespace amble {
 namespace {
@@ -32,8 +37,7 @@ struct Options {
   double height = 0.0;    // [m]; 0: the library's
   double fps = 60.0;
   std::string library = "default";
-  std::string bvh_units = "m";
-  std::string out;
+  MotionOutput out;
   std::string stride, lift, incline_deg, stairs;  // as they were written; empty: not asked
   std::vector<std::string> actions;
   bool quality = false;
@@ -96,9 +100,30 @@ std::string limitText(WalkRule rule, const GroundLimits& limits) {
   }
 }
 
+void write(const MotionOutput& output, const MotionLibrary& library,
+           const WalkSynthesizer& synthesizer, const Ground& ground, const AnimationBuffer& walk) {
+  const std::filesystem::path file = output.file;
+  const std::vector<std::string> names =
+      jointNames(synthesizer.skeleton(), synthesizer.roles(), output.names);
+  const Skeleton skeleton = renamed(synthesizer.skeleton(), names);
+  if (!output.isGlb()) {
+    writeBvh(file, Clip{"walk", skeleton, walk.frame_time, walk.poses, {}},
+             {.metres_per_unit = output.bvhUnit()});
+    return;
+  }
+  const Body body = walkerBody(synthesizer, library);
+  WalkView view;
+  view.title = "walk";
+  view.ground = &ground;
+  view.skeleton = &skeleton;
+  view.body = &body;
+  view.animation = &walk;
+  writeFile(file, [&](std::ostream& out) { writeGlb(out, view); });
+}
+
 int run(const Options& options) {
   const MotionLibrary library = openMotionLibrary(options.library);
-  keepInputs(options.out, {library.file, library.file.parent_path() / library.skeleton_file});
+  keepInputs(options.out.file, {library.file, library.file.parent_path() / library.skeleton_file});
   const DemoRequest request = requestOf(options);
   const std::unique_ptr<Ground> ground = demoGround(request, options.speed);
   CharacterSettings settings;
@@ -130,10 +155,9 @@ int run(const Options& options) {
     return kExitNone;
   }
   const Clip clip{"walk", synthesizer.skeleton(), walk.frame_time, walk.poses, {}};
-  writeBvh(std::filesystem::path(options.out), clip,
-           {.metres_per_unit = options.bvh_units == "cm" ? 0.01 : 1.0});
-  std::FILE* const out = options.out == "-" ? stderr : stdout;
-  say(out, "{}: {:.2f} s, {} frames, {} steps, {:.2f} m\n", options.out, clip.duration(),
+  write(options.out, library, synthesizer, *ground, walk);
+  std::FILE* const out = options.out.file == "-" ? stderr : stdout;
+  say(out, "{}: {:.2f} s, {} frames, {} steps, {:.2f} m\n", options.out.file, clip.duration(),
       clip.frames(), result.steps, walk.states.empty() ? 0.0 : walk.states.back().arc);
   if (!options.quality) return kExitDone;
   const QualityAnchors anchors =
@@ -147,7 +171,7 @@ void addAnimate(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("animate", "Make a walk without a scene, from standing to standing");
-  command->add_option("-o,--output", options->out, "BVH file; - is standard output")->required();
+  addMotionOutput(*command, options->out);
   command->add_option("--speed", options->speed, "On the straight; less in turns")
       ->check(number(0.3, 2.0, "m/s"))
       ->capture_default_str();
@@ -180,9 +204,6 @@ void addAnimate(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_option("--fps", options->fps, "Frames a second")
       ->check(number(24, 240, "1/s"))
-      ->capture_default_str();
-  command->add_option("--bvh-units", options->bvh_units, "Unit of length in the BVH")
-      ->check(CLI::IsMember({"m", "cm"}))
       ->capture_default_str();
   command->add_flag("--quality", options->quality,
                     "Print what the walk measures beside its bars; 1 where one does not hold");

@@ -1,4 +1,5 @@
-// amble convert IN -o OUT.bvh: a capture of any format as BVH, cut, resampled or mirrored.
+// amble convert IN -o OUT.bvh|OUT.glb: a capture of any format as BVH or GLB, cut, resampled or
+// mirrored.
 
 #include <fmt/format.h>
 
@@ -7,27 +8,32 @@
 #include <iostream>
 #include <memory>
 
+#include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
 #include "animation/captures/node_animation.h"
 #include "animation/clips/good_frames.h"
 #include "animation/clips/mirror_clip.h"
 #include "animation/clips/resample_clip.h"
 #include "app/command.h"
+#include "app/motion_output.h"
 #include "app/read_options.h"
 #include "app/say.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
+#include "base/output_file.h"
+#include "viz/exchange/glb.h"
+#include "viz/figure/captured_figure.h"
 
 namespace amble {
 namespace {
 
 struct Options {
-  std::string in, out;
+  std::string in;
+  MotionOutput out;
   ReadOptions read;
   double fps = 0.0;  // [1/s]; 0: the file's
   std::string trim;  // A:B
   bool mirror = false;
-  std::string bvh_units = "m";
 };
 
 constexpr const char* kTrimForm =
@@ -73,19 +79,29 @@ Clip resampledClip(const Clip& clip, double fps) {
 }
 
 void report(const Options& options, const CapturedMotion& motion, const Clip& written) {
-  std::FILE* const out = options.out == "-" ? stderr : stdout;
+  std::FILE* const out = options.out.file == "-" ? stderr : stdout;
   Findings findings;
   addReadings(motion, findings);
-  say(out, "{}: {} frames of {:.7g} s, {} joints, from {}\n", options.out, written.frames(),
+  say(out, "{}: {} frames of {:.7g} s, {} joints, from {}\n", options.out.file, written.frames(),
       written.frame_time, written.skeleton.size(), options.in);
   for (const auto& [label, value] : findings.facts) say(out, "  {:<10}  {}\n", label, value);
   for (const std::string& warning : findings.warnings) say(stderr, "warning: {}\n", warning);
 }
 
+void write(const Options& options, const Clip& clip, const JointRoles& roles) {
+  const std::filesystem::path out = options.out.file;
+  if (!options.out.isGlb()) {
+    writeBvh(out, clip, {.metres_per_unit = options.out.bvhUnit()});
+    return;
+  }
+  const Figure figure = capturedFigure(clip, roles);
+  writeFile(out, [&](std::ostream& stream) { writeGlb(stream, clip, figure); });
+}
+
 int run(const Options& options) {
-  const std::filesystem::path out = options.out;
-  if (options.out != "-" && out.extension() != ".bvh") {
-    throw InputError(options.out, 0, "no format that is written", ".bvh");
+  const std::filesystem::path out = options.out.file;
+  if (out != "-" && out.extension() != ".bvh" && !options.out.isGlb()) {
+    throw InputError(out.string(), 0, "no format that is written", ".bvh or .glb");
   }
   keepInputs(out, options.read.filesOf(options.in));
   MotionReadOptions how = options.read.forReader();
@@ -95,11 +111,14 @@ int run(const Options& options) {
   Clip clip = options.trim.empty() ? motion.clip : trimmedClip(motion.clip, options.trim);
   if (options.fps > 0.0) clip = resampledClip(clip, options.fps);
   if (options.mirror) clip = mirrorClip(clip, motion.roles);
-  if (!clip.joint_positions.empty()) {
+  if (!options.out.names.empty())
+    clip.skeleton =
+        renamed(clip.skeleton, jointNames(clip.skeleton, motion.roles, options.out.names));
+  if (!clip.joint_positions.empty() && !options.out.isGlb()) {
     motion.warnings.push_back("joints other than the root move; in the BVH they are fixed");
     clip.joint_positions.clear();
   }
-  writeBvh(out, clip, {.metres_per_unit = options.bvh_units == "cm" ? 0.01 : 1.0});
+  write(options, clip, motion.roles);
   report(options, motion, clip);
   return kExitDone;
 }
@@ -109,18 +128,15 @@ int run(const Options& options) {
 void addConvert(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-      "convert", "Write a capture of any format as BVH: BVH, AMC, FBX, glTF, VRMA, DAE");
+      "convert", "Write a capture of any format as BVH or GLB: BVH, AMC, FBX, glTF, VRMA, DAE");
   command->add_option("IN", options->in, "The capture; - is a BVH on standard input")->required();
-  command->add_option("-o,--output", options->out, "BVH file; - is standard output")->required();
+  addMotionOutput(*command, options->out);
   addReadOptions(*command, options->read);
   command->add_option("--fps", options->fps, "Frames a second; default: the file's")
       ->check(number(1, kMostFrames, "1/s"));
   command->add_option("--trim", options->trim,
                       "A part of the file, first to last: " + std::string(kTrimForm));
   command->add_flag("--mirror", options->mirror, "Left is right");
-  command->add_option("--bvh-units", options->bvh_units, "Unit of length in the BVH")
-      ->check(CLI::IsMember({"m", "cm"}))
-      ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

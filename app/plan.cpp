@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/command.h"
+#include "app/motion_output.h"
 #include "app/output_folder.h"
 #include "app/progress.h"
 #include "app/result_formats.h"
@@ -32,7 +33,7 @@ struct Options {
   double time_limit = 0.0;  // [s]; 0: the scenario's
   double fps = 60.0;
   size_t memory = GuardLimits{}.memory;  // [bytes]
-  std::string bvh_units = "m", checker = "fast";
+  std::string names, bvh_units = "m", checker = "fast";
   std::vector<std::string> formats = usualFormats();
   bool formats_given = false, json = false, list_planners = false;
 };
@@ -212,6 +213,7 @@ RunOptions runOptions(const Options& options) {
   RunOptions how;
   how.threads = options.threads;
   how.frame_time = 1.0 / options.fps;
+  how.names = options.names;
   how.bvh_unit = options.bvh_units == "cm" ? 0.01 : 1.0;
   how.memory = options.memory;
   how.checker = options.checker == "fcl" ? Checker::kFcl : Checker::kFast;
@@ -273,6 +275,7 @@ void addPlan(CLI::App& app, Command& chosen) {
   command->add_option("--bvh-units", options->bvh_units, "Unit of length in the BVH")
       ->check(CLI::IsMember({"m", "cm"}))
       ->capture_default_str();
+  addNamesOption(*command, options->names);
   command->add_option("--formats", options->formats, formatsHelp())
       ->delimiter(',')
       ->each([raw = options.get()](const std::string&) { raw->formats_given = true; })

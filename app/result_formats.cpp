@@ -46,12 +46,12 @@ void addStrip(const ResultSubject& subject, std::vector<ResultFile>& files) {
 }
 
 void addGlb(const ResultSubject& subject, std::vector<ResultFile>& files) {
-  files.push_back(
-      {"walk.glb", [view = &subject.view, report = &subject.result.report](std::ostream& out) {
-         std::ostringstream json;
-         writeJson(json, *report);
-         writeGlb(out, *view, {.report = json.str()});
-       }});
+  files.push_back({"walk.glb", [view = &subject.view, result = &subject.result](std::ostream& out) {
+                     std::ostringstream json;
+                     writeJson(json, result->report);
+                     writeGlb(out, *view,
+                              {.joint_names = result->joint_names, .report = json.str()});
+                   }});
 }
 
 void addTables(const ResultSubject& subject, std::vector<ResultFile>& files) {

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "animation/body/reference_pose.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/synthesis/action.h"
 #include "base/error.h"
 #include "base/rotation.h"
 #include "base/stopwatch.h"
 #include "environments/ground/ground_warnings.h"
+#include "scenarios/walker_body.h"
 #include "scenarios/walker_ground.h"
 
 namespace amble {
@@ -63,12 +63,8 @@ bool mayStoop(const Scenario& scenario, const MotionLibrary& library) {
   return false;
 }
 
-Body walkerBody(const WalkSynthesizer& walker, const MotionLibrary& library, bool may_stoop) {
-  const BodyStance stance{
-      .upright = referenceOf(walker.skeleton(), walker.roles(), library.stand().rotations),
-      .head = walker.standingHead()};
-  Body body = makeBody(walker.skeleton(), walker.roles(), walker.stature(),
-                       {walker.ankleHeight(), walker.toeHeight()}, stance);
+Body checkedBody(const WalkSynthesizer& walker, const MotionLibrary& library, bool may_stoop) {
+  Body body = walkerBody(walker, library);
   if (!may_stoop) body.upright = walker.stature();
   return body;
 }
@@ -219,7 +215,7 @@ Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& l
       synthesizer(timed(
           times.character,
           [&] { return WalkSynthesizer(library, ground, settingsOf(scenario, frame_time)); })),
-      body(walkerBody(synthesizer, library, mayStoop(scenario, library))),
+      body(checkedBody(synthesizer, library, mayStoop(scenario, library))),
       world(timed(times.collision, [&] {
         return CollisionWorld(scene, ground, synthesizer.skeleton(), body, limits.stop, checker);
       })) {}

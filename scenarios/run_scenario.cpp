@@ -1,5 +1,6 @@
 #include "scenarios/run_scenario.h"
 
+#include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
 #include "base/sha256.h"
 #include "base/stopwatch.h"
@@ -82,7 +83,8 @@ void exportAndCheck(const RunOptions& options, RunResult& result) {
   const AnimationBuffer& walk = result.outcome.walk.buffer;
   Report& report = result.report;
   ExportedWalk exported =
-      exportWalk(problem.scenario.name, problem.synthesizer.skeleton(), walk, options.bvh_unit);
+      exportWalk(problem.scenario.name, renamed(problem.synthesizer.skeleton(), result.joint_names),
+                 walk, options.bvh_unit);
   const auto scratch = problem.world.makeScratch();
   report.poses_checked += walk.size();
   if (const auto contact = problem.world.check(exported.poses, walk.soles, false, *scratch)) {
@@ -103,7 +105,9 @@ void finish(const RunOptions& options, RunResult& result) {
   reportSearch(result, report);
   report.stature = result.problem->synthesizer.stature();
   report.body = result.problem->body.parts;
-  report.joint_names = bvhJointNames(result.problem->synthesizer.skeleton());
+  const WalkSynthesizer& walker = result.problem->synthesizer;
+  result.joint_names = jointNames(walker.skeleton(), walker.roles(), options.names);
+  report.joint_names = bvhJointNames(renamed(walker.skeleton(), result.joint_names));
   if (report.status == PlanStatus::kSolved) exportAndCheck(options, result);
 }
 

@@ -17,6 +17,7 @@ struct RunOptions {
   int threads = 1;                 ///< [1 to 64]; changes no result
   double frame_time = 1.0 / 60.0;  ///< of the animation [s, 1/240 to 1/24]
   double bvh_unit = 1.0;  ///< length of the BVH's unit: 1 for metres, 0.01 for centimetres [m]
+  std::string names;      ///< of jointNamings(), that files name joints by; "": the library's own
   Checker checker = Checker::kFast;         ///< who is asked about contacts; changes no result
   size_t memory = GuardLimits{}.memory;     ///< that reading a mesh file may fill [bytes, > 0]
   std::filesystem::path roadmap = {};       ///< a kept one, to be asked first; "": none
@@ -30,6 +31,8 @@ struct RunResult {
   std::unique_ptr<const Problem> problem;  ///< none where loading it was stopped
   PlanOutcome outcome;
   Report report;
+  std::vector<std::string>
+      joint_names;  ///< as asked for, by joint; formats have rules of their own
   std::string bvh;  ///< the file's bytes, as they were checked; empty without a walk
 
   std::string bvhDigest() const;  ///< SHA-256 of `bvh`; empty without a walk

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "animation/body/foot_shape.h"
+#include "animation/body/joint_names.h"
 #include "base/rotation.h"
 #include "base/text.h"
 #include "viz/exchange/glb_file.h"
@@ -254,7 +255,9 @@ void writeGlb(std::ostream& out, const Clip& clip, const Figure& figure) {
 
 void writeGlb(std::ostream& out, const WalkView& view, const GlbWalkOptions& options) {
   GlbMaker maker(view.title);
-  maker.addMotion({*view.skeleton, view.animation->poses, view.animation->frame_time, nullptr});
+  const Skeleton named =
+      options.joint_names.empty() ? *view.skeleton : renamed(*view.skeleton, options.joint_names);
+  maker.addMotion({named, view.animation->poses, view.animation->frame_time, nullptr});
   maker.addFigure(makeFigure(*view.skeleton, *view.body));
   maker.addPath(view);
   maker.addFootprints(view);

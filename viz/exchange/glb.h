@@ -10,6 +10,7 @@
 
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "animation/body/clip.h"
 #include "viz/figure/figure.h"
@@ -25,6 +26,7 @@ void writeGlb(std::ostream& out, const Clip& clip, const Figure& figure);
 
 struct GlbWalkOptions {
   bool scene = true;
+  std::vector<std::string> joint_names;  ///< by joint; empty: the skeleton's own
   /// Of the run, as writeJson() has it, or "": the file's scene has it in its extras, but for its
   /// times, which are other ones each time.
   std::string report;
