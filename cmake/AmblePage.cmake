@@ -27,7 +27,7 @@ function(amble_page target out)
     COMMAND ${CMAKE_COMMAND} -E env "NODE_PATH=${made}/node_modules" "${AMBLE_ESBUILD}" "${web}/main.js"
             --bundle --minify --format=iife --target=es2022 --charset=ascii --log-level=warning
             "--outfile=${made}/page.js"
-    COMMAND "${AMBLE_ESBUILD}" "${web}/page.css" --minify --log-level=warning "--outfile=${made}/page.css"
+    COMMAND "${AMBLE_ESBUILD}" "${web}/page.css" --bundle --minify --log-level=warning "--outfile=${made}/page.css"
     COMMAND ${CMAKE_COMMAND} -E copy "${web}/page.html" "${made}/page.html"
     DEPENDS ${sources} "${web}/page.html" "${installed}" COMMENT "Bundling the page" VERBATIM)
   file(MAKE_DIRECTORY "${made}")

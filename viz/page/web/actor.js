@@ -2,7 +2,7 @@
 
 import {
   Bone, BufferAttribute, BufferGeometry, CapsuleGeometry, Group, LineBasicMaterial, LineSegments,
-  Mesh, MeshStandardMaterial, Quaternion, Vector3,
+  Matrix4, Mesh, MeshStandardMaterial, Quaternion, Vector3,
 } from 'three';
 import { kLeftColor, kRightColor } from './colors.js';
 import { makeFigure } from './figure.js';
@@ -106,18 +106,34 @@ export class Actor {
     if (this.lines.visible) this.drawBones();
   }
 
+  /** After its group has been moved. */
+  redraw() {
+    if (this.lines.visible) this.drawBones();
+  }
+
+  // Both ends of a bone, in World.
+  endsOf([from, to, tip]) {
+    const start = new Vector3().setFromMatrixPosition(from.matrixWorld);
+    if (to) return [start, new Vector3().setFromMatrixPosition(to.matrixWorld)];
+    return [start, tip.clone().applyMatrix4(from.matrixWorld)];
+  }
+
+  // Its lines are in its group, which may have been moved.
   drawBones() {
     const at = this.lines.geometry.attributes.position;
+    const home = kHome.copy(this.group.matrixWorld).invert();
     for (let i = 0; i < this.ends.length; ++i) {
       const [from, to, tip] = this.ends[i];
-      kPoint.setFromMatrixPosition(from.matrixWorld);
+      kPoint.setFromMatrixPosition(from.matrixWorld).applyMatrix4(home);
       at.setXYZ(2 * i, kPoint.x, kPoint.y, kPoint.z);
       if (to) kPoint.setFromMatrixPosition(to.matrixWorld);
       else kPoint.copy(tip).applyMatrix4(from.matrixWorld);
+      kPoint.applyMatrix4(home);
       at.setXYZ(2 * i + 1, kPoint.x, kPoint.y, kPoint.z);
     }
     at.needsUpdate = true;
   }
 }
 
+const kHome = new Matrix4();
 const kPoint = new Vector3();

@@ -203,9 +203,10 @@ export class Controls {
 
   // What the time line covers is no place to look at: the picture's middle lies above it.
   resize() {
-    const covered = this.byId('transport').offsetHeight;
-    document.documentElement.style.setProperty('--transport', `${covered}px`);
-    this.viewer.resize(covered);
+    const transport = this.byId('transport');
+    document.documentElement.style.setProperty('--transport', `${transport.offsetHeight}px`);
+    const below = this.viewer.canvas.getBoundingClientRect().bottom - transport.getBoundingClientRect().top;
+    this.viewer.resize(Math.max(0, Math.min(transport.offsetHeight, below)));
     if (this.viewer.take) this.timeline.draw();
   }
 
@@ -239,12 +240,12 @@ export class Controls {
     this.said = tenth;
     const frame = take.frameAt(time);
     this.byId('time').textContent = `${time.toFixed(2)} / ${duration.toFixed(2)} s`;
-    this.byId('frame').textContent = `frame ${frame}`;
+    this.byId('frame').textContent = `frame ${frame * take.every}`;
     this.showSources(frame);
     const slider = this.byId('timeline');
     slider.setAttribute('aria-valuenow', time.toFixed(2));
     slider.setAttribute('aria-valuemax', duration.toFixed(2));
-    slider.setAttribute('aria-valuetext', `${time.toFixed(2)} seconds, frame ${frame}`);
+    slider.setAttribute('aria-valuetext', `${time.toFixed(2)} seconds, frame ${frame * take.every}`);
   }
 
   showSources(frame) {

@@ -15,10 +15,16 @@ function bytesOf(text) {
   return bytes.buffer;
 }
 
+// Numbers that were written in 16 bits.
+function scaled(values, scale) {
+  return scale === undefined ? values : Float32Array.from(values, (value) => value * scale);
+}
+
 /** @returns {{array: (ref: object) => ArrayBufferView}} with the JSON's fields */
 export function readPage(document) {
   const page = JSON.parse(document.getElementById('amble-data').textContent);
   const bytes = bytesOf(document.getElementById('amble-bytes').textContent);
+  page.numbers = (ref) => scaled(page.array(ref), ref.scale);
   page.array = (ref) => new kTypes[ref.t](bytes, ref.o, ref.n);
   return page;
 }

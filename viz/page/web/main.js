@@ -3,6 +3,7 @@
 import { readPage } from './data.js';
 import { Viewer } from './viewer.js';
 import { Controls } from './controls.js';
+import { Bench } from './bench.js';
 
 function webglIsThere() {
   try {
@@ -20,6 +21,7 @@ function start() {
   const viewer = new Viewer(readPage(document), document.getElementById('view'));
   const controls = new Controls(viewer, document);
   controls.begin();
+  if (viewer.page.bench) viewer.bench = new Bench(viewer);
   viewer.run();
   window.amble = viewer;  // for scripts and for the curious, as in tests/viz/page
 }

@@ -20,6 +20,7 @@ export class Take {
     this.actor = json.actor;
     this.frames = json.frames;
     this.frameTime = json.frame_time;
+    this.every = json.every;  // of the file's frames
     this.root = page.array(json.root);
     this.rotations = rotationsOf(page, json.rotations);
     this.positions = json.positions ? page.array(json.positions) : null;

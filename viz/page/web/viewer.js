@@ -31,6 +31,7 @@ export class Viewer {
     this.cameras = new Cameras(canvas, this.bounds, this.aim);
     this.cameras.changed = () => (this.dirty = true);
     this.listeners = [];
+    this.followers = [];  // told the time when the body has been posed
     this.dirty = true;
     if (this.takes.length > 0) this.show(0);
     this.resize();
@@ -75,6 +76,7 @@ export class Viewer {
   pose() {
     if (!this.actor) return;
     this.actor.pose(this.take, this.player.time);
+    for (const follow of this.followers ?? []) follow(this.player.time);
     this.aim.setFromMatrixPosition(this.actor.root.matrixWorld);
     this.head.setFromMatrixPosition(this.actor.eye.matrixWorld);
   }

@@ -1,0 +1,79 @@
+// The skeleton as a tree, of which a joint is chosen; and what analysis says in words.
+
+import { kColumns } from './bench_list.js';
+import { choice, make } from './dom.js';
+
+export class BenchTree {
+  constructor(bench) {
+    this.bench = bench;
+    this.rows = make('ul', { id: 'bench-joints', role: 'tree', tabIndex: 0, aria: { label: 'Skeleton' }, on: { keydown: (event) => this.onKey(event) } });
+    this.facts = make('div', { id: 'bench-facts', hidden: true });
+    this.tabs = choice('What is said', [['tree', 'Skeleton'], ['facts', 'Facts']], 'tree', (key) => this.open(key));
+    this.element = make('aside', { id: 'bench-tree', className: 'panel', aria: { label: 'Skeleton and facts' } },
+      this.tabs, this.rows, this.facts);
+  }
+
+  open(key) {
+    this.rows.hidden = key !== 'tree';
+    this.facts.hidden = key !== 'facts';
+    for (const button of this.tabs.children)
+      button.setAttribute('aria-pressed', String(button.dataset.key === key));
+  }
+
+  fill(clip, second) {
+    const depths = [];
+    this.items = clip.joints.map((joint, index) => {
+      depths.push(joint.parent < 0 ? 0 : depths[joint.parent] + 1);
+      const item = make('li', {
+        role: 'treeitem', textContent: joint.name, id: `bench-joint-${index}`, className: sideOf(joint.name),
+        aria: { level: String(depths[index] + 1), selected: 'false' },
+        on: { click: () => this.bench.chooseJoint(index) },
+      });
+      item.style.setProperty('--depth', depths[index]);
+      return item;
+    });
+    this.rows.replaceChildren(...this.items);
+    this.fillFacts(clip, second);
+  }
+
+  /** @param second  the clip beside it, if there is one */
+  fillFacts(clip, second) {
+    const list = make('dl');
+    for (const [label, value] of [['file', clip.json.file], ...clip.json.facts]) {
+      list.append(make('dt', { textContent: label }), make('dd', { textContent: value }));
+    }
+    const warnings = clip.json.warnings.map((text) => make('p', { className: 'warning', textContent: text }));
+    this.facts.replaceChildren(this.tableOf([clip, second].filter(Boolean)), ...warnings, list);
+  }
+
+  tableOf(clips) {
+    const rows = kColumns.filter(([, , value]) => clips.some((clip) => value(clip) !== undefined && value(clip) !== ''))
+      .map(([key, label, , text]) => make('tr', { data: { key } },
+        make('th', { scope: 'row', textContent: label }),
+        ...clips.map((clip) => make('td', { textContent: text(clip) }))));
+    return make('table', {}, ...rows);
+  }
+
+  mark(index) {
+    this.items.forEach((item, i) => item.setAttribute('aria-selected', String(i === index)));
+    this.rows.setAttribute('aria-activedescendant', `bench-joint-${index}`);
+    const { rows } = this, item = this.items[index];
+    if (item.offsetTop < rows.scrollTop || item.offsetTop > rows.scrollTop + rows.clientHeight - 24)
+      rows.scrollTop = item.offsetTop - rows.clientHeight / 2;
+  }
+
+  onKey(event) {
+    const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (!by) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.bench.chooseJoint((this.bench.joint + by + this.items.length) % this.items.length);
+  }
+}
+
+// As names of rigs tell.
+function sideOf(name) {
+  if (/left/i.test(name) || /^l[A-Z_]|[._ -][lL]$/.test(name)) return 'left';
+  if (/right/i.test(name) || /^r[A-Z_]|[._ -][rR]$/.test(name)) return 'right';
+  return '';
+}
