@@ -4,6 +4,8 @@
 
 #include <memory>
 
+#include "animation/captures/capture_file.h"
+#include "animation/library/motion_library_reader.h"
 #include "app/clip_sources.h"
 #include "app/command.h"
 #include "app/open_file.h"
@@ -15,6 +17,7 @@
 #include "base/error.h"
 #include "base/keep_inputs.h"
 #include "base/output_file.h"
+#include "base/text.h"
 #include "viz/page/clip_page.h"
 #include "viz/page/thin_clips.h"
 
@@ -26,7 +29,7 @@ namespace fs = std::filesystem;
 struct Options {
   std::vector<std::string> paths;
   ReadOptions read;
-  std::string scene, out;
+  std::string scene, captures, out;
   bool open = false, json = false;
 };
 
@@ -95,11 +98,38 @@ void writeShown(const Shown& shown, std::vector<ShownClip>& clips,
   writeFile(shown.page, [&](std::ostream& out) { writePage(out, page); });
 }
 
+bool isYaml(const std::string& path) {
+  const std::string ending = lowerEnding(path);
+  return ending == ".yaml" || ending == ".yml";
+}
+
+int viewLibrary(const Options& options) {
+  const fs::path file = options.paths[0];
+  const MotionLibrary library = readMotionLibrary(file);
+  const BenchLibrary shown = benchOfLibrary(library, capturesOf(file, options.captures));
+  const Bench bench = benchOf(shown);
+  if (options.json) printBench(bench);
+  if (options.json && options.out.empty()) return kExitDone;
+  const fs::path out = options.out.empty() ? file.stem().concat(".html") : fs::path(options.out);
+  if (out != "-") keepInputs(out, {file, file.parent_path() / library.skeleton_file});
+  PageSubject page = clipPage(shown.clips);
+  page.title = file.filename().string();
+  page.description = "Motion library " + page.title + ": " +
+                     counted(static_cast<long long>(library.motions.size()), "motion") + ".";
+  page.bench = &bench;
+  writeFile(out, [&](std::ostream& stream) { writePage(stream, page); });
+  if (out == "-") return kExitDone;
+  if (!options.json) say(stdout, "{}: open it in a browser\n", out.string());
+  if (options.open) openFile(out);
+  return kExitDone;
+}
+
 int run(const Options& options) {
+  if (options.json && options.out == "-")
+    throw InputError("--json", 0, "with a page on standard output", "-o FILE, or no page");
+  if (options.paths.size() == 1 && isYaml(options.paths[0])) return viewLibrary(options);
   Shown shown = find(options);
   if (!options.out.empty()) shown.page = options.out;
-  if (options.json && shown.page == "-")
-    throw InputError("--json", 0, "with a page on standard output", "-o FILE, or no page");
   keepAll(shown, options, std::nullopt);
   const std::optional<Scene> scene = sceneFor(shown, options);
   ReadClips read = readShown(shown, scene, options.read.forReader());
@@ -122,11 +152,14 @@ void addView(CLI::App& app, Command& chosen) {
   CLI::App* command =
       app.add_subcommand("view", "Write a page to look at a result or at captures, in a browser");
   command
-      ->add_option(
-          "PATH", options->paths,
-          "A folder of results, a walk, or captures and folders of them; - is standard input")
+      ->add_option("PATH", options->paths,
+                   "A folder of results, a walk, captures and folders of them, or a motion library "
+                   "(YAML); - "
+                   "is standard input")
       ->required();
   command->add_option("--scene", options->scene, "Scene file (YAML) that the walk is in");
+  command->add_option("--captures", options->captures,
+                      "Folder of a library's captures; default: its recipe's `captures:`");
   command->add_option(
       "-o,--output", options->out,
       "The page; - is standard output; default: walk.html of the folder of results, "
@@ -137,7 +170,8 @@ void addView(CLI::App& app, Command& chosen) {
   addReadOptions(*command, options->read);
   addExamples(*command, {"amble view out/living-room --open",
                          "amble view walk.bvh --scene scene.yaml -o walk.html",
-                         "amble view captures/walk1.bvh captures/walk2.bvh -o walks.html"});
+                         "amble view captures/walk1.bvh captures/walk2.bvh -o walks.html",
+                         "amble view animation/motions/default.yaml --captures captures"});
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -8,6 +8,7 @@
 #include "app/stop.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/strict_yaml.h"
 
 namespace amble {
 namespace {
@@ -75,7 +76,32 @@ Bench benchOf(const std::vector<ShownClip>& clips) {
   return bench;
 }
 
+Bench benchOf(const BenchLibrary& library) {
+  Bench bench;
+  bench.library = &library;
+  for (size_t i = 0; i < library.clips.size(); ++i) {
+    const Motion& motion = *library.motions[i].motion;
+    bench.clips.push_back({&library.clips[i], motionAnalysisJson(motion, library.clips[i]), {}});
+  }
+  return bench;
+}
+
+std::filesystem::path capturesOf(const std::filesystem::path& library, const std::string& asked) {
+  if (!asked.empty()) return asked;
+  std::filesystem::path recipe = library;
+  recipe.replace_extension(".recipe.yaml");
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(recipe, ignored)) {
+    if (const YamlNode captures = readYaml(recipe)["captures"]) return captures.asPath();
+  }
+  return library.has_parent_path() ? library.parent_path() : ".";
+}
+
 void printBench(const Bench& bench) {
+  if (bench.library != nullptr) {
+    std::cout << benchJson(bench, plainNumbers()) << '\n';
+    return;
+  }
   std::cout << "[";
   for (size_t i = 0; i < bench.clips.size(); ++i)
     std::cout << (i > 0 ? ",\n " : "") << benchClipJson(bench.clips[i], plainNumbers());

@@ -31,6 +31,8 @@ constexpr double kLargestSlide = 0.06;          // of a standing ankle [m]
 // A posture's joints keep so close to that of its middle; standing people sway by five degrees, and
 // one who walks swings a leg by forty.
 constexpr double kStillPosture = 12.0 * kDegree;
+// A cycle that is made again has the same period, but for digits that the file does not keep [1].
+constexpr double kSamePeriod = 1e-3;
 constexpr int kLoopRuns = 4;  // of a loop: two whole cycles are among them, whatever it begins with
 constexpr double kHeldFor = 0.3;  // shortest hold that is looked for [s]
 
@@ -61,6 +63,16 @@ void adoptSkeleton(MotionLibrary& library, const LevelCapture& capture, const st
   throw InputError(file, 0, "is of a person of " + shortNumber(library.stature, 3) + " m",
                    shortNumber(kShortestStature) + " to " + shortNumber(kTallestStature) +
                        " m; --unit says what the file's is");
+}
+
+// On a level floor, with toes, feet that are flat at rest and names as the library's BVH has them.
+LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadOptions& read) {
+  LevelCapture capture = readLevelCapture(file, read);
+  Clip& clip = capture.motion.clip;
+  addToes(clip, capture.motion.roles, file.string());
+  if (restFeetFlat(clip, capture.motion.roles)) clip = levelled(clip, capture.motion.roles);
+  clip.skeleton = withBvhNames(clip.skeleton);
+  return capture;
 }
 
 // The clip of another skeleton on the library's; larger people move slower (Froude).
@@ -124,10 +136,10 @@ void requireFit(const WalkCycle& cycle, const std::string& file) {
 
 // Of the clip; of a clip that is one cycle only, and ends as it began, of that cycle repeated.
 WalkCycle cycleOf(const MotionLibrary& library, const Clip& clip, const CycleOptions& options,
-                  std::pair<int, int>& used) {
+                  std::pair<int, int>& used, std::vector<FourierSeries>* captured = nullptr) {
   const auto prepared = [&](const Clip& of) {
     return prepareWalkCycle(of, library.roles, library.feet(), library.stand().rotations, options,
-                            &used);
+                            &used, captured);
   };
   if (options.frames || hasCycle(clip, library.roles, library.feet(), options)) {
     return prepared(clip);
@@ -231,12 +243,7 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
     throw InputError(file, 0, "the library has a motion " + asked.name, "another name");
   }
   MotionRequest request = asked;
-  LevelCapture capture = readLevelCapture(request.file, request.read);
-  addToes(capture.motion.clip, capture.motion.roles, file);
-  if (restFeetFlat(capture.motion.clip, capture.motion.roles)) {
-    capture.motion.clip = levelled(capture.motion.clip, capture.motion.roles);
-  }
-  capture.motion.clip.skeleton = withBvhNames(capture.motion.clip.skeleton);
+  LevelCapture capture = readForLibrary(request.file, request.read);
   if (library.skeleton.size() == 0) adoptSkeleton(library, capture, file);
   const bool is_stand = request.name == "stand" && request.kind == MotionKind::kPosture;
   if (!is_stand && library.find("stand") == nullptr) borrowStand(library, capture.motion.clip);
@@ -272,6 +279,34 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   }
   for (int& frame : motion.source.frames) frame += capture.first_frame;
   library.motions.push_back(std::move(motion));
+}
+
+std::vector<FourierSeries> capturedCycles(const MotionLibrary& library, const Motion& motion,
+                                          const std::filesystem::path& file,
+                                          const MotionReadOptions& read) {
+  const LevelCapture capture = readForLibrary(file, read);
+  const Clip clip = onLibrarySkeleton(library, capture);
+  CycleOptions options{file.string(), motion.turning, motion.cycle.series.harmonics(), {}};
+  std::pair<int, int> used;
+  std::vector<FourierSeries> cycles;
+  WalkCycle again = cycleOf(library, clip, options, used, &cycles);
+  if (std::abs(again.period - motion.cycle.period) > kSamePeriod * motion.cycle.period) {
+    // It was looked for within some frames only.
+    cycles.clear();
+    options.frames = {motion.source.frames[0] - capture.first_frame - 1,
+                      motion.source.frames[1] - capture.first_frame + 1};
+    again = cycleOf(library, clip, options, used, &cycles);
+  }
+  if (std::abs(again.period - motion.cycle.period) > kSamePeriod * motion.cycle.period) {
+    throw InputError(file.string(), 0, "gives another cycle than that of " + motion.name,
+                     "the capture that it was made from");
+  }
+  for (FourierSeries& series : cycles) {
+    if (!motion.source.mirrored) break;
+    again.series = series;
+    series = mirrorCycle(again, library.skeleton, library.roles, library.stand().rotations).series;
+  }
+  return cycles;
 }
 
 }  // namespace amble

@@ -32,4 +32,11 @@ struct MotionRequest {
 /// cycle, a turn that is called straight, no toes, a name that the library has.
 void addMotion(MotionLibrary& library, const MotionRequest& request);
 
+/// The captured cycles that a walk or a movement of the library is the average of, each as a series
+/// in the library's channels that leaves nothing of it out; mirrored where the motion is.
+/// @param file  the capture @throws InputError also where it does not give this motion's cycle
+std::vector<FourierSeries> capturedCycles(const MotionLibrary& library, const Motion& motion,
+                                          const std::filesystem::path& file,
+                                          const MotionReadOptions& read = {});
+
 }  // namespace amble

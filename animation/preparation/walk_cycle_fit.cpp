@@ -106,24 +106,36 @@ double residualOf(const FourierSeries& series, const Eigen::MatrixXd& samples,
   return std::sqrt(squares / static_cast<double>(samples.cols() * (series.channels() - 3)));
 }
 
-// Mean of the stretches' samples: column i is phase i / kSamples, whichever foot led.
-Eigen::MatrixXd meanSamples(const GaitTrack& track, const std::vector<Stretch>& stretches,
-                            const std::vector<FittedPath>& paths,
-                            const std::vector<Eigen::Quaterniond>& reference) {
-  Eigen::MatrixXd mean;
+// The stretches' samples: column i is phase i / kSamples, whichever foot led.
+std::vector<Eigen::MatrixXd> cycleSamples(const GaitTrack& track,
+                                          const std::vector<Stretch>& stretches,
+                                          const std::vector<FittedPath>& paths,
+                                          const std::vector<Eigen::Quaterniond>& reference) {
+  std::vector<Eigen::MatrixXd> all;
   for (size_t k = 0; k < stretches.size(); ++k) {
     const Eigen::MatrixXd one = closedSamples(track, stretches[k], paths[k], reference);
-    if (mean.size() == 0) mean = Eigen::MatrixXd::Zero(one.rows(), one.cols());
+    Eigen::MatrixXd& samples = all.emplace_back(one.rows(), one.cols());
     const int late = stretches[k].leading == kLeft ? 0 : kSamples / 2;
-    for (int i = 0; i < kSamples; ++i) mean.col((i + late) % kSamples) += one.col(i);
+    for (int i = 0; i < kSamples; ++i) samples.col((i + late) % kSamples) = one.col(i);
   }
-  return mean / static_cast<double>(stretches.size());
+  return all;
+}
+
+Eigen::MatrixXd meanOf(const std::vector<Eigen::MatrixXd>& all) {
+  Eigen::MatrixXd mean = all.front();
+  for (size_t k = 1; k < all.size(); ++k) mean += all[k];
+  return mean / static_cast<double>(all.size());
+}
+
+std::vector<double> evenPhases() {
+  std::vector<double> phases;
+  for (int i = 0; i < kSamples; ++i) phases.push_back(static_cast<double>(i) / kSamples);
+  return phases;
 }
 
 // With as many harmonics as asked, or as few as leave out little enough.
 void fitSeries(const Eigen::MatrixXd& samples, int harmonics, WalkCycle& cycle) {
-  std::vector<double> phases;
-  for (int i = 0; i < kSamples; ++i) phases.push_back(static_cast<double>(i) / kSamples);
+  const std::vector<double> phases = evenPhases();
   const int first = harmonics > 0 ? harmonics : kFewestHarmonics;
   const int last = harmonics > 0 ? harmonics : kMostHarmonics;
   for (int h = first; h <= last; ++h) {
@@ -172,7 +184,8 @@ CaptureQuality measureCapture(const Clip& level, const JointRoles& roles) {
 WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
                            const std::array<FootShape, 2>& feet,
                            const std::vector<Eigen::Quaterniond>& reference,
-                           const CycleOptions& options, std::pair<int, int>* used_frames) {
+                           const CycleOptions& options, std::pair<int, int>* used_frames,
+                           std::vector<FourierSeries>* captured) {
   const GaitTrack track(level, roles, feet);
   const std::vector<Stretch> stretches = findStretches(track, options);
   std::vector<FittedPath> paths;
@@ -190,7 +203,10 @@ WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
   }
   cycle.speed = length / cycle.period;
   cycle.turn_rate = turn / cycle.period;
-  fitSeries(meanSamples(track, stretches, paths, reference), options.harmonics, cycle);
+  const std::vector<Eigen::MatrixXd> samples = cycleSamples(track, stretches, paths, reference);
+  fitSeries(meanOf(samples), options.harmonics, cycle);
+  for (size_t k = 0; captured != nullptr && k < samples.size(); ++k)
+    captured->push_back(fitFourier(samples[k], evenPhases(), kAllHarmonics));
   fitFeet(track, stretches, feet, options.clip, cycle);
   fitPlacing(track, stretches, paths, cycle);
   cycle.capture = measureCapture(level, roles);

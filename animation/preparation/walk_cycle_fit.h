@@ -27,11 +27,17 @@ struct CycleOptions {
 /// which the cycle closes, that is, whose ends are a whole cycle's ends; least squares over a
 /// single cycle would lean with the sway. @param reference  the library's reference rotations, root
 /// against heading first
+/// @param captured  if not null: the cycles that were averaged, each as a series that leaves
+/// nothing of it out (kAllHarmonics)
 /// @throws InputError naming the clip where no whole cycle is found.
 WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
                            const std::array<FootShape, 2>& feet,
                            const std::vector<Eigen::Quaterniond>& reference,
-                           const CycleOptions& options, std::pair<int, int>* used_frames = nullptr);
+                           const CycleOptions& options, std::pair<int, int>* used_frames = nullptr,
+                           std::vector<FourierSeries>* captured = nullptr);
+
+/// Of the 64 samples of a cycle.
+inline constexpr int kAllHarmonics = 31;
 
 /// Whether there is a whole cycle in the clip, steady or not.
 bool hasCycle(const Clip& level, const JointRoles& roles, const std::array<FootShape, 2>& feet,

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/text.h"
+#include "viz/page/library_bench.h"
 
 namespace amble {
 
@@ -45,7 +46,9 @@ std::string benchJson(const Bench& bench, const NumbersText& numbers) {
     if (i > 0) text += ',';
     text += benchClipJson(bench.clips[i], numbers);
   }
-  return text + "]}";
+  text += "]";
+  if (bench.library != nullptr) text += ",\"library\":" + benchLibraryJson(*bench.library, numbers);
+  return text + "}";
 }
 
 }  // namespace amble

@@ -17,6 +17,8 @@
 
 namespace amble {
 
+struct BenchLibrary;  // viz/page/library_bench.h
+
 /// An array of numbers as JSON, of which so many digits behind the point can be seen.
 using NumbersText = std::function<std::string(std::span<const double> values, int digits)>;
 /// As a JSON list, with a digit more.
@@ -34,7 +36,8 @@ struct BenchClip {
 
 /// Borrowed: what the pointers name outlives it.
 struct Bench {
-  std::vector<BenchClip> clips;  ///< in the order of the page's takes
+  std::vector<BenchClip> clips;           ///< in the order of the page's takes
+  const BenchLibrary* library = nullptr;  ///< that they are of; null: they are captures
 };
 
 std::string benchClipJson(const BenchClip& clip, const NumbersText& numbers);
