@@ -2,6 +2,7 @@
 
 import { Curves } from './curves.js';
 import { choice, make } from './dom.js';
+import { drawCharts } from './scatter.js';
 
 const kAxes = { X: '--axis-x', Y: '--axis-y', Z: '--axis-z' };
 const kSides = [['Left', '--left'], ['Right', '--right']];
@@ -13,7 +14,10 @@ export class BenchCurves {
     this.tab = 'joint';
     this.title = make('span', { className: 'title' });
     this.canvas = make('canvas', { id: 'bench-canvas', role: 'img', tabIndex: 0 });
-    this.tabs = choice('Curves', [['joint', 'Joint'], ['feet', 'Feet'], ['root', 'Root']], 'joint', (key) => this.choose(key));
+    this.library = bench.viewer.page.bench.library ?? null;
+    const tabs = [['joint', 'Joint'], this.library ? ['cycle', 'Cycle'] : ['feet', 'Feet'], ['root', 'Root']];
+    if (this.library) tabs.push(['law', 'Speeds']);
+    this.tabs = choice('Curves', tabs, 'joint', (key) => this.choose(key));
     const whole = make('button', {
       type: 'button', textContent: 'Whole', title: 'All of its time (double click)', on: { click: () => this.fit() },
     });
@@ -21,24 +25,39 @@ export class BenchCurves {
       make('header', {}, this.tabs, this.title, whole), this.canvas);
     const { player } = bench.viewer;
     this.curves = new Curves(this.canvas, {
-      seek: (time) => {
+      seek: (at) => {
         player.playing = false;
-        player.seek(time);
+        player.seek(this.overPhase ? this.cycleStart + at * this.bench.clip.period : at);
       },
     });
+  }
+
+  /** The axis is the phase of the cycle; else time. */
+  get overPhase() {
+    return this.tab === 'cycle' && this.bench.clip.cycle !== null;
+  }
+
+  // Of the cycle that is played [s].
+  get cycleStart() {
+    const { time } = this.bench.viewer.player;
+    const { period } = this.bench.clip;
+    return Math.min(Math.floor(time / period + 1e-9), 1) * period;
   }
 
   choose(key) {
     this.tab = key;
     this.draw();
+    this.fit();
   }
 
   fit() {
-    this.curves.fit(0, this.bench.viewer.take.duration);
+    this.curves.unit = this.overPhase ? '' : 's';
+    this.curves.fit(0, this.overPhase ? 1 : this.bench.viewer.take.duration);
   }
 
   update() {
-    this.curves.setTime(this.bench.viewer.player.time);
+    const { time } = this.bench.viewer.player;
+    this.curves.setTime(this.overPhase ? (time - this.cycleStart) / this.bench.clip.period : time);
   }
 
   // Another clip's curve over this one's time.
@@ -48,13 +67,34 @@ export class BenchCurves {
   }
 
   draw() {
-    const { clip, companion } = this.bench;
-    this.curves.panels = { joint: () => this.ofJoint(), feet: () => this.ofFeet(), root: () => this.ofRoot() }[this.tab]();
-    const pair = companion.index >= 0 && this.tab !== 'feet' ? ` · dashed: ${companion.clip.name}` : '';
-    const of = this.tab === 'joint' ? `${this.bench.jointName}, rotation in its parent` : this.tab === 'feet' ? 'Ankle and toe; below the dotted lines a foot may be planted; marks: lift, lift-off, strike, landing' : 'Pelvis over the floor';
-    this.title.textContent = `${of}${pair}`;
-    this.canvas.setAttribute('aria-label', `Curves of ${clip.name}: ${of}`);
+    this.curves.instead = this.tab === 'law' ? () => drawCharts(this.canvas, this.charts()) : null;
+    if (this.tab !== 'law') {
+      this.curves.panels = {
+        joint: () => this.ofJoint(), feet: () => this.ofFeet(), root: () => this.ofRoot(), cycle: () => this.ofCycle(),
+      }[this.tab]();
+    }
+    const title = this.titleOf();
+    this.title.textContent = this.title.title = title;
+    this.canvas.setAttribute('aria-label', `Curves of ${this.bench.clip.name}: ${title}`);
     this.curves.draw();
+  }
+
+  titleOf() {
+    const { clip, companion, jointName } = this.bench;
+    const pair = companion.index >= 0 && (this.tab === 'joint' || this.tab === 'root') ? ` · dashed: ${companion.clip.name}` : '';
+    switch (this.tab) {
+      case 'joint': return `${jointName}, rotation in its parent${pair}`;
+      case 'root': return `Pelvis over the floor${pair}`;
+      case 'feet': return 'Ankle and toe; below the dotted lines a foot may be planted; marks: lift, lift-off, strike, landing';
+      case 'law': return 'The law of steps through the captured walks; how fast they turn';
+      default: return this.titleOfCycle(clip, jointName);
+    }
+  }
+
+  titleOfCycle({ cycle, motion }, jointName) {
+    if (!cycle) return `${motion.name} is no cycle`;
+    const drawn = motion.lacking ?? (motion.measures.cycles === 1 ? 'thin: the captured cycle' : `thin: the ${motion.measures.cycles} captured cycles`);
+    return `${jointName} over the phase, against the stance; thick: ${motion.measures.harmonics} harmonics; ${drawn}`;
   }
 
   plantRows(clip) {
@@ -75,6 +115,48 @@ export class BenchCurves {
         for (const curve of companion.clip.channels(same)) curves.push(this.second(curve, kAxes[curve.label]));
     }
     return [{ label: 'angle', unit: '°', curves, least: 2, digits: 1 }, ...this.rows()];
+  }
+
+  ofCycle() {
+    const { clip, joint } = this.bench;
+    if (!clip.cycle) return [];
+    const panel = (label, unit, channels, digits) => {
+      const curves = [];
+      for (const [i, [name, channel]] of Object.entries(channels).entries()) {
+        const color = Object.values(kAxes)[i];
+        for (const ref of channel.captured) curves.push({ ...clip.cycleCurve(ref), color, width: 0.9, alpha: 0.5 });
+        curves.push({ ...clip.cycleCurve(channel.fourier), label: name, color, width: 2.2 });
+      }
+      return { label, unit, digits, curves, least: unit === 'm' ? 0.01 : 2 };
+    };
+    const panels = [panel('angle', '°', clip.cycle.joints[joint], 1)];
+    if (joint === 0) {
+      const { height, ...flat } = clip.cycle.root;
+      panels.unshift(panel('off its line', 'm', flat, 3), panel('height', 'm', { height }, 3));
+    }
+    return [...panels, ...this.plantRows(clip).map((row) => ({ ...row, bars: row.bars.map((bar) => bar.map((time) => time / clip.period)) }))];
+  }
+
+  // Of the library's walks.
+  charts() {
+    const { step_law: law, motions } = this.library;
+    const { name } = this.bench.clip;
+    const charts = [];
+    const numbers = (ref) => this.bench.viewer.page.numbers(ref);
+    if (law) {
+      charts.push({
+        x: ['speed', 'm/s'], y: ['step length', 'm'], line: { x: numbers(law.speeds), y: numbers(law.steps) },
+        points: law.points.map((point) => ({ x: point.speed, y: point.step, name: point.name, chosen: point.name === name })),
+      });
+    }
+    const walks = motions.filter((motion) => motion.kind === 'walk');
+    if (walks.length > 0) {
+      charts.push({
+        x: ['turn rate', '°/s'], y: ['speed', 'm/s'],
+        points: walks.map((walk) => ({ x: walk.measures.turn_rate, y: walk.measures.speed, name: walk.name, chosen: walk.name === name })),
+      });
+    }
+    return charts;
   }
 
   ofRoot() {

@@ -14,6 +14,7 @@ export class BenchClip {
     this.shownTime = json.frame_time * json.every;  // of the page
     this.from = json.first_frame * json.frame_time;  // that the analysis begins at [s]
     this.joints = json.joints;
+    this.motion = page.bench.library?.motions[index] ?? null;
     this.floor = json.floor;
     this.analysis = json.analysis;
     this.phase = json.phase.map(([frame, phase]) => [frame * json.frame_time, phase]);
@@ -28,6 +29,19 @@ export class BenchClip {
 
   get duration() {
     return this.page.takes[this.index].frames * this.shownTime - this.shownTime;
+  }
+
+  /** Of a library's walk or movement, over its phase: { fourier, captured: [...] } a channel. */
+  get cycle() {
+    return this.motion?.cycle ?? null;
+  }
+
+  get period() {
+    return this.motion.measures.period;
+  }
+
+  cycleCurve(ref) {
+    return { from: 0, step: 1 / (this.cycle.points - 1), values: this.numbers(ref) };
   }
 
   get type() {

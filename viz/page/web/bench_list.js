@@ -16,7 +16,7 @@ export const kColumns = [
   ['step', 'Step length', (clip) => clip.gait.step_length, (clip) => number(clip.gait.step_length, 2, 'm')],
   ['lift', 'Lift', (clip) => clip.gait.lift, (clip) => number(scaled(clip.gait.lift, 100), 1, 'cm')],
   ['support', 'Double support', (clip) => clip.gait.double_support, (clip) => number(scaled(clip.gait.double_support, 100), 0, '%')],
-  ['skate', 'Toe skate', (clip) => clip.analysis?.quality.toe_skate, (clip) => number(scaled(clip.analysis?.quality.toe_skate, 1000), 0, 'mm/s')],
+  ['skate', 'Toe skate', (clip) => clip.analysis?.quality?.toe_skate, (clip) => number(scaled(clip.analysis?.quality?.toe_skate, 1000), 0, 'mm/s')],
 ];
 
 function scaled(value, by) {
@@ -51,7 +51,14 @@ export class BenchList {
     this.element = make('aside', { id: 'bench-clips', className: 'panel', aria: { label: 'Clips' } },
       make('header', {}, make('h1', { textContent: page.title }), this.count),
       make('div', { className: 'bench-tools' }, this.filter, this.sort, this.way),
-      this.rows, notes);
+      this.rows, ...this.others(page.bench.library), notes);
+  }
+
+  // Motions of a library that are no poses: how walks begin and end.
+  others(library) {
+    return (library?.motions ?? []).filter((motion) => motion.transition).map(({ name, transition: t, source }) => make('p', {
+      className: 'other', title: `${source.clip}, frames ${source.frames.join(' to ')}. ${source.credit}`,
+    }, make('b', { textContent: name }), ` first step ${number(t.first_speed, 2, 'm/s')}, ${number(t.acceleration, 2, 'm/s²')}`));
   }
 
   columns() {
@@ -73,9 +80,11 @@ export class BenchList {
   }
 
   summaryOf(clip) {
-    const parts = [number(clip.duration, 1, 's')];
+    const parts = clip.motion ? [] : [number(clip.duration, 1, 's')];
     if (typeof clip.gait.speed === 'number') parts.push(number(clip.gait.speed, 2, 'm/s'));
+    if (clip.motion?.turning) parts.push(`${clip.gait.turn_rate.toFixed(0)}°/s`);
     if (typeof clip.gait.step_length === 'number') parts.push(`step\u00a0${number(clip.gait.step_length, 2, 'm')}`);
+    if (clip.motion && !clip.cycle) parts.push(clip.motion.chains.join(', ').replaceAll('_', ' ') || 'the whole body');
     return parts.join(' · ');
   }
 
@@ -104,7 +113,7 @@ export class BenchList {
       const order = x < y ? -1 : x > y ? 1 : a.clip.index - b.clip.index;
       return this.falling ? -order : order;
     });
-    for (const { clip, sorted } of shown) sorted.textContent = /name|type|duration/.test(key) ? '' : `${this.column[1]} ${textOf(clip)}`;
+    for (const { clip, sorted } of shown) sorted.textContent = /name|type|duration|speed|^step/.test(key) ? '' : `${this.column[1]} ${textOf(clip)}`;
     this.order = shown.map(({ clip }) => clip.index);
     this.rows.replaceChildren(...shown.map(({ element }) => element));
     this.count.textContent = shown.length === this.clips.length ? '' : `${shown.length} of ${this.clips.length}`;

@@ -39,7 +39,7 @@ export class BenchTree {
   /** @param second  the clip beside it, if there is one */
   fillFacts(clip, second) {
     const list = make('dl');
-    for (const [label, value] of [['file', clip.json.file], ...clip.json.facts]) {
+    for (const [label, value] of factsOf(clip)) {
       list.append(make('dt', { textContent: label }), make('dd', { textContent: value }));
     }
     const warnings = clip.json.warnings.map((text) => make('p', { className: 'warning', textContent: text }));
@@ -47,11 +47,12 @@ export class BenchTree {
   }
 
   tableOf(clips) {
-    const rows = kColumns.filter(([, , value]) => clips.some((clip) => value(clip) !== undefined && value(clip) !== ''))
+    const rows = kColumns.filter(([key, , value]) => key !== 'name' && clips.some((clip) => value(clip) !== undefined && value(clip) !== ''))
       .map(([key, label, , text]) => make('tr', { data: { key } },
         make('th', { scope: 'row', textContent: label }),
         ...clips.map((clip) => make('td', { textContent: text(clip) }))));
-    return make('table', {}, ...rows);
+    const names = clips.map((clip) => make('p', { className: 'name', textContent: clip.name, title: clip.name }));
+    return make('div', {}, ...names, make('table', {}, ...rows));
   }
 
   mark(index) {
@@ -69,6 +70,30 @@ export class BenchTree {
     event.stopPropagation();
     this.bench.chooseJoint((this.bench.joint + by + this.items.length) % this.items.length);
   }
+}
+
+// Label and value: of a capture what `amble analyse` says, of a library's motion what it holds.
+function factsOf({ json, motion }) {
+  if (!motion) return [['file', json.file], ...json.facts];
+  const { source, measures: m } = motion;
+  const facts = [
+    ['kind', motion.turning ? `${motion.kind}, turning` : motion.kind],
+    ['moves', motion.chains.join(', ').replaceAll('_', ' ') || 'all joints'],
+    ['valid', motion.valid],
+  ];
+  if (m) {
+    facts.push(
+      ['period', `${m.period.toFixed(3)} s, mean of ${m.cycles} captured cycle${m.cycles === 1 ? '' : 's'}`],
+      ['step', `${m.step_length.toFixed(3)} m, ${m.planted_step_length.toFixed(3)} m on feet that do not slip; ${m.step_width.toFixed(3)} m wide`],
+      ['feet turned', `left ${m.toe_out[0].toFixed(1)}°, right ${m.toe_out[1].toFixed(1)}° to the left`],
+      ['series', `${m.harmonics} harmonics, which leave out ${m.residual.toFixed(2)}°`],
+      ['closure', `${(1000 * m.closure).toFixed(1)} mm; feet slide ${(1000 * m.slide).toFixed(1)} mm`],
+    );
+  }
+  facts.push(['captured', `${source.clip}, frames ${source.frames.join(' to ')}${source.mirrored ? ', mirrored' : ''}`]);
+  if (motion.lacking) facts.push(['not shown', motion.lacking]);
+  facts.push(['licence', source.licence], ['credit', source.credit]);
+  return facts;
 }
 
 // As names of rigs tell.

@@ -4,7 +4,7 @@
 // [{ value, color }], zero, marks: [{ at, color, kind }], height } or a row of bars { label, bars:
 // [[from, to]], color, row: true }. `map` tells where of its own a curve is at a value of the axis.
 
-const kLabels = 74, kEnd = 12, kAxis = 20, kRow = 11, kGap = 10;  // [CSS pixels]
+const kLabels = 74, kEnd = 12, kAxis = 20, kRow = 11, kGap = 8, kLegend = 18;  // [CSS pixels]
 const kLeast = 0.05;  // shortest part of the axis that is shown [s]
 
 export class Curves {
@@ -17,6 +17,7 @@ export class Curves {
     this.range = [0, 1];
     this.at = 0;
     this.pointers = new Map();
+    this.instead = null;  // draws something else on the canvas
     this.listen();
   }
 
@@ -116,6 +117,10 @@ export class Curves {
   }
 
   draw() {
+    if (this.instead) {
+      this.instead();
+      return;
+    }
     const { canvas } = this;
     const width = canvas.clientWidth, height = canvas.clientHeight;
     if (width === 0 || height === 0) return;
@@ -130,14 +135,14 @@ export class Curves {
     c.textBaseline = 'middle';
     const rows = this.panels.filter((panel) => panel.row).length;
     const plots = this.panels.length - rows;
-    const free = height - kAxis - rows * (kRow + 4) - plots * kGap;
-    let y = 6;
+    const free = height - kAxis - rows * (kRow + 4) - plots * (kGap + kLegend);
+    let y = 2;
     this.drawAxis(c, height);
     for (const panel of this.panels) {
       const tall = panel.row ? kRow : Math.max(24, free / Math.max(1, plots));
       if (panel.row) this.drawBars(c, panel, y);
-      else this.drawPanel(c, panel, y, tall);
-      y += tall + (panel.row ? 4 : kGap);
+      else this.drawPanel(c, panel, y + kLegend, tall);
+      y += tall + (panel.row ? 4 : kGap + kLegend);
     }
     this.drawCursor(c, height);
     this.drawnAt = this.at;
@@ -230,11 +235,11 @@ export class Curves {
     for (const limit of panel.limits ?? []) this.drawLimit(c, limit, yOf);
     for (const curve of panel.curves) this.drawCurve(c, curve, yOf);
     c.restore();
-    this.drawLegend(c, panel, y);
+    this.drawLegend(c, panel, y - kLegend);
   }
 
   drawScale(c, panel, low, high, yOf, y, tall) {
-    const every = tickOf(((high - low) * 22) / tall);
+    const every = tickOf(((high - low) * 17) / tall);
     c.textAlign = 'right';
     for (let v = Math.ceil(low / every) * every; v <= high; v += every) {
       const at = Math.round(yOf(v)) + 0.5;
@@ -302,16 +307,12 @@ export class Curves {
 
   // Names of the curves, with their values at the cursor.
   drawLegend(c, panel, y) {
-    let x = kLabels + 8;
+    let x = kLabels;
     for (const curve of panel.curves) {
       if (!curve.label) continue;
       const value = valueAt(curve, curve.map ? curve.map(this.at) : this.at);
       const text = value === undefined ? curve.label : `${curve.label} ${value.toFixed(panel.digits ?? 1)}`.trim();
       const wide = c.measureText(text).width;
-      c.globalAlpha = 0.75;
-      c.fillStyle = this.color('--panel');
-      c.fillRect(x - 3, y + 3, wide + 26, 15);
-      c.globalAlpha = 1;
       c.strokeStyle = this.color(curve.color);
       c.lineWidth = 2;
       c.setLineDash(curve.dash ? [3, 2] : []);
@@ -349,7 +350,7 @@ export function valueAt({ values, from, step }, at) {
 }
 
 // 1, 2 or 5 times a power of ten, not below `least`.
-function tickOf(least) {
+export function tickOf(least) {
   const power = 10 ** Math.floor(Math.log10(least));
   return power * [1, 2, 5, 10].find((n) => n * power >= least * (1 - 1e-9));
 }
