@@ -13,12 +13,14 @@
 #include "app/progress.h"
 #include "app/result_formats.h"
 #include "app/say.h"
+#include "app/shell_word.h"
 #include "app/stop.h"
 #include "app/unit_text.h"
 #include "app/view_of.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
 #include "base/parallel.h"
+#include "base/text.h"
 #include "environments/ground/ground_warnings.h"
 #include "scenarios/run_scenario.h"
 #include "scenarios/write_results.h"
@@ -64,6 +66,24 @@ std::filesystem::path chooseFolder(const Options& options, const Scenario& scena
   return folder;
 }
 
+// That gives the same walk again: what changes it, and where it is written.
+std::string commandOf(const Options& options, const Report& report) {
+  const Options usual;
+  std::string command =
+      fmt::format("amble plan {} --seed {}", shellWord(options.scenario), report.seed);
+  const auto add = [&](const char* option, const std::string& value) {
+    command += fmt::format(" {} {}", option, shellWord(value));
+  };
+  if (!options.planner.empty()) add("--planner", options.planner);
+  if (!options.roadmap.empty()) add("--roadmap", options.roadmap);
+  if (options.time_limit > 0.0) add("--time-limit", shortNumber(options.time_limit));
+  if (options.fps != usual.fps) add("--fps", shortNumber(options.fps, 9));
+  if (options.bvh_units != usual.bvh_units) add("--bvh-units", options.bvh_units);
+  if (options.checker != usual.checker) add("--checker", options.checker);
+  if (!options.out.empty()) add("-o", options.out);
+  return command;
+}
+
 void writeAll(const Options& options, RunResult& result, const std::filesystem::path& folder) {
   const bool loaded = result.problem != nullptr;
   const WalkView view = loaded ? viewOf(result) : WalkView{};
@@ -71,7 +91,10 @@ void writeAll(const Options& options, RunResult& result, const std::filesystem::
   write.bvh = wants(options, "bvh");
   write.json = wants(options, "json");
   write.names = resultFileNames();
-  const ResultSubject subject{.result = result, .view = view, .threads = options.threads};
+  const ResultSubject subject{.result = result,
+                              .view = view,
+                              .threads = options.threads,
+                              .command = commandOf(options, result.report)};
   for (const ResultFormat& format : resultFormats()) {
     const bool there = format.of_walk ? view.hasBody() : loaded;
     if (format.add && there && wants(options, format.name)) format.add(subject, write.more);

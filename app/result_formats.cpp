@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "app/stop.h"
 #include "base/child_program.h"
@@ -15,19 +16,45 @@
 #include "viz/page/walk_page.h"
 #include "viz/pictures/plan_view.h"
 #include "viz/pictures/render.h"
+#include "viz/pictures/report_page.h"
 
 namespace amble {
 namespace {
 
+const std::string& planViewOf(const ResultSubject& subject) {
+  std::string& svg = subject.drawn->svg;
+  if (svg.empty()) {
+    std::ostringstream out;
+    writePlanView(out, subject.view);
+    svg = std::move(out).str();
+  }
+  return svg;
+}
+
+const std::string& pictureOf(const ResultSubject& subject) {
+  std::string& png = subject.drawn->png;
+  if (png.empty()) {
+    std::ostringstream out;
+    writePng(out, renderWalk(subject.view, {.threads = subject.threads}));
+    png = std::move(out).str();
+  }
+  return png;
+}
+
 void addPlanView(const ResultSubject& subject, std::vector<ResultFile>& files) {
-  files.push_back(
-      {"top.svg", [view = &subject.view](std::ostream& out) { writePlanView(out, *view); }});
+  files.push_back({"top.svg", [subject](std::ostream& out) { out << planViewOf(subject); }});
 }
 
 void addPicture(const ResultSubject& subject, std::vector<ResultFile>& files) {
-  const RenderSettings settings{.threads = subject.threads};
-  files.push_back({"walk.png", [view = &subject.view, settings](std::ostream& out) {
-                     writePng(out, renderWalk(*view, settings));
+  files.push_back({"walk.png", [subject](std::ostream& out) { out << pictureOf(subject); }});
+}
+
+void addReportPage(const ResultSubject& subject, std::vector<ResultFile>& files) {
+  files.push_back({"report.html", [subject](std::ostream& out) {
+                     writeReportPage(out, {.report = subject.result.report,
+                                           .command = subject.command,
+                                           .picture = pictureOf(subject),
+                                           .plan = planViewOf(subject)});
                    }});
 }
 
@@ -92,12 +119,21 @@ const std::vector<ResultFormat>& resultFormats() {
        .what = "seen from above",
        .of_walk = false,
        .add = addPlanView},
-      {.name = "png", .files = {"walk.png"}, .what = "a picture", .add = addPicture},
+      {.name = "png",
+       .files = {"walk.png"},
+       .what = "a picture",
+       .of_walk = false,
+       .add = addPicture},
       {.name = "html",
        .files = {"walk.html"},
        .what = "a page to look at it in a browser",
        .of_walk = false,
        .add = addPage},
+      {.name = "report",
+       .files = {"report.html"},
+       .what = "its report as a page to read and to print",
+       .of_walk = false,
+       .add = addReportPage},
       {.name = "strip",
        .files = {"strip.png"},
        .what = "frame by frame from the side",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,18 @@
 
 namespace amble {
 
+/// Pictures that several files show, drawn when the first of them is written.
+struct DrawnPictures {
+  std::string png, svg;  ///< files, as bytes; empty: not yet
+};
+
 /// A run that is to be written. Borrowed: all outlives the writing.
 struct ResultSubject {
   const RunResult& result;
-  const WalkView& view;  ///< of the result
-  int threads = 1;       ///< that may be used; changes no byte
+  const WalkView& view;      ///< of the result
+  int threads = 1;           ///< that may be used; changes no byte
+  std::string command = {};  ///< that repeats the run
+  std::shared_ptr<DrawnPictures> drawn = std::make_shared<DrawnPictures>();
 };
 
 struct ResultFormat {

@@ -71,7 +71,7 @@ class Drawing {
   void draw() {
     xml_.declare();
     const double wide = width_ + 2 * kMargin, tall = height_ + kHeader + kFooter + kMargin;
-    const auto svg = xml_.open("svg", svgRoot(wide, tall));
+    const auto svg = xml_.open("svg", svgScalingRoot(wide, tall));
     drawTitle(wide, tall);
     const auto page = xml_.open(
         "g", {{"transform", "translate(" + xmlNumber(kMargin) + " " + xmlNumber(kHeader) + ")"}});
@@ -147,14 +147,8 @@ class Drawing {
                                        {"fill", "none"},
                                        {"stroke", kEdgeColor},
                                        {"stroke-width", 1},
-                                       {"stroke-opacity", 0.35}});
-    for (const RoadmapView::Edge& edge : map.edges) {
-      const std::array<Vector2d, 2> straight = {map.nodes[edge.from].position,
-                                                map.nodes[edge.to].position};
-      const std::span<const Vector2d> line =
-          edge.line.empty() ? std::span<const Vector2d>(straight) : edge.line;
-      xml_.empty("path", {{"class", "edge"}, {"d", svgPath(frame_, line, false)}});
-    }
+                                       {"stroke-opacity", 0.5}});
+    for (const RoadmapView::Edge& edge : map.edges) drawEdge(edge);
     for (const RoadmapView::Node& node : map.nodes) {
       constexpr double kReach = 11;  // of the line that shows a heading [units]
       const Vector2d p = frame_(node.position);
@@ -162,6 +156,36 @@ class Drawing {
       xml_.empty("path", {{"d", svgPath(ahead, false)}, {"stroke-opacity", 0.6}});
       drawNode(p, node.connector);
     }
+  }
+
+  // Its curve, and beyond the middle an arrow's head: the edge back has its own.
+  void drawEdge(const RoadmapView::Edge& edge) {
+    constexpr double kHeadAt = 0.6;  // of its points
+    std::vector<Vector2d> line;
+    for (const Vector2d& p : edge.line) line.push_back(frame_(p));
+    if (line.empty()) {
+      for (const int node : {edge.from, edge.to})
+        line.push_back(frame_(view_.roadmap.nodes[node].position));
+    }
+    if ((line.back() - line.front()).norm() < 1 && line.size() < 3) return;  // turns on the spot
+    xml_.empty("path", {{"class", "edge"}, {"d", svgCurve(line)}});
+    const size_t i =
+        std::max<size_t>(1, static_cast<size_t>(kHeadAt * static_cast<double>(line.size() - 1)));
+    const Vector2d tip =
+        line.size() == 2 ? Vector2d(line[0] + kHeadAt * (line[1] - line[0])) : line[i];
+    drawHead(tip, (line[i] - line[i - 1]).normalized());
+  }
+
+  void drawHead(const Vector2d& tip, const Vector2d& along) {
+    constexpr double kLong = 9, kWide = 3.2;  // [units]
+    const Vector2d across(-along.y(), along.x());
+    const std::array<Vector2d, 3> head = {tip, tip - kLong * along + kWide * across,
+                                          tip - kLong * along - kWide * across};
+    xml_.empty("path", {{"class", "direction"},
+                        {"d", svgPath(head, true)},
+                        {"fill", kEdgeColor},
+                        {"fill-opacity", 0.6},
+                        {"stroke", "none"}});
   }
 
   void drawNode(const Vector2d& p, bool connector) {
@@ -253,13 +277,19 @@ class Drawing {
                                        {"stroke-width", 2.5},
                                        {"stroke-linejoin", "round"},
                                        {"paint-order", "stroke"}});
+    std::vector<AlignedBox2d> written;
     for (const PlanThing& thing : things) {
       if (thing.body.empty() || coveredArea(thing.body) < 0.04) continue;
       const Vector2d size = thing.box.sizes() * frame_.scale;
       const double text = kLetter * static_cast<double>(thing.name.size());
       if (std::min(size.x(), size.y()) < 16 || size.x() + 24 < text) continue;
       if (size.maxCoeff() > 0.7 * std::min(width_, height_)) continue;  // a whole flat in one file
-      const Vector2d p = frame_(thing.box.center());
+      const Vector2d p = frame_(thing.box.center()), half(text / 2, 7);
+      const AlignedBox2d box(p - half, p + half);
+      if (std::any_of(written.begin(), written.end(),
+                      [&](const AlignedBox2d& other) { return other.intersects(box); }))
+        continue;  // of the treads of a stair some
+      written.push_back(box);
       xml_.text("text", {{"x", p.x()}, {"y", p.y() + 4}}, thing.name);
     }
   }

@@ -68,6 +68,53 @@ TEST(PlanView, TellsGuardsFromConnectors) {
   EXPECT_EQ(countOf(svg, "class=\"edge\""), 2);
 }
 
+// The arrow's head of an edge lies on its line, the tip first.
+TEST(PlanView, EveryEdgeTellsItsDirection) {
+  const auto walk = makeTestWalk();
+  auto& map = walk->view.roadmap;
+  map.nodes = {{{1, 1}, 0, false}, {{5, 1}, 0, false}, {{5, 1}, 2, false}};
+  map.edges = {{0, 1, {}}, {1, 0, {{5, 1}, {4, 1}, {3, 1}, {2, 1}, {1, 1}}}, {1, 2, {}}};
+  pugi::xml_document svg;
+  svg.load_string(planOf(walk->view).c_str());
+  std::vector<double> tips;
+  for (const auto& found : svg.select_nodes("//path[@class='direction']")) {
+    double x[3], y[3];
+    const std::string head = found.node().attribute("d").value();
+    ASSERT_EQ(
+        std::sscanf(head.c_str(), "M%lf %lfL%lf %lfL%lf %lfZ", x, y, x + 1, y + 1, x + 2, y + 2),
+        6);
+    EXPECT_NEAR(x[1], x[2], 1e-6);  // the edge runs along x
+    EXPECT_NEAR(y[1] + y[2], 2 * y[0], 1e-2);
+    tips.push_back(x[0] - x[1]);
+  }
+  ASSERT_EQ(tips.size(), 2u);  // who turns on the spot goes nowhere
+  EXPECT_GT(tips[0], 5);
+  EXPECT_LT(tips[1], -5);
+}
+
+TEST(PlanView, IsAsWideAsItsWindowAndKeepsItsShape) {
+  pugi::xml_document svg;
+  svg.load_string(planOf(makeTestWalk()->view).c_str());
+  EXPECT_STREQ(svg.document_element().attribute("width").value(), "100%");
+  EXPECT_TRUE(svg.document_element().attribute("viewBox"));
+  EXPECT_FALSE(svg.document_element().attribute("height"));
+}
+
+TEST(PlanView, NoTwoNamesAreWrittenOverOneAnother) {
+  const auto walk = makeTestWalk();
+  for (int i = 1; i <= 12; ++i)
+    walk->scene.objects.push_back(
+        testBox("tread-" + std::to_string(i), {0.3, 1.0, 0.17 * i}, {0.3 * i, 3, 0.085 * i}));
+  pugi::xml_document svg;
+  svg.load_string(planOf(walk->view).c_str());
+  std::vector<double> places;
+  for (const auto& found : svg.select_nodes("//g[@id='names']/text"))
+    if (std::string_view(found.node().text().get()).find("tread") == 0)
+      places.push_back(found.node().attribute("x").as_double());
+  ASSERT_GE(places.size(), 2u);
+  for (size_t i = 1; i < places.size(); ++i) EXPECT_GT(std::abs(places[i] - places[i - 1]), 40);
+}
+
 TEST(PlanView, ShowsTheRoomWhereThereIsNoWalk) {
   const Scene room = testRoom();
   WalkView view;

@@ -76,6 +76,35 @@ int expectDrawing(const std::string& text) {
   return expectInBox(svg, size, Eigen::Vector2d::Zero());
 }
 
+TEST(Svg, ACurveGoesThroughItsPointsAndAlongThem) {
+  std::vector<Eigen::Vector2d> circle;
+  for (int i = 0; i <= 12; ++i)
+    circle.emplace_back(100 * std::cos(0.2 * i), 100 * std::sin(0.2 * i));
+  const std::string path = svgCurve(circle);
+  static const std::regex cubic(
+      "C(-?[0-9.]+) (-?[0-9.]+) (-?[0-9.]+) (-?[0-9.]+) (-?[0-9.]+) (-?[0-9.]+)");
+  Eigen::Vector2d from = circle[0];
+  size_t i = 0;
+  for (std::sregex_iterator it(path.begin(), path.end(), cubic), end; it != end; ++it) {
+    const auto point = [&](int k) {
+      return Eigen::Vector2d(*numberOf((*it)[k].str()), *numberOf((*it)[k + 1].str()));
+    };
+    const Eigen::Vector2d middle = (from + 3 * point(1) + 3 * point(3) + point(5)) / 8;
+    EXPECT_LT((point(5) - circle[++i]).norm(), 2e-3);
+    if (i > 1 && i < 12) {
+      EXPECT_NEAR(middle.norm(), 100, 0.01);  // a chord's middle lies at 99.5
+    }
+    from = point(5);
+  }
+  EXPECT_EQ(i, 12u);
+}
+
+TEST(Svg, ACurveOfPointsOnALineIsThatLine) {
+  const std::vector<Eigen::Vector2d> line = {{0, 0}, {1, 2}, {2, 4}, {30, 60}};
+  EXPECT_EQ(svgCurve(line), svgPath(std::vector<Eigen::Vector2d>{{0, 0}, {30, 60}}, false));
+  EXPECT_EQ(svgCurve({}), "");
+}
+
 TEST(Svg, YGoesDown) {
   const SvgFrame frame{{1, 5}, 100};
   EXPECT_EQ(svgPath(frame, std::vector<Eigen::Vector2d>{{1, 5}, {2, 4}}, true), "M0 0L100 100Z");
