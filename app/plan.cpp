@@ -41,7 +41,13 @@ struct Options {
 };
 
 bool wants(const Options& options, const std::string& format) {
-  return std::find(options.formats.begin(), options.formats.end(), format) != options.formats.end();
+  const auto named = [&](std::string_view name) {
+    return std::find(options.formats.begin(), options.formats.end(), name) != options.formats.end();
+  };
+  const auto brings = [&](const ResultFormat& other) {
+    return other.with != nullptr && other.with == format && named(other.name);
+  };
+  return named(format) || std::any_of(resultFormats().begin(), resultFormats().end(), brings);
 }
 
 Scenario readAsked(const Options& options) {

@@ -9,6 +9,7 @@
 #include "app/stop.h"
 #include "base/child_program.h"
 #include "base/error.h"
+#include "viz/exchange/gazebo_actor.h"
 #include "viz/exchange/glb.h"
 #include "viz/exchange/movie.h"
 #include "viz/exchange/walk_csv.h"
@@ -98,6 +99,17 @@ void addArrays(const ResultSubject& subject, std::vector<ResultFile>& files) {
        }});
 }
 
+void addActor(const ResultSubject& subject, std::vector<ResultFile>& files) {
+  const WalkView* const view = &subject.view;
+  const Report* const report = &subject.result.report;
+  files.push_back({"walk.sdf", [=](std::ostream& out) { writeActorSdf(out, report->bvh_unit); }});
+  files.push_back({"walk.dae", [=](std::ostream& out) {
+                     writeSkinCollada(out, *view->skeleton,
+                                      makeFigure(*view->skeleton, *view->body),
+                                      report->joint_names);
+                   }});
+}
+
 // A wish to stop that was there before, which ended the planning, does not end the film too.
 void addFilm(const ResultSubject& subject, std::vector<ResultFile>& files) {
   FilmSettings settings;
@@ -154,6 +166,12 @@ const std::vector<ResultFormat>& resultFormats() {
        .what = "arrays for NumPy",
        .usual = false,
        .add = addArrays},
+      {.name = "sdf",
+       .files = {"walk.sdf", "walk.dae"},
+       .what = "an actor for Gazebo, with its BVH",
+       .usual = false,
+       .with = "bvh",
+       .add = addActor},
       {.name = "mp4",
        .files = {"walk.mp4"},
        .what = "a film, which ffmpeg makes",

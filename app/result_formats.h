@@ -34,6 +34,7 @@ struct ResultFormat {
   bool usual = true;               ///< written unless formats are named
   bool of_walk = true;             ///< there is none without a walk
   const char* program = nullptr;   ///< another program that makes it
+  const char* with = nullptr;      ///< a format that its files name, so that it is written too
   /// Adds to `files` what is written of the subject, paths relative to the folder. Null for
   /// walk.bvh and report.json, which writeResults writes itself.
   void (*add)(const ResultSubject& subject, std::vector<ResultFile>& files) = nullptr;
