@@ -59,6 +59,14 @@ bool isResultFolder(const fs::path& folder) {
          fs::is_regular_file(folder / "report.json", unknown);
 }
 
+std::optional<fs::path> pageOfResult(const fs::path& folder) {
+  std::error_code unknown;
+  const fs::path page = folder / "walk.html";
+  if (!fs::is_regular_file(page, unknown) || !fs::is_regular_file(folder / "report.json", unknown))
+    return std::nullopt;
+  return page;
+}
+
 fs::path sceneOfResult(const fs::path& folder) {
   const fs::path report = folder / "report.json";
   const auto inputs = inputsOf(report);

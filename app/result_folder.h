@@ -9,6 +9,9 @@ namespace amble {
 /// Whether it holds a walk and its report.
 bool isResultFolder(const std::filesystem::path& folder);
 
+/// The page that was written with the results; none where the folder has no report or no page.
+std::optional<std::filesystem::path> pageOfResult(const std::filesystem::path& folder);
+
 /// The scene that its walk was planned in. The report names its inputs relative to the scenario's
 /// folder, which it does not name: that is looked for here, in scenarios/ here and where Amble's
 /// data lies, and in the folders of results and above; a file is the scene if its bytes are those

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <memory>
 
 #include "animation/captures/capture_file.h"
@@ -124,10 +125,28 @@ int viewLibrary(const Options& options) {
   return kExitDone;
 }
 
+// Of a folder of results the page that came with them, which knows more than its walk tells.
+int showPage(const fs::path& page, const Options& options) {
+  fs::path shown = page;
+  if (!options.out.empty()) {
+    shown = options.out;
+    if (shown != "-") keepInputs(shown, {page});
+    std::ifstream in(page, std::ios::binary);
+    writeFile(shown, [&](std::ostream& out) { out << in.rdbuf(); });
+  }
+  if (shown == "-") return kExitDone;
+  say(stdout, "{}: open it in a browser\n", shown.string());
+  if (options.open) openFile(shown);
+  return kExitDone;
+}
+
 int run(const Options& options) {
   if (options.json && options.out == "-")
     throw InputError("--json", 0, "with a page on standard output", "-o FILE, or no page");
   if (options.paths.size() == 1 && isYaml(options.paths[0])) return viewLibrary(options);
+  if (options.paths.size() == 1 && options.scene.empty() && !options.json) {
+    if (const auto page = pageOfResult(options.paths[0])) return showPage(*page, options);
+  }
   Shown shown = find(options);
   if (!options.out.empty()) shown.page = options.out;
   keepAll(shown, options, std::nullopt);
@@ -153,9 +172,8 @@ void addView(CLI::App& app, Command& chosen) {
       app.add_subcommand("view", "Write a page to look at a result or at captures, in a browser");
   command
       ->add_option("PATH", options->paths,
-                   "A folder of results, a walk, captures and folders of them, or a motion library "
-                   "(YAML); - "
-                   "is standard input")
+                   "A folder of results (its page, or one made of its walk), a walk, captures and "
+                   "folders of them, or a motion library (YAML); - is standard input")
       ->required();
   command->add_option("--scene", options->scene, "Scene file (YAML) that the walk is in");
   command->add_option("--captures", options->captures,

@@ -189,6 +189,10 @@ TEST_F(CaptureOptions, OfView) {
     EXPECT_NE(read("in-room.html").find("\"objects\":[\"floor\""), std::string::npos);
     expectRefused("view in/walk.bvh out/walk.bvh --scene in/room.yaml", {"--scene", "one walk"});
   };
+  uses["--json"] = [&] {
+    EXPECT_FALSE(printed("view in/walk.bvh --json").empty());
+    expectRefused("view in/walk.bvh --json -o -", {"--json", "-o FILE"});
+  };
   uses["--open"] = [&] {
     write("bin/xdg-open", "#!/bin/sh\necho \"$1\" > opened\n");
     good("view in/walk.bvh -o new.html --open", 0, "chmod +x bin/xdg-open; PATH=$PWD/bin:$PATH;");
@@ -203,13 +207,24 @@ TEST_F(CaptureOptions, OfView) {
 TEST_F(CaptureOptions, OfViewOfAFolderOfResults) {
   good("plan in/scenario.yaml -o out --formats bvh,json");
   expectRefused("view out", {"report.json: its scene is found nowhere", "--scene FILE"});
-  good("view out --scene in/room.yaml");
-  const std::string named = read("out/walk.html");
-  EXPECT_NE(named.find("\"objects\":[\"floor\""), std::string::npos);
   good("view ../out -o ../found.html", 0, "cd in;");
-  EXPECT_EQ(read("found.html"), named);
+  const std::string found = read("found.html");
+  EXPECT_NE(found.find("\"objects\":[\"floor\""), std::string::npos);
+  good("view out --scene in/room.yaml");
+  EXPECT_EQ(read("out/walk.html"), found);
+  fs::remove(folder_ / "out/walk.html");
   write("in/room.yaml", read("in/room.yaml") + "# other bytes\n");
   expectRefused("view ../out", {"report.json: its scene is found nowhere"}, "cd in;");
+}
+
+TEST_F(CaptureOptions, OfViewOfAFolderWithItsPage) {
+  good("plan in/scenario.yaml -o out");
+  const std::string page = read("out/walk.html");
+  good("view out -o copy.html");
+  EXPECT_EQ(read("copy.html"), page);
+  good("view out");
+  EXPECT_EQ(read("out/walk.html"), page);
+  expectRefused("view out -o out/walk.html", {"out/walk.html: "});
 }
 
 TEST_F(CaptureOptions, OfLibrary) {

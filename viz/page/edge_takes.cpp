@@ -24,6 +24,7 @@ PageTake thinnedTake(const AnimationBuffer& walk, double sole, std::deque<PoseAr
   take.poses = &kept;
   take.headings = std::move(headings);
   take.coarse = true;
+  take.every = kEvery;
   const auto halve = [&](int& frame) { frame = std::min(frame / kEvery, kept.size() - 1); };
   for (std::vector<FrameSpan>& side : take.planted) {
     for (FrameSpan& span : side) {

@@ -46,15 +46,27 @@ std::string htmlText(const std::string& text) {
   return safe;
 }
 
+// People of one build share a figure: of many clips there is one.
+std::string actorsOf(const std::vector<PageActor>& actors, PageBytes& bytes) {
+  std::map<std::string, std::string> figures;  // by body
+  return listOf(actors, [&](const PageActor& actor) {
+    const std::string body = bodyJson(actor);
+    const auto [figure, is_new] = figures.try_emplace(body);
+    if (is_new) figure->second = figureJson(actor, bytes);
+    return "{\"name\":" + jsonString(actor.name) + ",\"body\":" + body +
+           ",\"figure\":" + figure->second + "}";
+  });
+}
+
 std::string dataOf(const PageSubject& subject, PageBytes& bytes) {
   std::string data = "{\"version\":1,\"title\":" + jsonString(subject.title) +
                      ",\"description\":" + jsonString(subject.description) +
                      ",\"why\":" + jsonString(subject.why) +
+                     ",\"floor\":" + plainNumber(subject.floor, 6) +
                      ",\"facts\":" + listOf(subject.facts, [](const auto& fact) {
                        return "[" + jsonString(fact.first) + "," + jsonString(fact.second) + "]";
                      });
-  data += ",\"actors\":" +
-          listOf(subject.actors, [&](const PageActor& actor) { return actorJson(actor, bytes); });
+  data += ",\"actors\":" + actorsOf(subject.actors, bytes);
   data += ",\"takes\":" +
           listOf(subject.takes, [&](const PageTake& take) { return takeJson(take, bytes); });
   data +=

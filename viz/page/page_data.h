@@ -13,7 +13,10 @@ std::string jsonString(const std::string& text);
 
 /// Surfaces of the room, equal ones once (viz/page/web/room.js draws them).
 std::string roomJson(const Scene& scene, double floor, PageBytes& bytes);
-std::string actorJson(const PageActor& actor, PageBytes& bytes);
+/// Joints and parts of somebody.
+std::string bodyJson(const PageActor& actor);
+/// The skin of a body; "null" without one.
+std::string figureJson(const PageActor& actor, PageBytes& bytes);
 std::string takeJson(const PageTake& take, PageBytes& bytes);
 /// Path, places and roadmap of a walk.
 std::string walkJson(const PageSubject& subject, PageBytes& bytes);

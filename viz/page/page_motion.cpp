@@ -121,18 +121,19 @@ Json figureJson(const Figure& figure, PageBytes& bytes) {
 
 std::string jsonString(const std::string& text) { return dumped(text); }
 
-std::string actorJson(const PageActor& actor, PageBytes& bytes) {
+std::string bodyJson(const PageActor& actor) {
   Json joints = Json::array(), body = Json::array();
   for (const Joint& joint : actor.skeleton->joints()) joints.push_back(jointJson(joint));
   if (actor.body != nullptr)
     for (const BodyPart& part : actor.body->parts) body.push_back(partJson(part));
-  Json figure = nullptr;
-  if (actor.body != nullptr) figure = figureJson(makeFigure(*actor.skeleton, *actor.body), bytes);
-  return dumped({{"name", actor.name},
-                 {"joints", joints},
-                 {"body", body},
-                 {"head", actor.body != nullptr ? actor.body->head : -1},
-                 {"figure", figure}});
+  return dumped({{"joints", joints},
+                 {"parts", body},
+                 {"head", actor.body != nullptr ? actor.body->head : -1}});
+}
+
+std::string figureJson(const PageActor& actor, PageBytes& bytes) {
+  if (actor.body == nullptr) return "null";
+  return dumped(figureJson(makeFigure(*actor.skeleton, *actor.body), bytes));
 }
 
 std::string takeJson(const PageTake& take, PageBytes& bytes) {

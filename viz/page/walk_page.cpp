@@ -44,6 +44,33 @@ void tellWhy(const RunResult& result, PageSubject& page) {
   if (outcome.why) page.obstruction = outcome.why->at;
 }
 
+template <typename Things, typename Name>
+int indexOf(const Things& things, const std::string& name, Name name_of) {
+  for (size_t i = 0; i < things.size(); ++i)
+    if (name_of(things[i]) == name) return static_cast<int>(i);
+  return -1;
+}
+
+// Somebody who stands where he may not, for want of an attempt to walk.
+void addBlockedStance(const RunResult& result, double sole, WalkPage& page) {
+  const Problem& problem = *result.problem;
+  const std::optional<Obstruction>& why = result.outcome.why;
+  if (!why || !page.subject.takes.empty()) return;
+  Stance stance;
+  stance.position = why->body;
+  stance.heading = why->heading;
+  AnimationBuffer standing;
+  if (problem.synthesizer.stand(stance, standing).refused != WalkRule::kNone) return;
+  PageTake take = takeOf(standing, sole);
+  take.name = fmt::format(
+      "Blocked: {}", why->object.empty() ? walkRuleName(why->rule) : std::string_view(why->object));
+  take.poses = &page.poses.emplace_back(standing.poses);
+  take.stop = {0.0,
+               indexOf(problem.body.parts, why->part, [](const BodyPart& p) { return p.name; }),
+               indexOf(problem.scene.objects, why->object, objectName), why->at};
+  page.subject.takes.push_back(std::move(take));
+}
+
 void addRoomToWalk(const Problem& problem, PageSubject& page) {
   const WalkSteering steering(problem.synthesizer, problem.world, problem.ground);
   const auto map = steering.map(problem.bounds(), [] { return false; });
@@ -67,6 +94,7 @@ WalkPage walkPage(const RunResult& result, const WalkView& view) {
     tellWhy(result, subject);
   }
   addEdgeTakes(problem, result.outcome.roadmap, soleLength(view), page);
+  if (!view.hasBody()) addBlockedStance(result, soleLength(view), page);
   addRoomToWalk(problem, subject);
   return page;
 }

@@ -68,7 +68,7 @@ TEST(Page, NamesOfAnyKindStayText) {
   EXPECT_EQ(data["title"], kNasty);
   EXPECT_EQ(data["notes"][0], kNasty);
   EXPECT_EQ(data["room"]["objects"].back(), kNasty);
-  EXPECT_EQ(data["actors"][0]["body"][0]["name"], kNasty);
+  EXPECT_EQ(data["actors"][0]["body"]["parts"][0]["name"], kNasty);
 }
 
 TEST(Page, BytesThatAreNoTextAreReplaced) {

@@ -39,8 +39,8 @@ function capsuleOf(part, material) {
 export class Actor {
   constructor(page, json) {
     this.name = json.name;
-    this.json = json;
-    this.bones = bonesOf(json.joints);
+    this.json = json.body;
+    this.bones = bonesOf(json.body.joints);
     this.root = this.bones[0];
     this.group = new Group();
     this.group.add(this.root);
@@ -48,7 +48,7 @@ export class Actor {
     this.lines = this.addBones();
     this.figure = json.figure ? makeFigure(page, json.figure, this.bones) : null;
     if (this.figure) this.group.add(this.figure);
-    this.eye = json.head >= 0 ? this.parts[json.head] : this.bones[0];
+    this.eye = json.body.head >= 0 ? this.parts[json.body.head] : this.bones[0];
   }
 
   addCapsules() {
@@ -56,8 +56,8 @@ export class Actor {
     const soles = [kLeftColor, kRightColor].map(
       (color) => new MeshStandardMaterial({ color, roughness: 0.7 }),
     );
-    this.skins = this.json.body.map((part) => (part.side >= 0 ? soles[part.side] : skin));
-    return this.json.body.map((part, i) => {
+    this.skins = this.json.parts.map((part) => (part.side >= 0 ? soles[part.side] : skin));
+    return this.json.parts.map((part, i) => {
       const mesh = capsuleOf(part, this.skins[i]);
       this.bones[part.joint].add(mesh);
       return mesh;

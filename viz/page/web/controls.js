@@ -31,7 +31,7 @@ export class Controls {
     resized.observe(this.viewer.canvas);
     resized.observe(this.byId('transport'));
     window.addEventListener('hashchange', () => this.goToHash());
-    const moving = this.viewer.takes.length > 0;
+    const moving = this.viewer.takes.some((take) => take.duration > 0);
     this.byId('transport').hidden = !moving;
     if (!moving) return;
     this.showTake();

@@ -60,10 +60,10 @@ export class Layers {
       viewer.pose();
     };
     const has = {
-      body: page.actors.some((actor) => actor.body.length > 0),
+      body: page.actors.some((actor) => actor.body.parts.length > 0),
       prints: page.takes.some((take) => take.prints.length > 0),
       nearest: page.takes.some((take) => take.clearance),
-      capsules: page.actors.some((actor) => actor.body.length > 0),
+      capsules: page.actors.some((actor) => actor.body.parts.length > 0),
       attempts: Boolean(this.attempts) && this.attempts.edges.length > 0,
       reached: Boolean(page.walk?.reached),
       room: Boolean(page.walk?.room_to_walk),

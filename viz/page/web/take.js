@@ -25,7 +25,7 @@ export class Take {
     this.rotations = rotationsOf(page, json.rotations);
     this.positions = json.positions ? page.array(json.positions) : null;
     this.headings = json.headings ? page.array(json.headings) : null;
-    this.way = json.way ? page.array(json.way) : null;
+    this.way = json.way ? page.array(json.way) : this.shadowOfRoot(page.floor);
     this.planted = json.planted;
     this.events = json.events;
     this.prints = json.prints;
@@ -39,6 +39,11 @@ export class Take {
     this.stop = json.stop ?? null;
     this.joints = this.rotations.length / 4 / this.frames;
     this.steps = this.findSteps();
+  }
+
+  // The root's way, on the floor.
+  shadowOfRoot(floor) {
+    return this.root.map((value, i) => (i % 3 === 2 ? floor : value));
   }
 
   /** Up to where it ends, or fails [s]. */

@@ -25,7 +25,7 @@ export class Viewer {
     this.stage.setBounds(this.bounds);
     if (!page.room) {
       const size = Math.ceil(Math.max(6, this.bounds.getSize(this.aim).length() + 2));
-      this.stage.addGrid(size, this.bounds.min.z);
+      this.stage.addGrid(size, page.floor);
     }
     this.layers = new Layers(page, this);
     this.cameras = new Cameras(canvas, this.bounds, this.aim);
@@ -33,6 +33,7 @@ export class Viewer {
     this.listeners = [];
     this.followers = [];  // told the time when the body has been posed
     this.dirty = true;
+    for (const actor of this.actors) actor.group.visible = false;
     if (this.takes.length > 0) this.show(0);
     this.resize();
   }
@@ -42,14 +43,12 @@ export class Viewer {
     bounds.setFromObject(this.room.group);
     for (const take of this.takes) {
       for (let i = 0; i < take.root.length; i += 3) {
-        this.aim.fromArray(take.root, i);
-        bounds.expandByPoint(this.aim);
-        this.aim.z -= 0.9;
-        bounds.expandByPoint(this.aim);
+        bounds.expandByPoint(this.aim.fromArray(take.root, i));
       }
     }
     if (bounds.isEmpty()) bounds.set(new Vector3(-2, -2, 0), new Vector3(2, 2, 2));
-    if (this.page.room) bounds.min.z = Math.max(bounds.min.z, this.page.room.floor - 0.2);
+    if (!this.page.room) bounds.min.z = this.page.floor;
+    if (this.page.room) bounds.min.z = Math.max(bounds.min.z, this.page.floor - 0.2);
     return bounds;
   }
 
@@ -125,6 +124,7 @@ export class Viewer {
     if (!this.dirty) return;
     if (moved && this.stage.adapt(elapsed)) this.resize();
     this.dirty = false;
+    this.cameras.current.updateMatrixWorld();
     this.room.giveWay(this.cameras, this.aim);
     this.layers.update(this.player.time);
     this.lightUp();
