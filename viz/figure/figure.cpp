@@ -16,14 +16,17 @@ using Eigen::Vector3d;
 namespace {
 
 // Of the mean man [m]: less than a hand is thick.
-constexpr double kCell = 0.015;
+constexpr double kCell = 0.018;
 constexpr double kReach = 0.035;
 constexpr int kTriangles = 4000;
 
-// Simplified, vertices lie beside the surface; back onto it.
-void ontoSurface(TriangleMesh& mesh, const std::vector<LoftGroup>& groups) {
-  for (Vector3d& p : mesh.vertices)
-    for (int round = 0; round < 2; ++round) p -= distanceTo(groups, p) * outwards(groups, p);
+// Simplified, vertices lie beside the surface: back onto it. @return its normal there
+Vector3d ontoSurface(Vector3d& p, const std::vector<LoftGroup>& groups) {
+  const double beside = distanceTo(groups, p);
+  const std::vector<LoftGroup> some = loftsNear(groups, p, std::abs(beside), beside);
+  p -= beside * outwards(some, p);
+  p -= distanceTo(some, p) * outwards(some, p);
+  return outwards(some, p);
 }
 
 std::array<std::uint8_t, 3> colorAt(const std::vector<LoftGroup>& groups, const Vector3d& p) {
@@ -48,13 +51,12 @@ Figure makeFigure(const Skeleton& skeleton, const Body& body) {
   if (groups.empty()) return figure;
   const double size = isPerson(body) ? sizeOf(body) : 1.0;
   TriangleMesh mesh = simplifyMesh(loftSurface(groups, kCell * size), kTriangles);
-  ontoSurface(mesh, groups);
+  for (Vector3d& p : mesh.vertices) figure.normals.push_back(ontoSurface(p, groups).cast<float>());
   SkinWeights skin = skinWeights(mesh, groups, skeleton, kReach * size);
   figure.joints = std::move(skin.joints);
   figure.weights = std::move(skin.weights);
   for (const Vector3d& p : mesh.vertices) {
     figure.vertices.push_back(p.cast<float>());
-    figure.normals.push_back(outwards(groups, p).cast<float>());
     figure.colors.push_back(colorAt(groups, p));
   }
   for (const auto& t : mesh.triangles)

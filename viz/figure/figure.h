@@ -30,7 +30,7 @@ struct Figure {
 };
 
 /// 2,000 to 5,000 triangles for a body as makeBody() makes it; of parts with other names each is a
-/// capsule. The same body gives the same bytes. Cost: about 0.1 s.
+/// capsule. The same body gives the same bytes. Cost: 0.15 s.
 Figure makeFigure(const Skeleton& skeleton, const Body& body);
 
 }  // namespace amble

@@ -130,11 +130,11 @@ class FigureMaker {
     const auto place = [&](double share, double ahead) -> Vector3d {
       return wrist + size_ * (share * length * along + ahead * fore);
     };
-    add(end(place(0.02, 0), 0.021, 0.008), end(place(0.48, 0), 0.015, 0.026), joints, kSkin, 0.012,
+    add(end(place(0.02, 0), 0.021, 0.008), end(place(0.48, 0), 0.016, 0.025), joints, kSkin, 0.012,
         fore);
-    add(end(place(0.48, 0), 0.015, 0.026), end(place(0.93, -0.003), 0.011, 0.018), joints, kSkin,
+    add(end(place(0.48, 0), 0.016, 0.025), end(place(0.9, -0.003), 0.014, 0.016), joints, kSkin,
         0.01, fore);
-    add(end(place(0.2, 0.024), 0.015), end(place(0.56, 0.05), 0.011), joints, kSkin, 0.01);
+    add(end(place(0.2, 0.024), 0.016), end(place(0.56, 0.048), 0.013), joints, kSkin, 0.01);
   }
 
   void leg(Side side) {

@@ -38,6 +38,21 @@ double distanceTo(const std::vector<LoftGroup>& groups, const Vector3d& p) {
   return all;
 }
 
+std::vector<LoftGroup> loftsNear(const std::vector<LoftGroup>& groups, const Vector3d& at,
+                                 double radius, double nearest) {
+  std::vector<LoftGroup> some;
+  for (const LoftGroup& group : groups) {
+    LoftGroup part{{}, group.blend, group.floor};
+    for (const Loft& loft : group.lofts) {
+      const double blend = std::max(loft.blend, group.blend);
+      if (distanceTo(loft, at).distance < nearest + 4.0 * radius + 2.0 * blend)
+        part.lofts.push_back(loft);
+    }
+    if (!part.lofts.empty()) some.push_back(std::move(part));
+  }
+  return some;
+}
+
 Vector3d outwards(const std::vector<LoftGroup>& groups, const Vector3d& p) {
   constexpr double kStep = 1e-4;  // [m]
   Vector3d grows;

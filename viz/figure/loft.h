@@ -48,6 +48,10 @@ struct LoftGroup {
 
 /// Signed distance to the surface of all groups, about [m]: its gradient is 1 or little more.
 double distanceTo(const std::vector<LoftGroup>& groups, const Eigen::Vector3d& p);
+/// The lofts that matter in a ball: what is farther than the nearest by more than the ball and the
+/// blends changes nothing there. @param nearest  distanceTo(groups, at)
+std::vector<LoftGroup> loftsNear(const std::vector<LoftGroup>& groups, const Eigen::Vector3d& at,
+                                 double radius, double nearest);
 /// Direction in which it grows, by differences [unit].
 Eigen::Vector3d outwards(const std::vector<LoftGroup>& groups, const Eigen::Vector3d& p);
 

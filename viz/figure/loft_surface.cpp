@@ -27,23 +27,6 @@ Eigen::AlignedBox3d boundsOf(const std::vector<LoftGroup>& groups) {
   return box;
 }
 
-// The lofts that reach into a ball: what is farther than the nearest by more than the ball and the
-// blends changes nothing there.
-std::vector<LoftGroup> near(const std::vector<LoftGroup>& groups, const Vector3d& at, double radius,
-                            double nearest) {
-  std::vector<LoftGroup> some;
-  for (const LoftGroup& group : groups) {
-    LoftGroup part{{}, group.blend, group.floor};
-    for (const Loft& loft : group.lofts) {
-      const double blend = std::max(loft.blend, group.blend);
-      if (distanceTo(loft, at).distance < nearest + 4.0 * radius + 2.0 * blend)
-        part.lofts.push_back(loft);
-    }
-    if (!part.lofts.empty()) some.push_back(std::move(part));
-  }
-  return some;
-}
-
 class Marching {
  public:
   Marching(const std::vector<LoftGroup>& groups, double cell) : groups_(groups), cell_(cell) {
@@ -73,7 +56,7 @@ class Marching {
     const Vector3d middle = place(first) + Vector3d::Constant(0.5 * kBlock * cell_);
     const double there = distanceTo(groups_, middle);
     if (std::abs(there) > 1.5 * radius) return;  // distances grow by little more than 1
-    some_ = near(groups_, middle, radius, there);
+    some_ = loftsNear(groups_, middle, radius, there);
     std::array<double, kSide * kSide * kSide> values;
     const auto value = [&](int x, int y, int z) -> double& {
       return values[(z * kSide + y) * kSide + x];

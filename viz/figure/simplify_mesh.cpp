@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
-#include <queue>
+#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -30,14 +30,12 @@ struct Quadric {
   double at(const Vector3d& x) const { return x.dot(a * x) - 2.0 * b.dot(x) + c; }
 };
 
-struct Collapse {
+struct Edge {
   double cost;
   int u, v;  // u < v
-  int age_u, age_v;
-  Vector3d to;
 
-  bool operator<(const Collapse& other) const {  // the queue's top is the largest
-    return std::tie(other.cost, other.u, other.v) < std::tie(cost, u, v);
+  bool operator<(const Edge& other) const {
+    return std::tie(cost, u, v) < std::tie(other.cost, other.u, other.v);
   }
 };
 
@@ -48,7 +46,6 @@ class Simplifier {
         triangles_(mesh.triangles),
         fans_(at_.size()),
         quadrics_(at_.size()),
-        ages_(at_.size(), 0),
         left_(static_cast<int>(triangles_.size())) {
     for (int i = 0; i < static_cast<int>(triangles_.size()); ++i) {
       const auto& t = triangles_[i];
@@ -61,17 +58,14 @@ class Simplifier {
     }
   }
 
-  // What may not go at first may when what lies around has gone: again until nothing does.
+  // In rounds, of which each takes the cheaper edges once, none beside one that went before it.
   TriangleMesh make(int triangles) {
-    for (int before = left_ + 1; left_ > triangles && left_ < before;) {
-      before = left_;
-      offerAll();
-      while (left_ > triangles && !queue_.empty()) {
-        const Collapse best = queue_.top();
-        queue_.pop();
-        if (ages_[best.u] != best.age_u || ages_[best.v] != best.age_v) continue;
-        if (allowed(best)) collapse(best);
-      }
+    double share = kShare;
+    while (left_ > triangles) {
+      const int before = left_;
+      round(triangles, share);
+      if (left_ == before && share == 1.0) break;
+      share = left_ < before ? kShare : 1.0;
     }
     return result();
   }
@@ -79,10 +73,23 @@ class Simplifier {
  private:
   using Triangle = std::array<int, 3>;
 
-  void offerAll() {
+  static constexpr double kShare = 0.4;  // of the edges that a round tries
+
+  void round(int triangles, double share) {
+    edges_.clear();
     for (const Triangle& t : triangles_)
       for (int i = 0; i < 3 && t[0] >= 0; ++i)
-        if (t[i] < t[(i + 1) % 3]) offer(t[i], t[(i + 1) % 3]);
+        if (t[i] < t[(i + 1) % 3]) edges_.push_back(costOf(t[i], t[(i + 1) % 3]));
+    const auto end = edges_.begin() + static_cast<std::ptrdiff_t>(
+                                          std::ceil(share * static_cast<double>(edges_.size())));
+    if (end != edges_.end()) std::nth_element(edges_.begin(), end, edges_.end());
+    std::sort(edges_.begin(), end);
+    touched_.assign(at_.size(), false);
+    for (auto edge = edges_.begin(); edge != end && left_ > triangles; ++edge) {
+      if (touched_[edge->u] || touched_[edge->v]) continue;
+      const Vector3d to = place(edge->u, edge->v, quadrics_[edge->u] + quadrics_[edge->v]);
+      if (allowed(edge->u, edge->v, to)) collapse(edge->u, edge->v, to);
+    }
   }
 
   Vector3d normal(const Triangle& t) const {
@@ -91,35 +98,39 @@ class Simplifier {
 
   static bool has(const Triangle& t, int v) { return t[0] == v || t[1] == v || t[2] == v; }
 
-  void offer(int u, int v) {
+  Edge costOf(int u, int v) const {
     const Quadric both = quadrics_[u] + quadrics_[v];
-    Vector3d to = 0.5 * (at_[u] + at_[v]);
-    const double scale = both.a.trace();
-    const Matrix3d inverse_of = both.a + 1e-4 * scale * Matrix3d::Identity();  // near the middle
-    to += inverse_of.inverse() * (both.b - both.a * to);
     // What costs nothing goes by length, so that flat parts are not thinned out from one end.
-    const double cost = both.at(to) + 1e-5 * scale * (at_[u] - at_[v]).squaredNorm();
-    queue_.push({cost, u, v, ages_[u], ages_[v], to});
+    return {both.at(place(u, v, both)) + 1e-5 * both.a.trace() * (at_[u] - at_[v]).squaredNorm(), u,
+            v};
   }
 
-  std::vector<int> neighbours(int v) const {
-    std::vector<int> all;
+  // The best, near the middle where many are.
+  Vector3d place(int u, int v, const Quadric& both) const {
+    const Vector3d middle = 0.5 * (at_[u] + at_[v]);
+    const Matrix3d a = both.a + 1e-4 * both.a.trace() * Matrix3d::Identity();
+    return middle + a.inverse() * (both.b - both.a * middle);
+  }
+
+  void neighbours(int v, std::vector<int>& all) const {
+    all.clear();
     for (const int i : fans_[v])
       for (const int w : triangles_[i])
         if (w != v) all.push_back(w);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
   }
 
   // The surface stays one (only the two corners across are neighbours of both), and no triangle
   // around turns by more than some 70 degrees or becomes a thin one.
-  bool allowed(const Collapse& c) {
-    const std::vector<int> a = neighbours(c.u), b = neighbours(c.v);
-    std::vector<int> common;
-    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
-    if (common.size() != 2 || a.size() + b.size() < 8) return false;
-    return staysUp(c.u, c.v, c.to) && staysUp(c.v, c.u, c.to);
+  bool allowed(int u, int v, const Vector3d& to) {
+    neighbours(u, around_u_);
+    neighbours(v, around_v_);
+    const auto common = std::count_if(around_u_.begin(), around_u_.end(), [&](int w) {
+      return std::binary_search(around_v_.begin(), around_v_.end(), w);
+    });
+    if (common != 2 || around_u_.size() + around_v_.size() < 8) return false;
+    return staysUp(u, v, to) && staysUp(v, u, to);
   }
 
   bool staysUp(int v, int gone, const Vector3d& to) const {
@@ -147,26 +158,24 @@ class Simplifier {
     return longest > 0.0 ? (p[1] - p[0]).cross(p[2] - p[0]).norm() / longest : 0.0;
   }
 
-  void collapse(const Collapse& c) {
-    at_[c.u] = c.to;
-    quadrics_[c.u] = quadrics_[c.u] + quadrics_[c.v];
-    for (const int i : fans_[c.v]) {
+  void collapse(int u, int v, const Vector3d& to) {
+    at_[u] = to;
+    quadrics_[u] = quadrics_[u] + quadrics_[v];
+    for (const int i : fans_[v]) {
       Triangle& t = triangles_[i];
-      if (has(t, c.u)) {
+      if (has(t, u)) {
         for (const int w : t)
-          if (w != c.v) std::erase(fans_[w], i);
+          if (w != v) std::erase(fans_[w], i);
         t = {-1, -1, -1};
         --left_;
         continue;
       }
       for (int& w : t)
-        if (w == c.v) w = c.u;
-      fans_[c.u].push_back(i);
+        if (w == v) w = u;
+      fans_[u].push_back(i);
     }
-    fans_[c.v].clear();
-    ++ages_[c.v];
-    ++ages_[c.u];
-    for (const int w : neighbours(c.u)) offer(std::min(c.u, w), std::max(c.u, w));
+    fans_[v].clear();
+    touched_[u] = touched_[v] = true;
   }
 
   TriangleMesh result() const {
@@ -192,9 +201,10 @@ class Simplifier {
   std::vector<Triangle> triangles_;     // gone ones hold -1
   std::vector<std::vector<int>> fans_;  // triangles around each vertex
   std::vector<Quadric> quadrics_;
-  std::vector<int> ages_;  // what was offered at another age of its ends is out of date
   int left_;
-  std::priority_queue<Collapse> queue_;
+  std::vector<int> around_u_, around_v_;  // scratch
+  std::vector<Edge> edges_;               // of a round
+  std::vector<bool> touched_;             // by vertex: something beside it went in this round
 };
 
 }  // namespace
