@@ -1,6 +1,6 @@
 """Blender places every joint of a walk, and every corner of a mesh, where Amble does, to 0.1 mm.
 
-    blender --background --factory-startup --python blender.py -- WALK.bvh JOINTS MESH.obj BOUNDS
+    blender --background --factory-startup --python blender.py -- WALK.bvh WALK.glb JOINTS MESH.obj BOUNDS
 
 JOINTS as place_joints writes them; BOUNDS: `amble inspect --json` of a scene that holds MESH.obj with `up: y`.
 All is imported with Blender's usual settings, so that what this proves is that they overlay.
@@ -11,6 +11,7 @@ import sys
 
 import addon_utils
 import bpy
+import numpy
 from mathutils import Vector
 
 LARGEST = 1e-4  # [m]
@@ -25,12 +26,22 @@ def import_walk(path):
     return bpy.context.object
 
 
-def compare_walk(armature, path):
+def import_glb(path):
+    """A frame of the walk is a frame of Blender's, the first of them 0. Debian's NumPy 1.24 has not the name `bool` that
+    the importer of its Blender 3.4 asks for."""
+    numpy.bool = bool
+    bpy.context.scene.render.fps = 60
+    bpy.ops.object.select_all(action="DESELECT")
+    bpy.ops.import_scene.gltf(filepath=path)
+    return next(o for o in bpy.context.selected_objects if o.type == "ARMATURE")
+
+
+def compare_walk(armature, path, first):
     worst, compared, shown = 0.0, 0, None
     for line in open(path):
         frame, name, *place = line.split()
         if frame != shown:
-            bpy.context.scene.frame_set(int(frame) + 1)  # the importer's first frame is 1
+            bpy.context.scene.frame_set(int(frame) + first)
             shown = frame
         there = armature.matrix_world @ armature.pose.bones[name].head
         worst = max(worst, (there - Vector(map(float, place))).length)
@@ -53,9 +64,11 @@ def compare_mesh(path, bounds_path):
 
 
 def main():
-    walk, joints, mesh, bounds = sys.argv[sys.argv.index("--") + 1 :]
-    addon_utils.enable("io_anim_bvh")
-    good = compare_walk(import_walk(walk), joints)
+    walk, glb, joints, mesh, bounds = sys.argv[sys.argv.index("--") + 1 :]
+    for addon in ("io_anim_bvh", "io_scene_gltf2"):
+        addon_utils.enable(addon)
+    good = compare_walk(import_walk(walk), joints, first=1)  # the importer's first frame
+    good = compare_walk(import_glb(glb), joints, first=0) and good
     good = compare_mesh(mesh, bounds) and good
     sys.exit(0 if good else 1)
 

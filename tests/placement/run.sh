@@ -24,12 +24,12 @@ if [ "$who" = numpy ]; then
   "$python" "$here/numpy_walk.py" "$work"
   exit
 fi
-"$amble" animate --speed 1.2 --turn 25 --duration 4 -o "$work/walk.bvh"
+for format in bvh glb; do "$amble" animate --speed 1.2 --turn 25 --duration 4 -o "$work/walk.$format"; done
 "$place_joints" "$work/walk.bvh" 7 >"$work/joints.txt"
 case $who in
   three) node "$here/three.js" "$three" "$work/walk.bvh" "$work/joints.txt" ;;
   blender)
     "$amble" inspect --json "$here/wedge.yaml" >"$work/wedge.json"
     blender --background --factory-startup --python "$here/blender.py" -- \
-      "$work/walk.bvh" "$work/joints.txt" "$here/wedge.obj" "$work/wedge.json" ;;
+      "$work/walk.bvh" "$work/walk.glb" "$work/joints.txt" "$here/wedge.obj" "$work/wedge.json" ;;
 esac

@@ -26,10 +26,10 @@ void writeGlb(std::ostream& out, const Clip& clip, const Figure& figure);
 
 struct GlbWalkOptions {
   bool scene = true;
-  std::vector<std::string> joint_names;  ///< by joint; empty: the skeleton's own
+  std::vector<std::string> joint_names = {};  ///< by joint; empty: the skeleton's own
   /// Of the run, as writeJson() has it, or "": the file's scene has it in its extras, but for its
   /// times, which are other ones each time.
-  std::string report;
+  std::string report = {};
 };
 
 /// A planned walk. @pre view.hasBody()
