@@ -52,16 +52,29 @@ struct Walk {
 
 /// What most often stood in the way.
 struct Obstruction {
+  /// What is missing there, and `width` and `needed` are of.
+  enum class Lack {
+    kUnknown,   ///< it was not measured, or nothing would do
+    kGap,       ///< breadth, between `object` and `other`
+    kHeadroom,  ///< height, below `object`
+    kStep,      ///< `object`, or a step of it, is too high; `needed` is the most that would do
+    kGround,    ///< the ground has a break; the same
+    kTread,     ///< depth of a step, for a sole
+    kSlope,     ///< `object` is too steep: `slope` and `max_slope`
+    kDistance,  ///< of an end from `object`
+  };
   WalkRule rule = WalkRule::kNone;
+  Lack lack = Lack::kUnknown;
   std::string part;     ///< of the body; empty where no contact refused
   std::string object;   ///< of the scene, by name; empty where no contact refused
   std::string other;    ///< beside `object`: the passage is between the two; empty where it is none
   double gap = 0.0;     ///< least distance that was proved there [m, >= 0]
   long long count = 0;  ///< how often [>= 1]
-  /// What there is, and what the walk needs: breadth or height of a passage, a step's height, the
-  /// length without ground against the longest step, or how far an end is from `object`, and would
-  /// have to be [m, >= 0].
-  std::optional<double> width, needed;
+  std::optional<double> width, needed;     ///< what there is, and what would do [m, >= 0]
+  std::optional<double> slope, max_slope;  ///< the same of a slope [rad]
+  std::optional<double> speed;             ///< of the walk that needs it, where that matters [m/s]
+  /// How deep the refused walk that came nearest to passing has `part` in `object` [m, >= 0].
+  std::optional<double> overlap;
   std::optional<Eigen::Vector3d> free;  ///< of a blocked end: the nearest place that would do
   std::optional<int> via;               ///< of a blocked via point: which [>= 0]
   /// Where it happened: the part that touched, or where a walk was to begin [m, World].

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/rotation.h"
+#include "planner/why/obstruction_text.h"
 
 namespace amble {
 namespace {
@@ -96,13 +97,25 @@ Json obstructionJson(const Obstruction& why) {
   const auto measured = [](const std::optional<double>& value) {
     return value ? number(*value) : Json(nullptr);
   };
-  Json json = {{"rule", walkRuleName(why.rule)}, {"part", named(why.part)},
-               {"object", named(why.object)},    {"other", named(why.other)},
-               {"at", vector(why.at)},           {"width", measured(why.width)},
-               {"needed", measured(why.needed)}};
+  Json json = {{"rule", walkRuleName(why.rule)},
+               {"lack", lackName(why.lack)},
+               {"part", named(why.part)},
+               {"object", named(why.object)},
+               {"other", named(why.other)},
+               {"at", vector(why.at)},
+               {"width", measured(why.width)},
+               {"needed", measured(why.needed)},
+               {"overlap", measured(why.overlap)},
+               {"slope", why.slope ? degrees(*why.slope) : Json(nullptr)},
+               {"max_slope", why.max_slope ? degrees(*why.max_slope) : Json(nullptr)}};
   if (why.free) json["free"] = vector(*why.free);
   if (why.via) json["via"] = *why.via;
   return json;
+}
+
+Json reachedJson(const ReachedReport& reached) {
+  return {
+      {"area", number(reached.area)}, {"near", vector(reached.near)}, {"far", vector(reached.far)}};
 }
 
 Json searchJson(const Report& report) {
@@ -113,7 +126,8 @@ Json searchJson(const Report& report) {
             {"connectors", report.roadmap.connectors},
             {"edges", report.roadmap.edges},
             {"samples", report.roadmap.samples},
-            {"coverage", number(report.roadmap.coverage)}}},
+            {"coverage", number(report.roadmap.coverage)},
+            {"refused", report.roadmap.refused}}},
           {"refusals", refusals},
           {"poses_checked", report.poses_checked}};
 }
@@ -130,6 +144,7 @@ void writeJson(std::ostream& out, const Report& report) {
     json["why"] = report.why;
     json["obstruction"] = report.obstruction ? obstructionJson(*report.obstruction) : Json(nullptr);
     json["proved"] = report.proved;
+    json["reached"] = report.reached ? reachedJson(*report.reached) : Json(nullptr);
   }
   if (report.status == PlanStatus::kSolved) json.update(walkJson(report));
   json.update(searchJson(report));

@@ -32,6 +32,14 @@ struct RoadmapReport {
   long long samples = 0;
   /// Estimated share of free space, 1 - 1/M when the search stopped by failures [0 to 1].
   double coverage = 0.0;
+  int refused = 0;  ///< edges that were refused, of which pictures and pages tell
+};
+
+/// How far one gets where there is no walk, by a map.
+struct ReachedReport {
+  double area = 0.0;  ///< of ground, in plan [m^2]
+  /// Where it comes nearest to where one gets to the goal from, and that place [m, World].
+  Eigen::Vector3d near = Eigen::Vector3d::Zero(), far = Eigen::Vector3d::Zero();
 };
 
 /// What loading is made of, in its order [s]: the scene and its mesh files; the motion library;
@@ -82,6 +90,7 @@ struct Report {
   std::string why;                         ///< without a walk: what most often stood in the way
   std::optional<Obstruction> obstruction;  ///< the same for machines; none where nothing was tried
   bool proved = false;                     ///< without a walk: none exists; else none was found
+  std::optional<ReachedReport> reached;    ///< without a walk, where it is known
 };
 
 /// Indented JSON with the fields of DESIGN.md, `times` last. Numbers are the shortest that read

@@ -6,7 +6,7 @@
 #include "base/stopwatch.h"
 #include "base/strict_yaml.h"
 #include "base/version.h"
-#include "planner/obstruction.h"
+#include "planner/why/obstruction_text.h"
 #include "scenarios/export_walk.h"
 #include "scenarios/input_digests.h"
 #include "scenarios/kept_roadmaps.h"
@@ -28,15 +28,12 @@ void requireKnownPlanner(const Scenario& scenario) {
                        meant.empty() ? "one of " + list : "'" + meant + "'");
 }
 
-// What most often stood in the way, and of how many refusals it is.
+// What stood in the way, of which end if it is one.
 std::string whyNot(const PlanOutcome& outcome) {
   if (!outcome.why) return outcome.stopped ? "it was stopped" : "nothing was tried";
-  std::string text = describe(*outcome.why);
-  long long all = 0;
-  for (const auto& [rule, count] : outcome.refusals) all += count;
-  if (all > 1 && !outcome.proved) {
-    text += " (" + std::to_string(outcome.why->count) + " of " + std::to_string(all) + " refusals)";
-  }
+  const std::string text = describe(*outcome.why);
+  if (outcome.status == PlanStatus::kStartBlocked) return "the start is blocked: " + text;
+  if (outcome.status == PlanStatus::kGoalBlocked) return "the goal is blocked: " + text;
   return text;
 }
 
@@ -57,13 +54,21 @@ std::unique_ptr<Problem> load(const Scenario& scenario, const RunOptions& option
   return problem;
 }
 
+double areaOf(const ReachedRegion& region) {
+  double length = 0.0;
+  for (const ReachedRegion::Strip& strip : region.strips)
+    length += strip.to.x() - strip.from.x() + region.breadth;
+  return length * region.breadth;
+}
+
 void reportSearch(const RunResult& result, Report& report) {
   const PlanOutcome& outcome = result.outcome;
   report.status = outcome.status;
   if (outcome.time_limit_hit) report.stopped_by = "time_limit";
   if (outcome.stopped) report.stopped_by = "interrupt";
-  report.roadmap = {outcome.guards, outcome.connectors, outcome.edges, outcome.samples,
-                    outcome.coverage};
+  report.roadmap = {outcome.guards,   outcome.connectors,
+                    outcome.edges,    outcome.samples,
+                    outcome.coverage, static_cast<int>(outcome.roadmap.refused.size())};
   for (const auto& [rule, count] : outcome.refusals)
     report.refusals[std::string(walkRuleName(rule))] += count;
   report.poses_checked = outcome.poses_checked;
@@ -74,6 +79,8 @@ void reportSearch(const RunResult& result, Report& report) {
   report.why = whyNot(outcome);
   report.obstruction = outcome.why;
   report.proved = outcome.proved;
+  if (outcome.reached)
+    report.reached = {areaOf(*outcome.reached), outcome.reached->near, outcome.reached->far};
 }
 
 // The frames of the file are those of the planner to the file's last digit; they are checked as

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "base/stopwatch.h"
-#include "planner/obstruction.h"
 #include "planner/ompl/roadmap_planner.h"
 #include "planner/refine_walk.h"
 #include "planner/roadmap/visibility_roadmap.h"
 #include "planner/steering/cylinder_steering.h"
+#include "planner/why/obstruction.h"
 
 namespace amble {
 namespace {

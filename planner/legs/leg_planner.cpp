@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "planner/why/obstruction.h"
+
 namespace amble {
 namespace {
 
@@ -77,7 +79,7 @@ std::vector<SteeringFailure> inTheWay(const SampledRoadmap& roadmap, const Waypo
     all.push_back(link.failure);
     if (here[link.from_node] && there[link.to_node]) relevant.push_back(link.failure);
   }
-  return relevant.size() < kFew ? all : relevant;
+  return whereMostWereRefused(relevant.size() < kFew ? all : relevant, roadmap.way());
 }
 
 void describeRoadmap(const SampledRoadmap& roadmap, PlanOutcome& outcome) {

@@ -35,7 +35,8 @@ std::vector<const RefusedEdge*> pointersTo(const std::vector<Edge>& edges) {
 std::vector<SteeringFailure> failuresOf(const std::vector<RefusedEdge>& refused);
 
 /// Refusals of edges that lead from where one gets from the start to where one gets to the goal
-/// from; all, if hardly any does.
+/// from; all, if hardly any does. Of these, where a way over a map is known, those near the place
+/// on it where there are most.
 std::vector<SteeringFailure> inTheWay(const SampledRoadmap& roadmap, const Waypoint& from,
                                       const Waypoint& to);
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/stopwatch.h"
-#include "planner/obstruction.h"
 #include "planner/ompl/roadmap_planner.h"
+#include "planner/why/obstruction.h"
 
 namespace amble {
 namespace {
@@ -37,9 +37,8 @@ class OmplLegs : public LegPlanner {
   }
   std::optional<Obstruction> why() const override {
     if (roadmap_ && roadmap_->shutOff()) return whatShutsOff(*roadmap_->shutOff(), request_);
-    return whatStoodInTheWay(
-        roadmap_ ? inTheWay(*roadmap_, from_, to_) : failuresOf(effortOf(*space_).refused),
-        request_);
+    if (!roadmap_) return whatStoodInTheWay(failuresOf(effortOf(*space_).refused), request_);
+    return whatStoodInTheWay(inTheWay(*roadmap_, from_, to_), request_, roadmap_->narrow());
   }
   std::vector<const RefusedEdge*> refused() const override {
     return roadmap_ ? pointersTo(roadmap_->refused()) : pointersTo(effortOf(*space_).refused);

@@ -6,10 +6,11 @@
 
 #include "base/rotation.h"
 #include "base/stopwatch.h"
-#include "planner/obstruction.h"
 #include "planner/refine_walk.h"
 #include "planner/steering/ground_reach.h"
 #include "planner/steering/reached_region.h"
+#include "planner/why/ground_profile.h"
+#include "planner/why/obstruction.h"
 
 namespace amble {
 namespace {
@@ -178,7 +179,10 @@ std::optional<EdgePath> Plan::walkAllLegs() {
   outcome_.stopped = !solved && request_.limits.stopped() && !outcome_.time_limit_hit;
   if (!solved) outcome_.why = planner->why();
   std::optional<Eigen::Vector3d> stopped_at;
-  if (outcome_.why) stopped_at = outcome_.why->at;
+  if (outcome_.why) {
+    stopped_at = outcome_.why->at;
+    addLeastOverlap(planner->refused(), steering_, *outcome_.why);
+  }
   describeRefused(planner->refused(), stopped_at, outcome_);
   if (!solved) return std::nullopt;
   return path;

@@ -163,6 +163,8 @@ void SampledRoadmap::clear() {
   count_ = {};
   refused_.clear();
   shut_off_.reset();
+  way_.clear();
+  narrow_.reset();
   samples_ = 0;
   failures_ = 0;
   passages_.reset();
@@ -315,12 +317,19 @@ std::optional<Eigen::Vector3d> SampledRoadmap::firstRefused(const std::vector<in
   return std::nullopt;
 }
 
+void SampledRoadmap::noteWay(const std::vector<Stance>& way, int from, int to) {
+  way_ = {roadmap_.nodes()[from].at.stance.position};
+  for (const Stance& stance : way) way_.push_back(stance.position);
+  way_.push_back(roadmap_.nodes()[to].at.stance.position);
+}
+
 // The stances of ways over the map become nodes, way after way, until walks lead from end to end.
 bool SampledRoadmap::followWays(WayGuide& guide, int from, int to, const SearchLimits& limits) {
   const SteeringScratchPtr scratch = steering_.makeScratch();
   for (int i = 0; i < kMostWays && !limits.stopped(); ++i) {
     const auto way = guide.next();
     if (!way) return false;
+    if (way_.empty()) noteWay(*way, from, to);
     std::vector<int> nodes = {from};
     for (Stance stance : *way) {
       if (limits.stopped()) return false;
@@ -380,6 +389,8 @@ std::optional<bool> SampledRoadmap::askNarrow(const WayGuide::Narrow& narrow, in
 }
 
 bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
+  way_.clear();
+  narrow_.reset();
   if (roadmap_.reachableFrom(from)[to]) return true;
   std::vector<SteeringScratchPtr> scratches(limits.threads);
   for (SteeringScratchPtr& scratch : scratches) scratch = steering_.makeScratch();
@@ -391,8 +402,9 @@ bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
   const auto guide =
       steering_.guide(place(from), place(to), bounds, [&] { return limits.stopped(); });
   if (const auto known = askMap(guide.get(), from, to, limits, *scratches[0])) return *known;
-  if (const auto narrow = guide ? guide->narrowest() : std::nullopt) {
-    if (const auto known = askNarrow(*narrow, from, to, limits, scratches)) return *known;
+  if (guide) narrow_ = guide->narrowest();
+  if (narrow_) {
+    if (const auto known = askNarrow(*narrow_, from, to, limits, scratches)) return *known;
   }
   for (double margin = kFirstMargin;; margin *= 2.0) {
     const Eigen::AlignedBox2d region = grown(ends, margin);

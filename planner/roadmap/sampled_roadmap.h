@@ -100,6 +100,11 @@ class SampledRoadmap {
   /// Of the last connect() that failed: the proof that no walk leads there, where there is one.
   const std::optional<SteeringFailure>& shutOff() const { return shut_off_; }
 
+  /// Of the last connect(): the shortest way over the map of the room that the body has, and its
+  /// narrowest place if there is hardly room; empty, or none, where no map was asked.
+  const std::vector<Eigen::Vector3d>& way() const { return way_; }
+  const std::optional<WayGuide::Narrow>& narrow() const { return narrow_; }
+
   /// Estimated share of the free space that is covered [0 to 1]; 0 where the method knows none.
   virtual double coverage() const { return 0.0; }
 
@@ -140,6 +145,7 @@ class SampledRoadmap {
   std::optional<bool> askMap(WayGuide* guide, int from, int to, const SearchLimits& limits,
                              SteeringScratch& scratch);
   bool isShutOff(int from, int to, const SearchLimits& limits, SteeringScratch& scratch);
+  void noteWay(const std::vector<Stance>& way, int from, int to);
   bool followWays(WayGuide& guide, int from, int to, const SearchLimits& limits);
   std::optional<Eigen::Vector3d> firstRefused(const std::vector<int>& nodes) const;
   int commit(Candidate& candidate, SteeringScratch& scratch);
@@ -163,6 +169,8 @@ class SampledRoadmap {
   SteeringCount count_;
   std::vector<RefusedLink> refused_;
   std::optional<SteeringFailure> shut_off_;
+  std::vector<Eigen::Vector3d> way_;
+  std::optional<WayGuide::Narrow> narrow_;
   long long samples_ = 0;
   int failures_ = 0;
   std::optional<std::vector<StancePair>> passages_;  // those that are not inserted yet

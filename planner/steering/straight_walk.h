@@ -30,4 +30,10 @@ Eigen::AlignedBox1d walkingBreadth(const StraightWalk& walk, const Skeleton& ske
 Eigen::AlignedBox1d walkingBreadth(const StraightWalk& walk, const Skeleton& skeleton,
                                    const Body& body);
 
+/// The least clear width of a gap that the walk passes straight through, stepping into it as suits
+/// best: so arms need not swing wide in a short one. Empty walks pass anything [m].
+/// @param depth  of the gap, along the path [m, >= 0]
+double passableBreadth(const StraightWalk& walk, const Skeleton& skeleton, const Body& body,
+                       double depth);
+
 }  // namespace amble

@@ -88,6 +88,7 @@ class WalkSteering : public Steering {
   SteeringFailure touched(const Contact& contact, const AnimationBuffer& buffer,
                           SteeringScratch& scratch) const;
 
+  const WalkSynthesizer& synthesizer() const { return synthesizer_; }
   const CollisionWorld& world() const { return world_; }
 
  private:

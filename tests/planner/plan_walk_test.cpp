@@ -8,7 +8,7 @@
 
 #include "base/rotation.h"
 #include "base/sample_stream.h"
-#include "planner/obstruction.h"
+#include "planner/why/obstruction_text.h"
 #include "planner/steering/walk_steering.h"
 #include "tests/planner/furnished_room.h"
 

@@ -94,6 +94,9 @@ TEST(Report, WithoutAWalkThereIsAWhyAndNoLength) {
   report.obstruction->object = "beam";
   report.obstruction->at = {1, 2, 1.6};
   report.obstruction->width = 1.62;
+  report.obstruction->lack = Obstruction::Lack::kHeadroom;
+  report.obstruction->overlap = 0.02;
+  report.reached = {12.5, {1.5, 2, 0}, {3, 2, 0}};
   const Json json = Json::parse(textOf(report));
   EXPECT_EQ(json["obstruction"]["rule"], "contact");
   EXPECT_EQ(json["obstruction"]["part"], "head");
@@ -102,6 +105,11 @@ TEST(Report, WithoutAWalkThereIsAWhyAndNoLength) {
   EXPECT_EQ(json["obstruction"]["at"][2], 1.6);
   EXPECT_EQ(json["obstruction"]["width"], 1.62);
   EXPECT_TRUE(json["obstruction"]["needed"].is_null());
+  EXPECT_EQ(json["obstruction"]["lack"], "headroom");
+  EXPECT_EQ(json["obstruction"]["overlap"], 0.02);
+  EXPECT_TRUE(json["obstruction"]["slope"].is_null());
+  EXPECT_EQ(json["reached"]["area"], 12.5);
+  EXPECT_EQ(json["reached"]["near"][0], 1.5);
   EXPECT_EQ(json["proved"], false);
   EXPECT_EQ(json["status"], "no_walk");
   EXPECT_EQ(json["why"], "contact: head and beam");

@@ -76,5 +76,24 @@ TEST(StraightWalk, IsTheSameTwice) {
     EXPECT_EQ(once.buffer.poses.p_WR(i), again.buffer.poses.p_WR(i));
 }
 
+// Arms swing one after the other: a short gap needs less than the whole walk's breadth, and a
+// longer one no less than a shorter.
+TEST(StraightWalk, PassesAShortGapThatIsNarrowerThanItsWholeBreadth) {
+  const FurnishedRoom& room = furnishedRoom();
+  const StraightWalk walk = walkIn(room, 3.0);
+  const Skeleton& skeleton = room.synthesizer.skeleton();
+  const double all = walkingBreadth(walk, skeleton, room.body).sizes()[0];
+  double last = 0.0;
+  for (const double depth : {0.0, 0.1, 0.2, 0.4, 0.8, 1.5, 5.0}) {
+    const double breadth = passableBreadth(walk, skeleton, room.body, depth);
+    EXPECT_GE(breadth, last) << depth;
+    EXPECT_LE(breadth, all) << depth;
+    last = breadth;
+  }
+  EXPECT_LT(passableBreadth(walk, skeleton, room.body, 0.1), all - 0.02);
+  EXPECT_NEAR(last, all, 1e-9);
+  EXPECT_EQ(passableBreadth({}, skeleton, room.body, 0.1), 0.0);
+}
+
 }  // namespace
 }  // namespace amble

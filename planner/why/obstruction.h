@@ -3,12 +3,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "planner/plan_request.h"
 #include "planner/steering/ground_reach.h"
-#include "planner/steering/steering.h"
+#include "planner/steering/walk_steering.h"
 
 namespace amble {
 
@@ -17,9 +16,16 @@ namespace amble {
 std::optional<Obstruction> mostOften(const std::vector<SteeringFailure>& refusals,
                                      const Scene& scene, const Body& body);
 
-/// The same, and measured: how wide and high it is there, and between what.
+/// The same, and measured: what is missing there, and what would do.
+/// @param narrow  where the way hardly has room, if it is known: it is looked at first
 std::optional<Obstruction> whatStoodInTheWay(const std::vector<SteeringFailure>& all,
-                                             const PlanRequest& request);
+                                             const PlanRequest& request,
+                                             const std::optional<WayGuide::Narrow>& narrow = {});
+
+/// Of refusals those near the place on a way where there are most.
+/// @param way  from place to place, on the ground [m, World]
+std::vector<SteeringFailure> whereMostWereRefused(const std::vector<SteeringFailure>& refusals,
+                                                  const std::vector<Eigen::Vector3d>& way);
 
 /// Of an end that is blocked: by what, and the nearest place where the body could stand as it is to
 /// stand there.
@@ -32,10 +38,11 @@ Obstruction whatShutsOff(const SteeringFailure& barrier, const PlanRequest& requ
 /// Of ground that does not lead there.
 Obstruction whatTheGroundLacks(const GroundGap& gap, const PlanRequest& request);
 
-/// One line for people: the rule, what it is about, where, how much there is and what would do.
-std::string describe(const Obstruction& why);
-
-/// Middles of two feet in one step are no farther apart [m].
-double longestStep(const WalkSynthesizer& synthesizer);
+/// Of the walks that were refused near the place of a contact, those of kMostReplayed, the one that
+/// comes nearest to passing: which part it has in which object, and how deep at most, is written
+/// into `why`. Cost: a few milliseconds.
+void addLeastOverlap(const std::vector<const RefusedEdge*>& refused, const WalkSteering& steering,
+                     Obstruction& why);
+inline constexpr int kMostReplayed = 12;
 
 }  // namespace amble
