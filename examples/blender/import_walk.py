@@ -1,9 +1,12 @@
 """A walk in the Blender file of the room that it was planned in.
 
-    blender --background ROOM.blend --python examples/blender/import_walk.py -- WALK.bvh OUT.blend
+    blender --background ROOM.blend --python examples/blender/import_walk.py -- WALK.bvh|WALK.glb OUT.blend
 
-By hand: File > Import > Motion Capture (.bvh), "Update Scene FPS" and "Update Scene Duration" ticked, all else as it is. Room
-and walk overlay, since Amble writes y up, as Blender's importers expect it.
+By hand: File > Import > Motion Capture (.bvh), "Update Scene FPS" and "Update Scene Duration" ticked, all else as it is; or
+File > Import > glTF 2.0. Room and walk overlay, since Amble writes y up, as Blender's importers expect it.
+
+Blender 3.4.1 (Debian 12) is older than its Python 3.11 and NumPy 1.24: it fails at every BVH with `invalid mode: 'rU'` and at
+every glTF with `no attribute 'bool'`. Here it is helped over both; other versions need no help.
 """
 import builtins
 import os
@@ -13,14 +16,32 @@ import addon_utils
 import bpy
 
 
-def import_walk(path):
-    """Blender 3.4.1 (Debian 12) fails with `invalid mode: 'rU'` on Python 3.11; here it is helped, others need no help."""
+def import_bvh(path):
     addon_utils.enable("io_anim_bvh")
     import io_anim_bvh.import_bvh as importer
 
     importer.open = lambda file, mode="r": builtins.open(file, mode.replace("U", ""))
     bpy.ops.import_anim.bvh(filepath=path, update_scene_fps=True, update_scene_duration=True)
-    return bpy.context.object
+
+
+def import_glb(path):
+    import numpy
+
+    numpy.bool = bool
+    addon_utils.enable("io_scene_gltf2")
+    bpy.context.scene.render.fps = 60  # glTF has times, Blender frames: as many as the walk has
+    bpy.ops.import_scene.gltf(filepath=path)
+    bpy.context.scene.frame_end = round(max(action.frame_range[1] for action in bpy.data.actions))
+    # The file brings the room along, which is here already.
+    room = next(o for o in bpy.context.selected_objects if o.name.startswith("scene"))
+    for thing in [*room.children_recursive, room]:
+        bpy.data.objects.remove(thing)
+
+
+def import_walk(path):
+    before = set(bpy.data.objects)
+    (import_glb if path.endswith(".glb") else import_bvh)(path)
+    return next(o for o in bpy.data.objects if o.type == "ARMATURE" and o not in before)
 
 
 def main():
