@@ -47,10 +47,10 @@ def seconds(entry, clock="cpu_time"):
     return entry[clock] * {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}[entry["time_unit"]]
 
 
-def plan(scenario, *options):
+def plan(scenario, *options, formats="bvh,json"):
     """One run of `amble plan`: its report, with `wall` [s] and `memory` [bytes] of the whole process."""
     with tempfile.TemporaryDirectory() as folder:
-        command = [AMBLE, "plan", scenario, "-o", folder, "--formats", "bvh,json", *map(str, options)]
+        command = [AMBLE, "plan", scenario, "-o", folder, "--formats", formats, *map(str, options)]
         begin = time.monotonic()
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         complaint = process.stderr.read()

@@ -1,5 +1,6 @@
 """The table of what is measured, beside its peers and the bars of the project."""
 import pathlib
+import shutil
 import statistics
 import tempfile
 
@@ -197,6 +198,23 @@ def clearance(table):
         table.add(measure, f"{1e3 * value:.0f} mm", bar=f"{1e3 * bar:.0f} mm", held=value >= bar)
 
 
+def formats(table):
+    maze = run.ROOT / "scenarios" / "maze.yaml"
+
+    def writing(names):
+        """The report of the run, of three, that wrote quickest."""
+        return min((run.plan(maze, formats=names) for _ in range(3)), key=lambda report: report["times"]["export"])
+
+    each = ("bvh", "svg", "png", "html", "strip", "glb", "csv", "npz", "sdf")
+    for name in each:
+        table.add(f"writing {name} of the maze's walk", duration(writing(f"json,{name}")["times"]["export"]))
+    report = writing(",".join(("json", *each)))
+    table.within(f"writing all of these of its {report['duration']:.0f} s", report["times"]["export"], 1.0)
+    if shutil.which("ffmpeg"):
+        film = writing("json,mp4")
+        table.add("writing mp4, a second of the walk", duration(film["times"]["export"] / film["duration"]))
+
+
 # By name, in the table's order, with the programs that each needs.
 PARTS = {
     "collision": (collision, ["collision_benchmark"]),
@@ -208,5 +226,6 @@ PARTS = {
     "plan": (plan, ["plan_benchmark", "amble_app"]),
     "halls": (halls, ["amble_app"]),
     "clearance": (clearance, ["amble_app"]),
+    "formats": (formats, ["amble_app"]),
     "navmesh": (navmesh, ["navmesh_benchmark"]),
 }
