@@ -143,5 +143,31 @@ TEST(AddMotion, AMovementChangesItsChainsOnly) {
   EXPECT_GT(most, 30.0 * kDegree);  // a box is carried on bent elbows
 }
 
+// Series are sums of waves that do not mix: what a mean of cycles has of a wave is the mean of what
+// they have. Mirrored ones are mirrored pose by pose, and close to it.
+TEST(CapturedCycles, TheirMeanIsTheSeriesOfTheLibrary) {
+  AMBLE_NEEDS_CAPTURES();
+  const MotionLibrary library = openMotionLibrary("default");
+  for (const char* const name : {"walk-slow", "walk-free-mirrored", "turn-left", "carry"}) {
+    const Motion& motion = *library.find(name);
+    const auto cycles =
+        capturedCycles(library, motion, sharedFolder() / "mocap" / motion.source.clip);
+    ASSERT_EQ(static_cast<int>(cycles.size()), motion.cycle.cycles) << name;
+    const FourierSeries& mean = motion.cycle.series;
+    Eigen::MatrixXd alpha = Eigen::MatrixXd::Zero(mean.channels(), mean.harmonics() + 1);
+    for (const FourierSeries& one : cycles)
+      alpha += one.alpha.leftCols(alpha.cols()) / static_cast<double>(cycles.size());
+    const double near = motion.source.mirrored ? 5e-3 : 2e-6;
+    EXPECT_LT((alpha - mean.alpha).cwiseAbs().maxCoeff(), near) << name;
+  }
+}
+
+TEST(CapturedCycles, OfAnotherCaptureAreRefused) {
+  AMBLE_NEEDS_CAPTURES();
+  const MotionLibrary library = openMotionLibrary("default");
+  const auto other = sharedFolder() / "mocap/cmu_mb2/07_12.bvh";
+  EXPECT_THROW(capturedCycles(library, *library.find("walk-slow"), other), InputError);
+}
+
 }  // namespace
 }  // namespace amble

@@ -1,0 +1,83 @@
+// amble view of captures and of libraries, from the outside. Pages in a browser: tests/app/pages.
+
+#include <nlohmann/json.hpp>
+
+#include "test_paths.h"
+#include "tests/app/program.h"
+
+namespace amble {
+namespace {
+
+using nlohmann::json;
+
+const std::string kWalk = captureFolder() + "cmu_mb2/07_01.bvh";
+const std::string kRun = captureFolder() + "accad_female1/Female1_C03_Run.bvh";
+
+class View : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    if (!std::filesystem::exists(kWalk)) GTEST_SKIP() << "no captures in " << AMBLE_SHARED;
+  }
+};
+
+TEST_F(View, ABrokenClipAmongOthersIsSaidAndTheOthersAreShown) {
+  write("in/broken.bvh", "HIERARCHY\nROOT hips\n[\n");
+  const Ran ran = run("view in/broken.bvh " + kWalk + " -o page.html");
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_NE(ran.err.find("in/broken.bvh:3: "), std::string::npos) << ran.err;
+  EXPECT_NE(read("page.html").find("07_01.bvh"), std::string::npos);
+  expectRefused("view in/broken.bvh -o none.html", {"in/broken.bvh:3: "});
+}
+
+TEST_F(View, JsonSaysOfClipsWhatAnalyseSays) {
+  const Ran ran = run("view --json " + kWalk + " " + kRun);
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const json clips = json::parse(ran.out);
+  const json analysed = json::parse(run("analyse --json " + kWalk + " " + kRun).out);
+  ASSERT_EQ(clips.size(), 2u);
+  for (size_t i = 0; i < clips.size(); ++i) {
+    for (const auto& [key, value] : clips[i]["analysis"].items())
+      EXPECT_EQ(value, analysed[i][key]) << key;
+    EXPECT_EQ(clips[i]["warnings"], analysed[i]["warnings"]);
+    EXPECT_EQ(clips[i]["root"]["x"].size(), analysed[i]["frames"]);
+  }
+  EXPECT_TRUE(files().empty());  // no page was asked for
+}
+
+// What captured numbers say: both strikes of a step are moments of the gait.
+TEST_F(View, JsonHasAPhaseThatGoesWithTheStrikes) {
+  const json clip = json::parse(run("view --json " + kWalk).out)[0];
+  const double frame_time = clip["frame_time"];
+  ASSERT_GE(clip["phase"].size(), 2u);
+  for (const json& moment : clip["phase"]) {
+    double nearest = 1.0;
+    for (const json& plant : clip["analysis"]["plants"])
+      nearest = std::min(
+          nearest, std::abs(plant["strike"].get<double>() - moment[0].get<double>() * frame_time));
+    EXPECT_LT(nearest, 0.12);
+  }
+}
+
+TEST_F(View, ALibraryIsShownWithTheCapturesThatItIsOf) {
+  const std::string library = std::string(AMBLE_SOURCE_DIR) + "/animation/motions/default.yaml";
+  const Ran with = run("view --json " + library + " --captures " + captureFolder());
+  ASSERT_EQ(with.status, 0) << with.err;
+  for (const json& motion : json::parse(with.out)["library"]["motions"]) {
+    EXPECT_FALSE(motion.contains("lacking")) << motion["lacking"];
+    if (!motion.contains("cycle")) continue;
+    EXPECT_EQ(motion["cycle"]["joints"][0]["x"]["captured"].size(), motion["measures"]["cycles"]);
+  }
+  const Ran without = run("view " + library + " --captures nowhere -o library.html");
+  EXPECT_EQ(without.status, 0) << without.err;
+  EXPECT_NE(read("library.html").find("is not there: --captures DIR"), std::string::npos);
+}
+
+TEST_F(View, WhatIsNoLibraryIsRefused) {
+  write("in/scene.yaml", "objects: []\n");
+  expectRefused("view in/scene.yaml", {"in/scene.yaml:1: "});
+  expectRefused("view --json -o - " + kWalk, {"--json: ", "-o FILE"});
+}
+
+}  // namespace
+}  // namespace amble
