@@ -37,10 +37,12 @@ struct Options {
   size_t memory = GuardLimits{}.memory;  // [bytes]
   std::string names, bvh_units = "m", checker = "fast";
   std::vector<std::string> formats = usualFormats();
+  std::vector<std::string> views;  // empty: all, where the format is asked for
   bool formats_given = false, json = false, list_planners = false;
 };
 
 bool wants(const Options& options, const std::string& format) {
+  if (format == "views" && !options.views.empty()) return true;
   const auto named = [&](std::string_view name) {
     return std::find(options.formats.begin(), options.formats.end(), name) != options.formats.end();
   };
@@ -100,7 +102,8 @@ void writeAll(const Options& options, RunResult& result, const std::filesystem::
   const ResultSubject subject{.result = result,
                               .view = view,
                               .threads = options.threads,
-                              .command = commandOf(options, result.report)};
+                              .command = commandOf(options, result.report),
+                              .views = options.views.empty() ? viewNames() : options.views};
   for (const ResultFormat& format : resultFormats()) {
     const bool there = format.of_walk ? view.hasBody() : loaded;
     if (format.add && there && wants(options, format.name)) format.add(subject, write.more);
@@ -310,6 +313,12 @@ void addPlan(CLI::App& app, Command& chosen) {
       ->each([raw = options.get()](const std::string&) { raw->formats_given = true; })
       ->check(CLI::IsMember(formatNames()))
       ->default_str(fmt::format("{}", fmt::join(options->formats, ",")));
+  command
+      ->add_option("--views", options->views,
+                   "Also pictures from these points of view: walk-top.png, ... (--formats views "
+                   "writes all)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(viewNames()));
   command
       ->add_option("--checker", options->checker,
                    "Who is asked about contacts: our own trees, or FCL, with which they agree")

@@ -50,12 +50,34 @@ void addPicture(const ResultSubject& subject, std::vector<ResultFile>& files) {
   files.push_back({"walk.png", [subject](std::ostream& out) { out << pictureOf(subject); }});
 }
 
+// Each under its name.
+const std::vector<std::pair<std::string, PointOfView>>& pointsOfView() {
+  static const std::vector<std::pair<std::string, PointOfView>> points = {
+      {"top", PointOfView::kTop},
+      {"side", PointOfView::kSide},
+      {"corner", PointOfView::kCorner},
+      {"first", PointOfView::kFirst}};
+  return points;
+}
+
+void addViews(const ResultSubject& subject, std::vector<ResultFile>& files) {
+  for (const auto& [name, from] : pointsOfView()) {
+    if (std::find(subject.views.begin(), subject.views.end(), name) == subject.views.end())
+      continue;
+    files.push_back(
+        {"walk-" + name + ".png", [subject, from](std::ostream& out) {
+           writePng(out, renderWalk(subject.view, {.from = from, .threads = subject.threads}));
+         }});
+  }
+}
+
 void addReportPage(const ResultSubject& subject, std::vector<ResultFile>& files) {
   files.push_back({"report.html", [subject](std::ostream& out) {
                      writeReportPage(out, {.report = subject.result.report,
                                            .command = subject.command,
                                            .picture = pictureOf(subject),
-                                           .plan = planViewOf(subject)});
+                                           .plan = planViewOf(subject),
+                                           .reached = subject.view.reached});
                    }});
 }
 
@@ -122,6 +144,12 @@ void addFilm(const ResultSubject& subject, std::vector<ResultFile>& files) {
 
 }  // namespace
 
+std::vector<std::string> viewNames() {
+  std::vector<std::string> names;
+  for (const auto& [name, from] : pointsOfView()) names.push_back(name);
+  return names;
+}
+
 const std::vector<ResultFormat>& resultFormats() {
   static const std::vector<ResultFormat> formats = {
       {.name = "bvh", .files = {"walk.bvh"}, .what = "the walk"},
@@ -146,6 +174,12 @@ const std::vector<ResultFormat>& resultFormats() {
        .what = "its report as a page to read and to print",
        .of_walk = false,
        .add = addReportPage},
+      {.name = "views",
+       .files = {"walk-top.png", "walk-side.png", "walk-corner.png", "walk-first.png"},
+       .what = "pictures from above, from the side, from a corner and by the walker's eyes",
+       .usual = false,
+       .of_walk = false,
+       .add = addViews},
       {.name = "strip",
        .files = {"strip.png"},
        .what = "frame by frame from the side",

@@ -18,12 +18,16 @@ struct DrawnPictures {
   std::string png, svg;  ///< files, as bytes; empty: not yet
 };
 
+/// Of the points of view that pictures are taken from: "top", "side", "corner", "first".
+std::vector<std::string> viewNames();
+
 /// A run that is to be written. Borrowed: all outlives the writing.
 struct ResultSubject {
   const RunResult& result;
-  const WalkView& view;      ///< of the result
-  int threads = 1;           ///< that may be used; changes no byte
-  std::string command = {};  ///< that repeats the run
+  const WalkView& view;                          ///< of the result
+  int threads = 1;                               ///< that may be used; changes no byte
+  std::string command = {};                      ///< that repeats the run
+  std::vector<std::string> views = viewNames();  ///< that "views" writes
   std::shared_ptr<DrawnPictures> drawn = std::make_shared<DrawnPictures>();
 };
 

@@ -35,6 +35,9 @@ WalkView viewOf(const RunResult& result) {
     view.animation = &walk.buffer;
     view.path = &walk.path;
   }
+  if (result.report.status != PlanStatus::kSolved) view.why = result.report.why;
+  if (result.outcome.why) view.obstruction = &*result.outcome.why;
+  if (result.outcome.reached) view.reached = &*result.outcome.reached;
   view.roadmap = viewOf(result.outcome.roadmap);
   const PlanQuery asked = problem.query();
   view.start = viewOf(problem.scenario.start, asked.start.position);

@@ -15,6 +15,7 @@
 #include "animation/synthesis/animation_buffer.h"
 #include "environments/body/body.h"
 #include "environments/scene/scene.h"
+#include "planner/plan_request.h"
 
 namespace amble {
 
@@ -54,6 +55,9 @@ struct WalkView {
   RoadmapView roadmap;
   std::optional<PlaceView> start, goal;
   std::vector<PlaceView> via;
+  std::string why;                           ///< without a walk: why, in a line
+  const Obstruction* obstruction = nullptr;  ///< the same, where it is known
+  const ReachedRegion* reached = nullptr;    ///< and how far one gets, where that is known
 
   /// Skeleton, body and frames are there.
   bool hasBody() const {

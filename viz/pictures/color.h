@@ -45,6 +45,8 @@ inline const Color kRugColor = rgb(150, 70, 62);
 inline const Color kStartColor = rgb(29, 122, 69);
 inline const Color kGoalColor = rgb(179, 38, 30);
 inline const Color kPathColor = rgb(190, 30, 75);
+inline const Color kReachedColor = rgb(0, 130, 95);  ///< ground that one gets to
+inline const Color kStopColor = rgb(205, 25, 20);    ///< what stood in the way
 
 /// "#rrggbb"
 std::string hexColor(const Color& color);

@@ -43,40 +43,6 @@ Directions capsuleDirections() {
   return directions;
 }
 
-void addCapsule(const Vector3d& from, const Vector3d& to, double radius, const Color& color,
-                std::vector<DrawTriangle>& triangles) {
-  static const Directions directions = capsuleDirections();
-  Vector3d axis = to - from;
-  axis = axis.norm() > 1e-9 ? Vector3d(axis.normalized()) : Vector3d::UnitZ();
-  Eigen::Matrix3f turned;  // columns: side, other side, axis
-  const Vector3d side = axis.unitOrthogonal();
-  turned << side.cast<float>(), axis.cross(side).cast<float>(), axis.cast<float>();
-  Directions normals, corners;
-  for (int r = 0; r < kRings; ++r) {
-    const Vector3f end = (r <= kQuarter ? from : to).cast<float>();
-    for (int k = 0; k < kSegments; ++k) {
-      normals[r][k] = turned * directions[r][k];
-      corners[r][k] = end + static_cast<float>(radius) * normals[r][k];
-    }
-  }
-  const auto add = [&](std::array<std::array<int, 2>, 3> at) {
-    DrawTriangle t;
-    for (int i = 0; i < 3; ++i) {
-      t.p[i] = corners[at[i][0]][at[i][1]];
-      t.normal[i] = normals[at[i][0]][at[i][1]];
-    }
-    t.color = color;
-    triangles.push_back(t);
-  };
-  for (int r = 0; r + 1 < kRings; ++r) {
-    for (int k = 0; k < kSegments; ++k) {
-      const int next = (k + 1) % kSegments;
-      if (r + 2 < kRings) add({{{r, k}, {r + 1, next}, {r + 1, k}}});  // none at the last pole
-      if (r > 0) add({{{r, k}, {r, next}, {r + 1, next}}});
-    }
-  }
-}
-
 DrawTriangle levelTriangle(const Vector2d& a, const Vector2d& b, const Vector2d& c, double height,
                            const Color& color) {
   DrawTriangle t;
@@ -140,6 +106,40 @@ void addMesh(const TriangleMesh& mesh, const Color& color, uint8_t flags,
   for (DrawTriangle& triangle : drawnMesh(mesh, color)) {
     triangle.flags = flags;
     triangles.push_back(triangle);
+  }
+}
+
+void addCapsule(const Vector3d& from, const Vector3d& to, double radius, const Color& color,
+                std::vector<DrawTriangle>& triangles) {
+  static const Directions directions = capsuleDirections();
+  Vector3d axis = to - from;
+  axis = axis.norm() > 1e-9 ? Vector3d(axis.normalized()) : Vector3d::UnitZ();
+  Eigen::Matrix3f turned;  // columns: side, other side, axis
+  const Vector3d side = axis.unitOrthogonal();
+  turned << side.cast<float>(), axis.cross(side).cast<float>(), axis.cast<float>();
+  Directions normals, corners;
+  for (int r = 0; r < kRings; ++r) {
+    const Vector3f end = (r <= kQuarter ? from : to).cast<float>();
+    for (int k = 0; k < kSegments; ++k) {
+      normals[r][k] = turned * directions[r][k];
+      corners[r][k] = end + static_cast<float>(radius) * normals[r][k];
+    }
+  }
+  const auto add = [&](std::array<std::array<int, 2>, 3> at) {
+    DrawTriangle t;
+    for (int i = 0; i < 3; ++i) {
+      t.p[i] = corners[at[i][0]][at[i][1]];
+      t.normal[i] = normals[at[i][0]][at[i][1]];
+    }
+    t.color = color;
+    triangles.push_back(t);
+  };
+  for (int r = 0; r + 1 < kRings; ++r) {
+    for (int k = 0; k < kSegments; ++k) {
+      const int next = (k + 1) % kSegments;
+      if (r + 2 < kRings) add({{{r, k}, {r + 1, next}, {r + 1, k}}});  // none at the last pole
+      if (r > 0) add({{{r, k}, {r, next}, {r + 1, next}}});
+    }
   }
 }
 

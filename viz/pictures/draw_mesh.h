@@ -21,6 +21,9 @@ std::vector<DrawTriangle> drawnMesh(const TriangleMesh& mesh, const Color& color
 void addMesh(const TriangleMesh& mesh, const Color& color, uint8_t flags,
              std::vector<DrawTriangle>& triangles);
 
+void addCapsule(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
+                const Color& color, std::vector<DrawTriangle>& triangles);
+
 /// The capsules of a body as smooth meshes; `colors` one a part.
 void addBody(const WalkView& view, int frame, std::span<const Color> colors,
              std::vector<DrawTriangle>& triangles);

@@ -22,7 +22,7 @@ RenderSettings pictureOf(const FilmSettings& settings) {
 }
 
 WalkShot shotOf(const WalkView& view, const FilmSettings& settings) {
-  WalkShot shot = takeShot(view, pictureOf(settings));
+  WalkShot shot = takeShot(view, pictureOf(settings).shot(bodyFrames(view, pictureOf(settings))));
   shot.light.shadow_size = WalkFilm::kShadowSize;
   return shot;
 }

@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "base/output_file.h"
+#include "base/text.h"
 #include "viz/pictures/color.h"
 #include "viz/pictures/plan_things.h"
 #include "viz/pictures/svg.h"
+#include "viz/pictures/tiny_text.h"
 
 namespace amble {
 namespace {
@@ -23,6 +25,8 @@ constexpr double kTallest = 1300;    // of the room [units]
 constexpr double kMargin = 30;       // about the room [units]
 constexpr double kHeader = 46;       // for the title [units]
 constexpr double kFooter = 60;       // for scale bar and legend [units]
+constexpr double kWhyLine = 18;      // for a line of why there is no walk [units]
+constexpr double kWhyLetter = 6.8;   // mean width of its letters [units]
 constexpr double kAround = 0.3;      // shown beyond what the picture is about [m]
 constexpr double kBeyondWalk = 3.0;  // shown of a large scene around the walk [m]
 
@@ -30,6 +34,7 @@ constexpr const char* kInk = "#2b2f36";
 constexpr const char* kEdgeColor = "#3d8f6b";  // of the roadmap
 const XmlAttributes kBodyStyle = {
     {"fill", "#d3d8df"}, {"stroke", "#8b94a1"}, {"stroke-width", 0.8}};
+const XmlAttributes kReachedStyle = {{"fill", hexColor(kReachedColor)}, {"fill-opacity", 0.16}};
 const XmlAttributes kHipStyle = {{"fill", "#9aa4b2"}, {"stroke", "#6f7987"}, {"stroke-width", 0.6}};
 
 AlignedBox2d walkBox(const WalkView& view) {
@@ -38,6 +43,7 @@ AlignedBox2d walkBox(const WalkView& view) {
   for (const auto& place : {view.start, view.goal})
     if (place) box.extend(place->position);
   for (const PlaceView& place : view.via) box.extend(place.position);
+  if (view.obstruction != nullptr) box.extend(view.obstruction->at.head<2>());
   return box;
 }
 
@@ -66,15 +72,17 @@ class Drawing {
     frame_.origin = Vector2d(shown_.min().x(), shown_.max().y());
     width_ = size.x() * frame_.scale;
     height_ = size.y() * frame_.scale;
+    why_ = brokenLines(view.why, static_cast<size_t>(width_ / kWhyLetter));
+    header_ = kHeader + kWhyLine * static_cast<double>(why_.size());
   }
 
   void draw() {
     xml_.declare();
-    const double wide = width_ + 2 * kMargin, tall = height_ + kHeader + kFooter + kMargin;
+    const double wide = width_ + 2 * kMargin, tall = height_ + header_ + kFooter + kMargin;
     const auto svg = xml_.open("svg", svgScalingRoot(wide, tall));
     drawTitle(wide, tall);
     const auto page = xml_.open(
-        "g", {{"transform", "translate(" + xmlNumber(kMargin) + " " + xmlNumber(kHeader) + ")"}});
+        "g", {{"transform", "translate(" + xmlNumber(kMargin) + " " + xmlNumber(header_) + ")"}});
     drawRoom();
     xml_.empty("rect", roomBox() + XmlAttributes{{"fill", "none"}, {"stroke", "#c9ccd2"}});
     drawScaleBar();
@@ -99,6 +107,15 @@ class Drawing {
         "text",
         {{"x", kMargin}, {"y", 31}, {"font-size", 20}, {"font-weight", "bold"}, {"fill", kInk}},
         view_.title);
+    for (size_t i = 0; i < why_.size(); ++i) {
+      xml_.text("text",
+                {{"class", "why"},
+                 {"x", kMargin},
+                 {"y", 35 + kWhyLine * static_cast<double>(i + 1)},
+                 {"font-size", 13},
+                 {"fill", hexColor(kStopColor)}},
+                why_[i]);
+    }
   }
 
   void drawRoom() {
@@ -106,11 +123,13 @@ class Drawing {
     xml_.empty("rect", roomBox() + XmlAttributes{{"fill", "#f1f2f4"}});
     const std::vector<PlanThing> things = cutScene(*view_.scene, view_.floor);
     drawThings(things);
+    drawReached();
     drawRoadmap();
     drawFootprints();
     drawPath();
     drawPlaces();
     drawNames(things);
+    drawStop();
   }
 
   void drawOutlines(const std::vector<Outline>& outlines, const std::string& name,
@@ -139,6 +158,69 @@ class Drawing {
     }
     const auto group = xml_.open("g", XmlAttributes{{"id", "at-hip-height"}} + kHipStyle);
     for (const PlanThing& thing : things) drawOutlines(thing.hips, thing.name, solid);
+  }
+
+  void drawReached() {
+    if (view_.reached == nullptr) return;
+    const double half = view_.reached->breadth / 2;
+    std::string path;
+    for (const ReachedRegion::Strip& strip : view_.reached->strips) {
+      const Vector2d reach(half, half);
+      const Vector2d low = strip.from.head<2>() - reach, high = strip.to.head<2>() + reach;
+      const std::array<Vector2d, 4> outline = {low, Vector2d(high.x(), low.y()), high,
+                                               Vector2d(low.x(), high.y())};
+      path += svgPath(frame_, outline, true);
+    }
+    xml_.empty("path", XmlAttributes{{"id", "reached"}, {"d", path}} + kReachedStyle);
+  }
+
+  // Where one gets no farther: the way that is missing, and a cross where a part touched.
+  void drawStop() {
+    const XmlAttributes style = {{"fill", "none"}, {"stroke", hexColor(kStopColor)}};
+    if (view_.reached != nullptr) {
+      const std::array<Vector2d, 2> line = {view_.reached->near.head<2>(),
+                                            view_.reached->far.head<2>()};
+      xml_.empty("path", XmlAttributes{{"id", "missing"},
+                                       {"d", svgPath(frame_, line, false)},
+                                       {"stroke-width", 2},
+                                       {"stroke-dasharray", "4 3"}} +
+                             style);
+    }
+    if (view_.obstruction == nullptr) return;
+    constexpr double kArm = 7;  // [units]
+    const Vector2d p = frame_(view_.obstruction->at.head<2>());
+    std::string cross;
+    for (const double side : {-1.0, 1.0}) {
+      const Vector2d arm(kArm, side * kArm);
+      cross += svgPath(std::array<Vector2d, 2>{p - arm, p + arm}, false);
+    }
+    xml_.empty("path", XmlAttributes{{"id", "stop"}, {"d", cross}, {"stroke-width", 3.5}} + style);
+    drawStopWords(p);
+  }
+
+  // Part, thing, what there is and what would do.
+  void drawStopWords(const Vector2d& p) {
+    const Obstruction& why = *view_.obstruction;
+    std::vector<std::string> lines;
+    if (!why.part.empty()) lines.push_back(why.part + " and " + why.object);
+    if (why.width && why.needed)
+      lines.push_back(plainNumber(*why.width, 2) + " m of " + plainNumber(*why.needed, 2) + " m");
+    const bool left = p.x() > width_ / 2;  // of the cross, where there is more room
+    for (size_t i = 0; i < lines.size(); ++i) {
+      xml_.text("text",
+                {{"class", "stop"},
+                 {"x", p.x() + (left ? -13 : 13)},
+                 {"y", p.y() - 10 + 15 * static_cast<double>(i)},
+                 {"font-size", 12.5},
+                 {"font-weight", "bold"},
+                 {"text-anchor", left ? "end" : "start"},
+                 {"fill", hexColor(kStopColor)},
+                 {"stroke", "#ffffff"},
+                 {"stroke-width", 3},
+                 {"stroke-linejoin", "round"},
+                 {"paint-order", "stroke"}},
+                lines[i]);
+    }
   }
 
   void drawRoadmap() {
@@ -345,7 +427,10 @@ class Drawing {
     legendSwatch(left, row2, kHipStyle, "between 0.5 and 1.2 m");
     legendShoe(left + column + 22, row1 - 4, kLeft, "left foot");
     legendShoe(left + column + 22, row2 - 4, kRight, "right foot");
-    legendLine(third, row1, {{"stroke", hexColor(kPathColor)}, {"stroke-width", 2}}, "root path");
+    if (view_.reached != nullptr)
+      legendSwatch(third, row1, kReachedStyle, "reached from the start");
+    else
+      legendLine(third, row1, {{"stroke", hexColor(kPathColor)}, {"stroke-width", 2}}, "root path");
     legendLine(third, row2, {{"stroke", kEdgeColor}, {"stroke-opacity", 0.5}}, "roadmap edge");
     drawNode({third + column + 8, row1 - 4}, false);
     drawNode({third + column + 8, row2 - 4}, true);
@@ -358,6 +443,8 @@ class Drawing {
   AlignedBox2d shown_;
   SvgFrame frame_;
   double width_ = 0, height_ = 0;  // of the room [units]
+  double header_ = kHeader;        // [units]
+  std::vector<std::string> why_;   // lines
 };
 
 }  // namespace

@@ -4,10 +4,11 @@
 
 #include <filesystem>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include "viz/pictures/image.h"
-#include "viz/pictures/lighting.h"
+#include "viz/pictures/walk_shot.h"
 #include "viz/walk_view.h"
 
 namespace amble {
@@ -17,27 +18,26 @@ struct RenderSettings {
   int height = 1000;   ///< [pixels, 16 to 8192]
   double every = 0.5;  ///< no two bodies are closer in time [s, > 0]
   double apart = 0.5;  ///< nor, one after another, in place: else slow ones merge [m, >= 0]
-  int threads = 1;     ///< change no byte of the picture [>= 1]
+  PointOfView from = PointOfView::kCorner;
+  int threads = 1;  ///< change no byte of the picture [>= 1]
+
+  /// Of a picture in which these frames are to be seen.
+  ShotSettings shot(std::vector<int> frames) const {
+    return {from, width, height, std::move(frames), threads};
+  }
 };
 
-/// walk.png: the walk in its room, seen from a raised corner; bodies half a second and half a metre
+/// walk.png: the walk in its room, seen from a raised corner unless another point of view is asked
+/// for; bodies half a second and half a metre
 /// apart, coloured by time, with footprints and root path on the floor. Walls towards the eye are
-/// cut and ceilings left out (viz/pictures/room.h). Of four corners the one is taken from which
-/// least of the walk is hidden and it lies widest.
+/// cut and ceilings left out (viz/pictures/room.h).
+/// Without a walk it shows the room, how far one gets in it and what stood in the way, in words
+/// too.
 Image renderWalk(const WalkView& view, const RenderSettings& settings = {});
 
 /// The frames of its bodies: the first and the last, and between them those that are far enough
 /// from the one before. Ascending; one where nobody moves, none without a body.
 std::vector<int> bodyFrames(const WalkView& view, const RenderSettings& settings);
-
-/// What walk.png shows before bodies are drawn: the room from the corner that is taken, with the
-/// marks on the floor, and the light in it.
-struct WalkShot {
-  Camera camera;
-  std::vector<DrawTriangle> triangles;
-  LightSettings light;
-};
-WalkShot takeShot(const WalkView& view, const RenderSettings& settings);
 
 struct StripSettings {
   int first = 0;          ///< frame of the first picture [>= 0]

@@ -97,7 +97,8 @@ class Writer {
 
   void writePictures() {
     writePicture("image/png", page_.picture,
-                 solved() ? "The walk in its room; colours are times." : "The room.");
+                 solved() ? "The walk in its room; colours are times."
+                          : "The room; green is what one gets to, red what stood in the way.");
     writePicture("image/svg+xml", page_.plan, "Seen from above.");
   }
 
@@ -156,6 +157,11 @@ class Writer {
     if (why.width) fact("there is", metres(*why.width));
     if (why.needed) fact("needed", metres(*why.needed));
     if (why.free) fact("nearest place that would do", placeText(*why.free));
+    if (page_.reached != nullptr) {
+      const ReachedRegion& reached = *page_.reached;
+      fact("one gets as far as", placeText(reached.near),
+           metres((reached.far - reached.near).norm()) + " from where the goal is got to");
+    }
     fact("proved", report_.proved ? "yes" : "no",
          report_.proved ? "no walk exists" : "none was found");
   }

@@ -4,15 +4,17 @@
 #include <ostream>
 #include <string>
 
+#include "planner/plan_request.h"
 #include "scenarios/report.h"
 
 namespace amble {
 
 struct ReportPage {
-  const Report& report;      ///< outlives the page
-  std::string command = {};  ///< that repeats the run; empty: not told
-  std::string picture = {};  ///< PNG, as bytes; empty: none
-  std::string plan = {};     ///< SVG, as text; empty: none
+  const Report& report;                    ///< outlives the page
+  std::string command = {};                ///< that repeats the run; empty: not told
+  std::string picture = {};                ///< PNG, as bytes; empty: none
+  std::string plan = {};                   ///< SVG, as text; empty: none
+  const ReachedRegion* reached = nullptr;  ///< without a walk: how far one gets
 };
 
 /// One file that asks for nothing else and runs no script: the picture; the walk's figures, or why

@@ -232,7 +232,7 @@ void addRoom(const std::vector<RoomSurface>& room, const DrawnSurfaces& drawn,
              const RoomSight& sight, std::vector<DrawTriangle>& triangles) {
   std::vector<const RoomSurface*> cut;
   for (const RoomSurface& surface : room)
-    if (surface.part == RoomPart::kWall && onEyeSide(room, surface, sight) &&
+    if (!sight.inside && surface.part == RoomPart::kWall && onEyeSide(room, surface, sight) &&
         !isWalkedOn(surface, sight))
       cut.push_back(&surface);
   for (size_t i = 0; i < room.size(); ++i) {
@@ -244,6 +244,10 @@ void addRoom(const std::vector<RoomSurface>& room, const DrawnSurfaces& drawn,
       continue;
     }
     const bool is_cut = std::find(cut.begin(), cut.end(), &s) != cut.end();
+    if (s.part == RoomPart::kCeiling && sight.inside) {
+      addWhole(drawn[i], s.color, kNoShadow | sides, triangles);
+      continue;
+    }
     if (s.part == RoomPart::kCeiling || hangsOn(s, cut)) continue;
     if (is_cut) {
       addMesh(cutLevel(s.mesh, sight.floor + kSkirting, true), s.color, kNoShadow | kCut,

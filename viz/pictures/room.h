@@ -43,6 +43,7 @@ struct RoomSight {
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();  ///< World [m]
   std::vector<Eigen::Vector3d> watched;           ///< points of the walk [m]
   double floor = 0.0;                             ///< [m]
+  bool inside = false;  ///< the eye is in the room: nothing is cut or left out
 
   /// Height over the ground of the lowest watched points: what such a point is over is walked on.
   static constexpr double kFeet = 0.1;  // [m]

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/text.h"
+
 namespace amble {
 namespace {
 
@@ -14,7 +16,7 @@ struct Glyph {
   std::array<const char*, kRows> dots;
 };
 
-const std::array<Glyph, 20> kGlyphs = {{
+const std::array<Glyph, 45> kGlyphs = {{
     {'0', {" ### ", "#   #", "#  ##", "# # #", "##  #", "#   #", " ### "}},
     {'1', {"  #  ", " ##  ", "  #  ", "  #  ", "  #  ", "  #  ", " ### "}},
     {'2', {" ### ", "#   #", "    #", "  ## ", " #   ", "#    ", "#####"}},
@@ -28,19 +30,58 @@ const std::array<Glyph, 20> kGlyphs = {{
     {'.', {"     ", "     ", "     ", "     ", "     ", " ##  ", " ##  "}},
     {':', {"     ", " ##  ", " ##  ", "     ", " ##  ", " ##  ", "     "}},
     {'-', {"     ", "     ", "     ", "#####", "     ", "     ", "     "}},
-    {'f', {"  ## ", " #   ", "#### ", " #   ", " #   ", " #   ", " #   "}},
-    {'r', {"     ", "     ", "# ## ", "##   ", "#    ", "#    ", "#    "}},
+    {',', {"     ", "     ", "     ", "     ", " ##  ", " ##  ", " #   "}},
+    {'(', {"   # ", "  #  ", " #   ", " #   ", " #   ", "  #  ", "   # "}},
+    {')', {" #   ", "  #  ", "   # ", "   # ", "   # ", "  #  ", " #   "}},
+    {'_', {"     ", "     ", "     ", "     ", "     ", "     ", "#####"}},
+    {'/', {"    #", "    #", "   # ", "  #  ", " #   ", "#    ", "#    "}},
+    {';', {"     ", " ##  ", " ##  ", "     ", " ##  ", " ##  ", " #   "}},
     {'a', {"     ", "     ", " ### ", "    #", " ####", "#   #", " ####"}},
-    {'m', {"     ", "     ", "## # ", "# # #", "# # #", "# # #", "# # #"}},
+    {'b', {"#    ", "#    ", "#### ", "#   #", "#   #", "#   #", "#### "}},
+    {'c', {"     ", "     ", " ### ", "#    ", "#    ", "#   #", " ### "}},
+    {'d', {"    #", "    #", " ####", "#   #", "#   #", "#   #", " ####"}},
     {'e', {"     ", "     ", " ### ", "#   #", "#####", "#    ", " ### "}},
+    {'f', {"  ## ", " #   ", "#### ", " #   ", " #   ", " #   ", " #   "}},
+    {'g', {"     ", "     ", " ####", "#   #", " ####", "    #", " ### "}},
+    {'h', {"#    ", "#    ", "#### ", "#   #", "#   #", "#   #", "#   #"}},
+    {'i', {"  #  ", "     ", " ##  ", "  #  ", "  #  ", "  #  ", " ### "}},
+    {'j', {"   # ", "     ", "  ## ", "   # ", "   # ", "#  # ", " ##  "}},
+    {'k', {"#    ", "#    ", "#  # ", "# #  ", "##   ", "# #  ", "#  # "}},
+    {'l', {" ##  ", "  #  ", "  #  ", "  #  ", "  #  ", "  #  ", " ### "}},
+    {'m', {"     ", "     ", "## # ", "# # #", "# # #", "# # #", "# # #"}},
+    {'n', {"     ", "     ", "#### ", "#   #", "#   #", "#   #", "#   #"}},
+    {'o', {"     ", "     ", " ### ", "#   #", "#   #", "#   #", " ### "}},
+    {'p', {"     ", "     ", "#### ", "#   #", "#### ", "#    ", "#    "}},
+    {'q', {"     ", "     ", " ####", "#   #", " ####", "    #", "    #"}},
+    {'r', {"     ", "     ", "# ## ", "##   ", "#    ", "#    ", "#    "}},
     {'s', {"     ", "     ", " ####", "#    ", " ### ", "    #", "#### "}},
-    {' ', {"     ", "     ", "     ", "     ", "     ", "     ", "     "}},
+    {'t', {" #   ", " #   ", "#### ", " #   ", " #   ", " #  #", "  ## "}},
+    {'u', {"     ", "     ", "#   #", "#   #", "#   #", "#  ##", " ## #"}},
+    {'v', {"     ", "     ", "#   #", "#   #", "#   #", " # # ", "  #  "}},
+    {'w', {"     ", "     ", "#   #", "#   #", "# # #", "# # #", " # # "}},
+    {'x', {"     ", "     ", "#   #", " # # ", "  #  ", " # # ", "#   #"}},
+    {'y', {"     ", "     ", "#   #", "#   #", " ####", "    #", " ### "}},
+    {'z', {"     ", "     ", "#####", "   # ", "  #  ", " #   ", "#####"}},
 }};
 
 }  // namespace
 
 int textWidth(std::string_view text, int dot) {
   return static_cast<int>(text.size()) * (kColumns + 1) * dot;
+}
+
+std::vector<std::string> brokenLines(std::string_view text, size_t letters) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const size_t end = std::min(text.find(' '), text.size());
+    if (lines.empty() || lines.back().size() + 1 + end > letters)
+      lines.emplace_back();
+    else
+      lines.back() += ' ';
+    lines.back() += text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
 }
 
 void fillRect(Image& image, int x, int y, int width, int height, const Color& color) {
@@ -54,7 +95,7 @@ void fillRect(Image& image, int x, int y, int width, int height, const Color& co
 void drawText(Image& image, int x, int y, std::string_view text, int dot, const Color& color) {
   for (const char letter : text) {
     for (const Glyph& glyph : kGlyphs) {
-      if (glyph.letter != letter) continue;
+      if (glyph.letter != lowerCase(letter)) continue;
       for (int r = 0; r < kRows; ++r)
         for (int c = 0; c < kColumns; ++c)
           if (glyph.dots[r][c] == '#') fillRect(image, x + c * dot, y + r * dot, dot, dot, color);

@@ -18,7 +18,7 @@ Image drawnAtOnce(const WalkView& view, int frame) {
   RenderSettings settings;
   settings.width = kSmall.width;
   settings.height = kSmall.height;
-  WalkShot shot = takeShot(view, settings);
+  WalkShot shot = takeShot(view, settings.shot(bodyFrames(view, settings)));
   shot.light.shadow_size = WalkFilm::kShadowSize;
   const Camera large = shot.camera.enlarged(kSupersampling);
   const int width = kSupersampling * kSmall.width, height = kSupersampling * kSmall.height;

@@ -297,5 +297,65 @@ TEST(PlanView, RoomsFillThePageAndLargeScenesAreShownAroundTheWalk) {
   EXPECT_LT((sizeOf() - Vector2d(4 + 6 + 0.6, 6 + 0.6)).norm(), 0.01);  // 3.3 m about the walk
 }
 
+double areaOfPath(const std::string& path) {
+  double area = 0.0;
+  static const std::regex ring("M([^Z]*)Z");
+  static const std::regex pair("(-?[0-9.]+) (-?[0-9.]+)");
+  for (std::sregex_iterator it(path.begin(), path.end(), ring), end; it != end; ++it) {
+    const std::string points = (*it)[1].str();
+    std::vector<Vector2d> at;
+    for (std::sregex_iterator p(points.begin(), points.end(), pair), last; p != last; ++p)
+      at.emplace_back(std::stod((*p)[1].str()), std::stod((*p)[2].str()));
+    for (size_t i = 0; i < at.size(); ++i) {
+      const Vector2d &a = at[i], &b = at[(i + 1) % at.size()];
+      area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    }
+  }
+  return std::abs(area);
+}
+
+// A room of 6 x 4 m of which 2 x 3 m are reached, in strips of 0.1 m.
+TEST(PlanView, WithoutAWalkShowsHowFarOneGetsAndWhatStoodInTheWay) {
+  const auto walk = makeTestWalk();
+  WalkView& view = walk->view;
+  view.animation = nullptr;
+  view.path = nullptr;
+  view.why = "contact: pelvis and <chest>, 0.52 m wide, needed 0.66 m";
+  ReachedRegion reached;
+  reached.breadth = 0.1;
+  for (int i = 0; i < 30; ++i)
+    reached.strips.push_back({{0.5 + 0.05, 0.55 + 0.1 * i, 0}, {2.5 - 0.05, 0.55 + 0.1 * i, 0}});
+  reached.near = {2.5, 2, 0};
+  reached.far = {3.5, 2, 0};
+  Obstruction why;
+  why.part = "pelvis";
+  why.object = "<chest>";
+  why.at = {2.8, 2.1, 0.9};
+  why.width = 0.52;
+  why.needed = 0.66;
+  view.reached = &reached;
+  view.obstruction = &why;
+  pugi::xml_document svg;
+  ASSERT_TRUE(svg.load_string(planOf(view).c_str()));
+  const double scale = 1100 / 6.7;  // units a metre: the room with walls and what is around it
+  EXPECT_NEAR(areaOfPath(svg.select_node("//path[@id='reached']").node().attribute("d").value()),
+              6.0 * scale * scale, 0.05 * scale * scale);
+  EXPECT_TRUE(svg.select_node("//path[@id='missing']"));
+  EXPECT_TRUE(svg.select_node("//path[@id='stop']"));
+  std::string words;
+  for (const auto& found : svg.select_nodes("//text[@class='stop']"))
+    words += std::string(found.node().text().get()) + ";";
+  EXPECT_EQ(words, "pelvis and <chest>;0.52 m of 0.66 m;");
+  EXPECT_EQ(view.why, svg.select_node("//text[@class='why']").node().text().get());
+}
+
+TEST(PlanView, OfManyThingsEachIsDrawn) {
+  const auto walk = makeTestWalk();
+  for (int i = 0; i < 400; ++i)
+    walk->scene.objects.push_back(testBox("b-" + std::to_string(i), {0.02, 0.02, 0.5},
+                                          {0.2 + 0.28 * (i % 20), 0.2 + 0.18 * (i / 20), 0.25}));
+  EXPECT_EQ(countOf(planOf(walk->view), "<title>b-"), 400);
+}
+
 }  // namespace
 }  // namespace amble

@@ -186,6 +186,72 @@ TEST(RenderWalk, WhoOnlyStandsIsDrawnOnce) {
   EXPECT_TRUE(bodyFrames(WalkView{}, {}).empty());
 }
 
+// Where each view has its eye, from the middle of the room of 6 x 4 m.
+TEST(RenderWalk, PointsOfViewAreWhereTheyAreSaidToBe) {
+  const auto walk = makeTestWalk();  // along +x
+  const auto cameraOf = [&](PointOfView from) {
+    RenderSettings settings = kSmall;
+    settings.from = from;
+    return takeShot(walk->view, settings.shot(bodyFrames(walk->view, settings))).camera;
+  };
+  const Camera top = cameraOf(PointOfView::kTop), side = cameraOf(PointOfView::kSide),
+               corner = cameraOf(PointOfView::kCorner), first = cameraOf(PointOfView::kFirst);
+  EXPECT_TRUE(top.parallel);
+  EXPECT_EQ(top.axes.row(2), Eigen::RowVector3f(0, 0, -1));
+  EXPECT_LT(std::abs(side.axes(2, 0)), 1e-5f);  // across the way
+  EXPECT_LT(std::abs(side.axes(2, 2)), std::abs(corner.axes(2, 2)));
+  EXPECT_GT(std::abs(corner.axes(2, 0)), 0.1f);
+  EXPECT_GT(std::abs(corner.axes(2, 1)), 0.1f);
+  EXPECT_NEAR(first.eye.x(), 3.0f, 0.05f);  // half of the way
+  EXPECT_NEAR(first.eye.y(), 2.0f, 1e-5f);
+  EXPECT_GT(first.axes(2, 0), 0.9f);  // the way that is walked
+}
+
+TEST(RenderWalk, EveryPointOfViewShowsTheWalkInTheSameBytes) {
+  const auto walk = makeTestWalk();
+  for (const PointOfView from : {PointOfView::kTop, PointOfView::kSide, PointOfView::kFirst}) {
+    RenderSettings settings = kSmall, two = kSmall;
+    settings.from = two.from = from;
+    two.threads = 2;
+    const Image image = renderWalk(walk->view, settings);
+    EXPECT_GT(strongPixels(image, 0), 50);
+    EXPECT_EQ(image.rgb, renderWalk(walk->view, two).rgb);
+  }
+}
+
+// Green ground, a red pin.
+TEST(RenderWalk, WithoutAWalkShowsHowFarOneGetsAndWhatStoodInTheWay) {
+  const auto walk = makeTestWalk();
+  WalkView& view = walk->view;
+  view.animation = nullptr;
+  view.path = nullptr;
+  view.start = view.goal = std::nullopt;
+  RenderSettings settings = kSmall;
+  settings.from = PointOfView::kTop;
+  const auto colored = [&](int channel, int by) {
+    const Image image = renderWalk(view, settings);
+    int count = 0;
+    for (size_t i = 0; i < image.rgb.size(); i += 3)
+      count += image.rgb[i + channel] >
+               std::max(image.rgb[i + (channel + 1) % 3], image.rgb[i + (channel + 2) % 3]) + by;
+    return count;
+  };
+  EXPECT_EQ(colored(1, 0), 0);
+  EXPECT_EQ(colored(0, 100), 0);
+  ReachedRegion reached;
+  reached.breadth = 0.1;
+  for (int i = 0; i < 30; ++i)
+    reached.strips.push_back({{0.55, 0.55 + 0.1 * i, 0}, {2.45, 0.55 + 0.1 * i, 0}});
+  reached.near = {2.5, 2, 0};
+  reached.far = {3.5, 2, 0};
+  Obstruction why;
+  why.at = {3, 2, 0.9};
+  view.reached = &reached;
+  view.obstruction = &why;
+  EXPECT_GT(colored(1, 0), 2000);
+  EXPECT_GT(colored(0, 100), 20);
+}
+
 TEST(RenderWalk, AThingThatIsAddedChangesThePictureWhereItIsOnly) {
   const auto walk = makeTestWalk();
   const Image before = renderWalk(walk->view, kSmall);

@@ -8,7 +8,7 @@
 namespace amble {
 namespace {
 
-constexpr const char* kLetters = "0123456789.:-frames";
+constexpr const char* kLetters = "0123456789.:,;-_/()abcdefghijklmnopqrstuvwxyz";
 constexpr int kRows = 7;
 
 /// A text in white on black with a margin of 3 pixels.
@@ -29,6 +29,10 @@ TEST(TinyText, EveryGlyphHasInkAndIsItsOwn) {
   }
 }
 
+TEST(TinyText, CapitalsAreWrittenSmall) {
+  EXPECT_EQ(drawn("Left ARM", 2).rgb, drawn("left arm", 2).rgb);
+}
+
 TEST(TinyText, WhatItDoesNotKnowLeavesAGap) {
   EXPECT_EQ(ink(drawn("?~\xff ", 2)), 0);
   EXPECT_EQ(ink(drawn("1?1", 1)), 2 * ink(drawn("1", 1)));
@@ -46,6 +50,19 @@ TEST(TinyText, StaysWithinItsWidthAndHeight) {
       const bool within = x >= 3 && x < image.width - 3 && y >= 3 && y < image.height - 3;
       EXPECT_TRUE(within || image.pixel(x, y)[0] == 0) << x << ", " << y;
     }
+}
+
+TEST(TinyText, LinesAreBrokenAtBlanksAndLoseNothing) {
+  const std::string text = "contact: pelvis and a-very-long-name-of-a-thing, 0.52 m wide";
+  for (const size_t letters : {1u, 8u, 16u, 40u, 200u}) {
+    std::string again;
+    for (const std::string& line : brokenLines(text, letters)) {
+      EXPECT_TRUE(line.size() <= letters || line.find(' ') == std::string::npos) << line;
+      again += (again.empty() ? "" : " ") + line;
+    }
+    EXPECT_EQ(again, text);
+  }
+  EXPECT_TRUE(brokenLines("", 10).empty());
 }
 
 TEST(FillRect, IsCutOffAtTheEdges) {
