@@ -8,8 +8,8 @@
 
 #include "base/rotation.h"
 #include "base/sample_stream.h"
-#include "planner/why/obstruction_text.h"
 #include "planner/steering/walk_steering.h"
+#include "planner/why/obstruction_text.h"
 #include "tests/planner/furnished_room.h"
 
 namespace amble {
