@@ -193,6 +193,10 @@ TEST_F(CaptureOptions, OfView) {
     EXPECT_FALSE(printed("view in/walk.bvh --json").empty());
     expectRefused("view in/walk.bvh --json -o -", {"--json", "-o FILE"});
   };
+  uses["--captures"] = [&] {  // of a library: its walks beside those that they were made from
+    const std::string shown = "view " AMBLE_SOURCE_DIR "/animation/motions/default.yaml --json ";
+    EXPECT_NE(good(shown + "--captures " + captureFolder()).out, good(shown + "--captures in").out);
+  };
   uses["--open"] = [&] {
     write("bin/xdg-open", "#!/bin/sh\necho \"$1\" > opened\n");
     good("view in/walk.bvh -o new.html --open", 0, "chmod +x bin/xdg-open; PATH=$PWD/bin:$PATH;");

@@ -39,9 +39,9 @@ TEST_F(Commands, HelpAndVersionAreNoErrors) {
 TEST_F(Commands, PlanWritesAWalkWithItsReportAndPictures) {
   const Ran ran = run("plan in/scenario.yaml -o out");
   ASSERT_EQ(ran.status, 0) << ran.err;
-  EXPECT_EQ(files(), (std::set<std::string>{"in/room.yaml", "in/scenario.yaml", "out/report.json",
-                                            "out/top.svg", "out/walk.bvh", "out/walk.html",
-                                            "out/walk.png"}));
+  EXPECT_EQ(files(), (std::set<std::string>{"in/room.yaml", "in/scenario.yaml", "out/report.html",
+                                            "out/report.json", "out/top.svg", "out/walk.bvh",
+                                            "out/walk.html", "out/walk.png"}));
   const json report = json::parse(read("out/report.json"));
   EXPECT_EQ(report["status"], "solved");
   EXPECT_GT(report["length"], 4.0);

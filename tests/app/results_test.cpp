@@ -30,8 +30,8 @@ TEST_F(Results, CtrlCLeavesAnEarlierWalkWithItsReport) {
   EXPECT_NE(ran.err.find("stopped; nothing was written to out"), std::string::npos) << ran.err;
   EXPECT_EQ(read("out/walk.bvh"), walk);
   EXPECT_EQ(read("out/report.json"), report);
-  EXPECT_EQ(results(),
-            (std::set<std::string>{"report.json", "top.svg", "walk.bvh", "walk.html", "walk.png"}));
+  EXPECT_EQ(results(), (std::set<std::string>{"report.html", "report.json", "top.svg", "walk.bvh",
+                                              "walk.html", "walk.png"}));
 }
 
 TEST_F(Results, OfTwoRunsNoneIsMixed) {

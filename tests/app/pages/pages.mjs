@@ -75,6 +75,7 @@ function farthest(a, b) {
 const said = [];
 async function open(context, file, hash = '') {
   const page = await context.newPage();
+  page.setDefaultTimeout(120_000);  // of a machine that does other things beside
   page.on('console', (message) => {
     if (['error', 'warning'].includes(message.type())) said.push(`${file}: ${message.text()}`);
   });
@@ -232,6 +233,7 @@ mkdirSync(work, { recursive: true });
 const walk = plan('living-room');
 const none = plan('narrow-gap-040');
 const browser = await browsers.launch({
+  timeout: 120_000,
   executablePath: chromium,
   args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
 });

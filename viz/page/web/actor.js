@@ -2,13 +2,13 @@
 
 import {
   Bone, BufferAttribute, BufferGeometry, CapsuleGeometry, Group, LineBasicMaterial, LineSegments,
-  Matrix4, Mesh, MeshStandardMaterial, Quaternion, Vector3,
+  Matrix4, Mesh, MeshLambertMaterial, Quaternion, Vector3,
 } from 'three';
 import { kLeftColor, kRightColor } from './colors.js';
 import { makeFigure } from './figure.js';
 
 const kUp = new Vector3(0, 1, 0);
-const kLit = new MeshStandardMaterial({ color: 0xf04438, emissive: 0xb42318, roughness: 0.6 });
+const kLit = new MeshLambertMaterial({ color: 0xf04438, emissive: 0xb42318 });
 
 function bonesOf(joints) {
   const bones = joints.map((joint) => {
@@ -52,9 +52,9 @@ export class Actor {
   }
 
   addCapsules() {
-    const skin = new MeshStandardMaterial({ color: 0xb9c2cf, roughness: 0.75 });
+    const skin = new MeshLambertMaterial({ color: 0xb9c2cf });
     const soles = [kLeftColor, kRightColor].map(
-      (color) => new MeshStandardMaterial({ color, roughness: 0.7 }),
+      (color) => new MeshLambertMaterial({ color }),
     );
     this.skins = this.json.parts.map((part) => (part.side >= 0 ? soles[part.side] : skin));
     return this.json.parts.map((part, i) => {

@@ -1,7 +1,7 @@
 // The skin of a body, on its bones (viz/figure/figure.h).
 
 import {
-  BufferAttribute, BufferGeometry, Color, Matrix4, MeshStandardMaterial, Quaternion, Skeleton,
+  BufferAttribute, BufferGeometry, Color, Matrix4, MeshLambertMaterial, Quaternion, Skeleton,
   SkinnedMesh, SRGBColorSpace, Vector3,
 } from 'three';
 
@@ -37,7 +37,7 @@ export function makeFigure(page, json, bones) {
   add('skinIndex', page.array(json.joints), 4);
   add('skinWeight', page.array(json.weights), 4);
   geometry.setIndex(new BufferAttribute(page.array(json.triangles), 1));
-  const mesh = new SkinnedMesh(geometry, new MeshStandardMaterial({ vertexColors: true, roughness: 0.8 }));
+  const mesh = new SkinnedMesh(geometry, new MeshLambertMaterial({ vertexColors: true }));
   mesh.bind(new Skeleton(bones, inversesOf(page.array(json.bind))), new Matrix4());
   mesh.frustumCulled = false;
   mesh.castShadow = true;

@@ -1,7 +1,7 @@
 // What can be shown beside the body, each to be switched: path, prints, roadmap, nearest thing.
 
 import {
-  DoubleSide, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, SphereGeometry,
+  DoubleSide, Group, Mesh, MeshBasicMaterial, MeshLambertMaterial, SphereGeometry,
 } from 'three';
 import { Attempts } from './attempts.js';
 import { kGoalColor, kLeftColor, kPathColor, kRightColor, kStartColor } from './colors.js';
@@ -108,7 +108,7 @@ export class Layers {
   /** Something is at this place; null: nothing is. */
   mark(at) {
     if (!this.pin) {
-      const material = new MeshStandardMaterial({
+      const material = new MeshLambertMaterial({
         color: 0xf04438, emissive: 0xd92d20, depthTest: false, transparent: true, opacity: 0.85,
       });
       this.pin = new Mesh(new SphereGeometry(0.045, 24, 16), material);

@@ -5,20 +5,14 @@ import { Viewer } from './viewer.js';
 import { Controls } from './controls.js';
 import { Bench } from './bench.js';
 
-function webglIsThere() {
-  try {
-    return Boolean(document.createElement('canvas').getContext('webgl2'));
-  } catch {
-    return false;
-  }
-}
-
 function start() {
-  if (!webglIsThere()) {
+  const canvas = document.getElementById('view');
+  const context = canvas.getContext('webgl2', { antialias: true, powerPreference: 'high-performance' });
+  if (!context) {
     document.getElementById('no-webgl').hidden = false;
     return;
   }
-  const viewer = new Viewer(readPage(document), document.getElementById('view'));
+  const viewer = new Viewer(readPage(document), canvas, context);
   const controls = new Controls(viewer, document);
   controls.begin();
   if (viewer.page.bench) viewer.bench = new Bench(viewer);

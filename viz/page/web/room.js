@@ -3,7 +3,7 @@
 
 import {
   Box3, BufferAttribute, BufferGeometry, Color, DoubleSide, Group, InstancedMesh, Matrix4, Mesh,
-  MeshStandardMaterial, Ray, SRGBColorSpace, Vector3,
+  MeshLambertMaterial, Ray, SRGBColorSpace, Vector3,
 } from 'three';
 import { creasedNormals } from './normals.js';
 
@@ -15,13 +15,13 @@ const kBeyond = 0.35;    // how far beyond a wall its other side is looked for [
 const kHip = 0.9;        // of a walker over his feet [m]
 const kAround = 0.8;     // what is to be seen around the walker [m]
 
-const kThing = new MeshStandardMaterial({ vertexColors: true, roughness: 0.85, side: DoubleSide });
-const kLit = new MeshStandardMaterial({
-  color: 0xf04438, emissive: 0x7a1510, roughness: 0.8, side: DoubleSide, transparent: true, opacity: 0.75,
+const kThing = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide });
+const kLit = new MeshLambertMaterial({
+  color: 0xf04438, emissive: 0x7a1510, side: DoubleSide, transparent: true, opacity: 0.75,
   polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1,
 });
-const kGhost = new MeshStandardMaterial({
-  vertexColors: true, roughness: 0.85, transparent: true, opacity: 0.1, depthWrite: false,
+const kGhost = new MeshLambertMaterial({
+  vertexColors: true, transparent: true, opacity: 0.1, depthWrite: false,
 });
 
 // A surface where it stands: matrix from its box, colour, object and kind.
@@ -99,7 +99,7 @@ function instanced(corners, triangles, instances) {
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('normal', new BufferAttribute(normals, 3));
   const mesh = new InstancedMesh(
-    geometry, new MeshStandardMaterial({ roughness: 0.85, side: DoubleSide }), instances.length,
+    geometry, new MeshLambertMaterial({ side: DoubleSide }), instances.length,
   );
   instances.forEach((instance, i) => {
     mesh.setMatrixAt(i, instance.matrix);

@@ -10,8 +10,8 @@ const kSlow = 1 / 40;  // frames that take longer on the average are made of few
 const kShadowed = 24;  // rooms larger than this are shadowed around the walker only [m]
 
 export class Stage {
-  constructor(canvas) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+  constructor(canvas, context) {
+    this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.shadowMap.autoUpdate = false;  // but when something moves

@@ -10,10 +10,10 @@ import { Stage } from './stage.js';
 import { Take } from './take.js';
 
 export class Viewer {
-  constructor(page, canvas) {
+  constructor(page, canvas, context) {
     this.page = page;
     this.canvas = canvas;
-    this.stage = new Stage(canvas);
+    this.stage = new Stage(canvas, context);
     this.player = new Player();
     this.room = new Room(page);
     this.takes = page.takes.map((json) => new Take(page, json));
