@@ -169,6 +169,11 @@ TEST_F(CaptureOptions, OfConvert) {
     EXPECT_GT((mirrored.poses.p_WR(100) - plain.poses.p_WR(100)).norm(), 0.1);
     EXPECT_LT((back.poses.p_WR(100) - plain.poses.p_WR(100)).norm(), 1e-4);
   };
+  uses["--names"] = [&] {
+    const Clip named = said("--names vrm", "230 frames");
+    EXPECT_GE(named.skeleton.find("leftUpperLeg"), 0);
+    EXPECT_LT(named.skeleton.find(plain.skeleton.joint(0).name), 0);
+  };
   uses["--bvh-units"] = [&] {
     EXPECT_NEAR(said("--bvh-units cm", "230 frames").poses.p_WR(9).norm(),
                 100.0 * plain.poses.p_WR(9).norm(), 1e-3);

@@ -104,6 +104,13 @@ TEST_F(Convert, WritesTheMotionInMetresAndSaysWhatItGuessed) {
   EXPECT_LT(farthest(readBvh(folder_ / "cm.bvh", {.metres_per_unit = 0.01}), walk_), 1e-5);
 }
 
+TEST_F(Convert, AGlbIsReadAsTheMotionItself) {
+  ASSERT_EQ(run("convert in/walk.bvh -o out.glb --trim 10:40").status, 0);
+  const Ran ran = run("convert out.glb -o back.bvh --file-fps 30");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_LT(farthest(written("back.bvh"), trimmed(walk_, 10, 40)), 1e-4);
+}
+
 TEST_F(Convert, CutsResamplesAndMirrors) {
   ASSERT_EQ(run("convert in/walk.bvh -o out.bvh --trim 10:40 --fps 60").status, 0);
   EXPECT_LT(farthest(written("out.bvh"), resampleClip(trimmed(walk_, 10, 40), 1.0 / 60.0)), 1e-5);

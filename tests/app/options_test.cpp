@@ -119,8 +119,16 @@ PlanOptions::Uses PlanOptions::ofResults() const {
              ASSERT_EQ(cm.frames(), m.frames());
              EXPECT_LT((cm.poses.p_WR(100) - m.poses.p_WR(100)).norm(), 1e-5);
            }},
+          {"--names",
+           [this] {
+             const json report = reported("--names unreal");
+             EXPECT_GE(readBvh(folder_ / "out/walk.bvh").skeleton.find("thigh_l"), 0);
+             EXPECT_NE(report["body"].dump().find("\"thigh_l\""), std::string::npos);
+             expectRefused(kPlan + "-o out --names maya", {"--names", "maya"});
+           }},
           {"--formats",
            [this] {
+             expectFiles("--formats glb", {"walk.glb"});
              expectFiles("--formats svg", {"top.svg"});
              expectFiles("--formats strip,json", {"report.json", "strip.png"});
              expectFiles("--formats bvh --formats png", {"walk.bvh", "walk.png"});
@@ -403,6 +411,14 @@ AnimateOptions::Uses AnimateOptions::ofTheClip() const {
            [this] {
              const Eigen::Vector3d m = rise(clipOf("")), cm = rise(clipOf("--bvh-units cm"));
              EXPECT_LT((cm - 100.0 * m).norm(), 1e-3);
+           }},
+          {"--names",
+           [this] {
+             const Clip own = clipOf(""), named = clipOf("--names mixamo");
+             const int hips = named.skeleton.find("mixamorig_Hips");
+             ASSERT_EQ(hips, 0);
+             EXPECT_EQ(own.poses.p_WR(9), named.poses.p_WR(9));
+             EXPECT_GE(named.skeleton.find("mixamorig_LeftUpLeg"), 0);
            }},
           {"--quality", [this] {
              const Ran judged = good("animate -o a.bvh --duration 4 --quality");
