@@ -77,7 +77,8 @@ void addReached(const WalkView& view, std::vector<DrawTriangle>& triangles) {
 
 // Where one gets no farther.
 void addStop(const WalkView& view, std::vector<DrawTriangle>& triangles) {
-  constexpr double kWidth = 0.04, kHead = 0.07, kNeedle = 0.012;  // [m]
+  // A head that shows on both sides of a thin wall in which it is.
+  constexpr double kWidth = 0.04, kHead = 0.11, kNeedle = 0.02;  // [m]
   if (view.reached != nullptr) {
     const std::array<Vector2d, 2> line = {view.reached->near.head<2>(),
                                           view.reached->far.head<2>()};

@@ -40,7 +40,7 @@ void drawWords(Image& image, const std::string& text) {
 
 // Whether a body is so far before the walker's eyes that more than a back is seen.
 bool isAhead(const WalkView& view, int frame, const Camera& camera) {
-  constexpr float kNear = 1.2f;  // [m]
+  constexpr float kNear = 1.5f;  // [m]
   return frame > middleFrame(view) &&
          (view.animation->poses.p_WR(frame).cast<float>() - camera.eye).head<2>().norm() > kNear;
 }
