@@ -7,6 +7,7 @@ import { mkdirSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { tryBench } from './bench.mjs';
 
 const [, , amble, chromium, web, source, work] = process.argv;
 const require = createRequire(join(web, 'package.json'));
@@ -242,6 +243,7 @@ await tryWalk(context, walk);
 await tryView(context, walk);
 await tryNone(context, none);
 await tryPhone(browser, walk);
+await tryBench({ browser, context, open, claim, amble, work, source, walk });
 await browser.close();
 claim('nothing was said on the console, and nothing asked for', said.length === 0, said.join('\n'));
 process.exit(failed > 0 ? 1 : 0);

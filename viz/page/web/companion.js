@@ -4,7 +4,7 @@
 import { Box3, Color, Vector3 } from 'three';
 
 const kBeside = 1.1;    // between two walkers [m]
-const kAround = 0.9;    // a walker's root, of what is to be in sight [m]
+const kAround = 0.7;    // a walker's root, of what is to be in sight [m]
 const kUnderWay = 0.5;  // after so much of its way a clip shows where it goes [m]
 const kSecond = new Color(0x7a5af8);
 

@@ -39,12 +39,24 @@ export class Ghosts {
    * @param inPlace  on the spot there is neither way nor trace */
   draw(every, shown, inPlace) {
     this.clear();
+    this.placeGround(shown[0], inPlace);
     if (inPlace) return;
     for (const one of shown) {
-      this.lines.push(this.rootLine(one));
+      if (one.second || !one.take.way) this.lines.push(this.rootLine(one));
       if (every > 0) this.group.add(this.trace(every, one));
     }
-    this.viewer.layers.groups.path.add(...this.lines);
+    if (this.lines.length > 0) this.viewer.layers.groups.path.add(...this.lines);
+  }
+
+  // What lies on the floor lies on it where the first clip stands; on the spot there is none.
+  placeGround({ clip }, inPlace) {
+    for (const name of ['path', 'prints']) {
+      for (const mesh of this.viewer.layers.groups[name].children) {
+        mesh.visible = !inPlace;
+        mesh.userData.height ??= mesh.position.z;
+        mesh.position.z = mesh.userData.height - clip.floor;
+      }
+    }
   }
 
   rootLine({ take, actor, clip, second }) {
