@@ -38,6 +38,19 @@ export class Bench {
     this.split = make('div', { id: 'bench-split', title: 'Drag: more or less of the curves', on: { pointerdown: (event) => this.onSplit(event) } });
     document.body.append(this.split, this.list.element, this.tree.element, this.curves.element, this.nav, this.tools);
     this.openPanel('curves');
+    this.addKeys();
+  }
+
+  // To the page's own.
+  addKeys() {
+    const keys = [['N', 'P', 'the next clip, the one before'], ['F', 'filter clips'], ['I', 'walk on the spot'],
+      ['T', 'trace: every n-th frame'], ['Esc', 'one clip only']];
+    const list = document.querySelector('#keys dl');
+    for (const row of keys) {
+      const does = row.pop();
+      list.append(make('dt', {}, ...row.map((key) => make('kbd', { textContent: key }))), make('dd', { textContent: does }));
+    }
+    list.append(make('dt', { textContent: 'Curves' }), make('dd', { textContent: 'drag: time; wheel or pinch: zoom; shift and wheel, or right button: move; double click: whole' }));
   }
 
   buildPair() {
