@@ -15,9 +15,13 @@ struct FileKind {
   size_t limit;      ///< [bytes]
 };
 
+/// Programs that a shell starts together come up within that [s].
+inline constexpr int kWriterPatience = 3;
+
 /// The bytes of a file, a device or a pipe; `-` is standard input. Each is opened once and read
 /// once, from its begin to its end.
-/// @throws InputError if it is missing, a folder, unreadable or larger than its kind may be
+/// @throws InputError if it is missing, a folder, unreadable, larger than its kind may be, or a
+/// pipe that nobody has begun to write to within kWriterPatience
 std::string readWholeFile(const std::filesystem::path& file, const FileKind& kind);
 /// The rest of a stream. @param name  stands for it in messages
 std::string readWholeStream(std::istream& in, const std::string& name, const FileKind& kind);

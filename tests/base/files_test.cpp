@@ -62,6 +62,19 @@ TEST_F(Files, WhatNeverEndsIsRefused) {
             "/dev/zero: is larger than 1000 bytes; expected a small file of at most that");
 }
 
+TEST_F(Files, APipeIsReadWheneverItsWriterCloses) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto read = [&](const std::string& bytes) {
+    std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << bytes; });
+    const std::string got = readWholeFile(pipe, kSmall);
+    writer.join();
+    return got;
+  };
+  EXPECT_EQ(read("x"), "x");
+  EXPECT_EQ(read(std::string(1000, 'y')), std::string(1000, 'y'));
+}
+
 TEST_F(Files, EveryByteIsKeptAsItIs) {
   std::string bytes;
   for (int i = 0; i < 600; ++i) bytes += static_cast<char>(i % 256);
