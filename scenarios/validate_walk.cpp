@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "animation/analysis/motion_measures.h"
 #include "animation/body/foot_shape.h"
 #include "animation/captures/motion_reader.h"
 #include "base/error.h"
@@ -110,6 +111,7 @@ WalkValidation validateWalk(const std::filesystem::path& bvh,
   result.feet = measureStandingFeet(soles, plants, clip.frame_time);
   result.steps = measureStepHeights(soles, plants, ground);
   result.ground_penetration = soles.penetration();
+  result.pops = pops(clip);
   return result;
 }
 

@@ -41,8 +41,11 @@ struct WalkValidation {
   StandingFeet feet;
   StepHeights steps;                ///< [m]
   double ground_penetration = 0.0;  ///< largest depth of a sole [m]
+  double pops = 0.0;                ///< motion_measures.h [1, >= 0]
 
   bool hovers() const { return feet.hover_max > kHoverLimit; }
+  bool slides() const { return feet.skate_max > kSlideLimit; }
+  bool hasPops() const { return pops > kPopsLimit; }
   /// Whether a step is higher than the limits have it, by more than kStepSlack.
   bool oversteps(const GroundLimits& limits) const {
     return steps.up > limits.max_climb + kStepSlack || steps.down > limits.max_drop + kStepSlack;

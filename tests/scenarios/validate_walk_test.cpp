@@ -192,5 +192,25 @@ TEST_F(ValidateWalk, ADragThatTheGaitDoesNotKnowIsSkate) {
   EXPECT_GT(found.feet.skate_mean, validate().feet.skate_mean + 0.002);
 }
 
+TEST_F(ValidateWalk, WhoGetsLessFarThanHisStepsReachSlides) {
+  EXPECT_FALSE(validate().slides());
+  Clip clip = walkClip();
+  for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i).x() *= 0.6;
+  writeBvh(folder_ / "shorter.bvh", clip);
+  EXPECT_TRUE(validateWalk(folder_ / "shorter.bvh", folder_ / "scene.yaml").slides());
+}
+
+TEST_F(ValidateWalk, AJointThatIsElsewhereForAFrameIsAPop) {
+  EXPECT_FALSE(validate().hasPops());
+  for (int joint = 1; joint < walkClip().skeleton.size(); joint += 4) {
+    Clip clip = walkClip();
+    clip.poses.rotations(100)[joint] *=
+        Eigen::Quaterniond(Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitX()));
+    writeBvh(folder_ / "jumps.bvh", clip);
+    EXPECT_TRUE(validateWalk(folder_ / "jumps.bvh", folder_ / "scene.yaml").hasPops())
+        << clip.skeleton.joint(joint).name;
+  }
+}
+
 }  // namespace
 }  // namespace amble
