@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -19,11 +20,13 @@ struct RenderSettings {
   double every = 0.5;  ///< no two bodies are closer in time [s, > 0]
   double apart = 0.5;  ///< nor, one after another, in place: else slow ones merge [m, >= 0]
   PointOfView from = PointOfView::kCorner;
+  /// Of the room's four corners the one to look from [0 to 3]; none: the best for this walk.
+  std::optional<int> corner = {};
   int threads = 1;  ///< change no byte of the picture [>= 1]
 
   /// Of a picture in which these frames are to be seen.
   ShotSettings shot(std::vector<int> frames) const {
-    return {from, width, height, std::move(frames), threads};
+    return {from, corner, width, height, std::move(frames), threads};
   }
 };
 

@@ -240,8 +240,11 @@ Shot shoot(const WalkView& view, const Subject& subject, const RoomModel& room,
       return shootFromAbove(view, subject, room, settings);
     case PointOfView::kSide:
       return chooseShot(view, subject, room, sideDirections(subject), settings);
-    case PointOfView::kCorner:
-      return chooseShot(view, subject, room, cornerDirections(subject.focus), settings);
+    case PointOfView::kCorner: {
+      std::vector<ViewDirection> corners = cornerDirections(subject.focus);
+      if (settings.corner) corners = {corners[*settings.corner]};
+      return chooseShot(view, subject, room, corners, settings);
+    }
     case PointOfView::kFirst:
       return shootAsWalker(view, subject, room, settings);
   }

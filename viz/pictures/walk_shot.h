@@ -1,6 +1,7 @@
 /// From where a picture of a walk is taken, and the room as it is seen from there.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "viz/pictures/camera.h"
@@ -20,10 +21,11 @@ enum class PointOfView {
 
 struct ShotSettings {
   PointOfView from = PointOfView::kCorner;
-  int width = 1600;         ///< [pixels, 16 to 8192]
-  int height = 1000;        ///< [pixels, 16 to 8192]
-  std::vector<int> frames;  ///< in which the walk is to be seen
-  int threads = 1;          ///< change no byte of the picture [>= 1]
+  std::optional<int> corner = {};  ///< of kCorner the one that is meant [0 to 3]
+  int width = 1600;                ///< [pixels, 16 to 8192]
+  int height = 1000;               ///< [pixels, 16 to 8192]
+  std::vector<int> frames;         ///< in which the walk is to be seen
+  int threads = 1;                 ///< change no byte of the picture [>= 1]
 };
 
 /// What a picture shows before bodies are drawn: the room with the marks on the floor, and the

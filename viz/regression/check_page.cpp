@@ -148,7 +148,7 @@ void writeSummary(XmlWriter& xml, const std::vector<CheckRow>& rows) {
     if (count > 0) counts.push_back(std::to_string(count) + " " + verdictName(verdict));
   }
   xml.text("p", {},
-           counted(static_cast<long long>(rows.size()), "row") +
+           counted(static_cast<long long>(rows.size()), "scenario") +
                (counts.empty() ? "" : ": " + joined(counts)));
   RunFigures before, now;  // of those that were accepted
   for (const CheckRow& row : rows) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "tests/viz/test_walk.h"
 #include "viz/pictures/color.h"
@@ -41,6 +42,19 @@ TEST(RenderWalk, ThreadsChangeNoByte) {
   two.threads = 2;
   EXPECT_EQ(renderWalk(makeTestWalk()->view, kSmall).rgb,
             renderWalk(makeTestWalk()->view, two).rgb);
+}
+
+TEST(RenderWalk, TheBestCornerIsOneOfFourThatDiffer) {
+  const auto walk = makeTestWalk();
+  const Image best = renderWalk(walk->view, kSmall);
+  std::set<std::vector<uint8_t>> pictures;
+  for (int corner = 0; corner < 4; ++corner) {
+    RenderSettings settings = kSmall;
+    settings.corner = corner;
+    pictures.insert(renderWalk(walk->view, settings).rgb);
+  }
+  EXPECT_EQ(pictures.size(), 4u);
+  EXPECT_TRUE(pictures.contains(best.rgb));
 }
 
 TEST(RenderWalk, ShowsTheRoomWhereThereIsNoWalk) {
