@@ -113,14 +113,19 @@ void addAnalyse(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand(
       "analyse", "Measure clips: foot plants, gait events, type, speed, stride, lift, quality");
   command->add_option("CLIP", options->paths, "Captures, and folders of them; - is standard input")
+      ->type_name("FILE")
       ->required();
   addReadOptions(*command, options->read);
   command->add_flag("--as-is", options->as_is,
                     "All frames, and z = 0 is the floor: cut off no bad start, level no floor");
-  command->add_option("--plants", options->plants,
-                      "Write frame,left,right: a file, a name with {stem}, or a folder");
-  command->add_option("--plot", options->plot,
-                      "Write a picture (SVG) of the feet: a file, a name with {stem}, or a folder");
+  command
+      ->add_option("--plants", options->plants,
+                   "Write frame,left,right: a file, a name with {stem}, or a folder")
+      ->type_name("FILE");
+  command
+      ->add_option("--plot", options->plot,
+                   "Write a picture (SVG) of the feet: a file, a name with {stem}, or a folder")
+      ->type_name("FILE");
   command->add_option("--threads", options->threads, "Threads; changes no result")
       ->check(wholeNumber(1, 64));
   command->add_flag("--json", options->json, "Print results for machines");

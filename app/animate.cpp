@@ -50,7 +50,7 @@ void checkRamp(const std::string& option, const std::optional<Ramp>& asked, doub
   const double low = least * captured, high = most * captured;
   for (const double value : {asked->from, asked->to}) {
     if (value >= low - 1e-9 && value <= high + 1e-9) continue;
-    throw InputError(option, 0, fmt::format("is {:g} m", value),
+    throw InputError("amble animate: " + option, 0, fmt::format("is {:g} m", value),
                      fmt::format("{:.3f} to {:.3f}, {:g} to {:g} of the captured walk's {:.3f}",
                                  low, high, least, most, captured));
   }
@@ -134,7 +134,7 @@ int run(const Options& options) {
   for (const std::string& action : options.actions) {
     if (findAction(library, action) != nullptr) continue;
     throw InputError(
-        "--action", 0,
+        "amble animate: --action", 0,
         "'" + action + "' is no movement or posture of the library that is always valid",
         "of" + listActions(library));
   }
@@ -142,7 +142,7 @@ int run(const Options& options) {
   const double fastest_deg = synthesizer.maxTurnRate() / kDegree;
   if (std::abs(options.turn_deg) > fastest_deg) {
     throw InputError(
-        "--turn", 0, fmt::format("is {:g} degrees/s", options.turn_deg),
+        "amble animate: --turn", 0, fmt::format("is {:g} degrees/s", options.turn_deg),
         fmt::format("-{0:.1f} to {0:.1f}, the fastest of the library's walks", fastest_deg));
   }
   checkRamp("--stride", request.stride, synthesizer.capturedStep(), 0.6, 1.4);
@@ -196,17 +196,23 @@ void addAnimate(CLI::App& app, Command& chosen) {
       ->excludes("--turn");
   command->add_option("--height", options->height, "Stature; default: the library's own")
       ->check(number(0.5, 2.5, "m"));
-  command->add_option(
-      "--action", options->actions,
-      "A movement (goes with the steps) or posture (is held) of the library, over the "
-      "whole walk; given again, the later over the earlier");
+  command
+      ->add_option("--action", options->actions,
+                   "A movement (goes with the steps) or posture (is held) of the library, over the "
+                   "whole walk; given again, the later over the earlier")
+      ->type_name("NAME");
   command->add_option("--library", options->library, "Motion library: default, or a file")
+      ->type_name("FILE")
       ->capture_default_str();
   command->add_option("--fps", options->fps, "Frames a second")
       ->check(number(24, 240, "1/s"))
       ->capture_default_str();
-  command->add_flag("--quality", options->quality,
-                    "Print what the walk measures beside its bars; 1 where one does not hold");
+  command->add_flag("--quality", options->quality, "Print what the walk measures beside its bars");
+  addExamples(*command, {"amble animate --speed 1.2 --turn 20 --duration 5 -o turn.bvh",
+                         "amble animate --stairs .17,.29 --duration 8 -o stairs.bvh",
+                         "amble animate --stride 0.5..0.8 --lift 0.15 -o stride.bvh"});
+  addExitStatus(*command, "the walk is there",
+                "there is none such, or a bar of --quality does not hold");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -82,12 +82,13 @@ int list(const std::vector<ScenarioFile>& files, bool as_json) {
   return kExitDone;
 }
 
-// As a card of the page shows it; large enough to look into.
+// As a card of the page shows it; large enough to look into. Always from the same corner, so that
+// before and after can be laid over one another.
 std::string pictureOf(const RunResult& result) {
   constexpr int kWidth = 640, kHeight = 400;  // [pixels]
   if (result.problem == nullptr) return "";
   std::ostringstream png;
-  writePng(png, renderWalk(viewOf(result), {.width = kWidth, .height = kHeight}));
+  writePng(png, renderWalk(viewOf(result), {.width = kWidth, .height = kHeight, .corner = 0}));
   return png.str();
 }
 
@@ -179,22 +180,28 @@ void addCheck(CLI::App& app, Command& chosen) {
   command
       ->add_option("PATH", options->paths,
                    "Scenario files, and folders of them; - is one on standard input")
+      ->type_name("FILE")
       ->required();
   command
       ->add_option("--filter", options->filters,
                    "Only scenarios of such names: a pattern with * and ?, or several with commas")
+      ->type_name("NAME")
       ->delimiter(',');
   command->add_flag("--list", options->list, "Say which they are, and run none");
-  command->add_option("-o,--output", options->out,
-                      "Folder for index.html: all on one page, with pictures; what is not as it "
-                      "was accepted, before and after");
-  command->add_option("--junit", options->junit, "Write the table as JUnit's XML too");
+  command
+      ->add_option("-o,--output", options->out,
+                   "Folder for index.html: all on one page, with pictures; what is not as it "
+                   "was accepted, before and after")
+      ->type_name("DIR");
+  command->add_option("--junit", options->junit, "Write the table as JUnit's XML too")
+      ->type_name("FILE");
   addRunOptions(*command, *options);
   command->add_flag("--json", options->json, "Print results for machines");
   addExamples(*command,
               {"amble check scenarios/narrow-gap-070.yaml",
                "amble check scenarios/narrow-gap-070.yaml --junit check.xml",
                "amble check scenarios --filter narrow-gap-070,narrow-gap-080 -j 2 -o out/check"});
+  addExitStatus(*command, "all hold", "something differs");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
+#include "base/strict_yaml.h"
 #include "base/text.h"
 
 namespace amble {
@@ -64,8 +66,26 @@ CLI::Validator number(double min, double max, const std::string& unit) {
   return CLI::Validator(check, fmt::format("[{}]", wanted));
 }
 
+CLI::Validator choice(const std::vector<std::string>& names) {
+  const auto check = [names](const std::string& text) -> std::string {
+    if (std::find(names.begin(), names.end(), text) != names.end()) return "";
+    const std::string meant = nearestWord(text, names);
+    return fmt::format("is '{}'; expected {}", text,
+                       meant.empty() ? "one of " + joined(names) : "'" + meant + "'");
+  };
+  return CLI::Validator(check, fmt::format("{{{}}}", fmt::join(names, ",")));
+}
+
 void addExamples(CLI::App& command, const std::vector<std::string>& lines) {
   command.footer(fmt::format("Examples:\n  {}", fmt::join(lines, "\n  ")));
+}
+
+void addExitStatus(CLI::App& command, const std::string& done, const std::string& none) {
+  const std::string before = command.get_footer();
+  command.footer(fmt::format(
+      "{}Exit status: {} {};{} {} the input or the use is wrong; {} stopped by Ctrl-C.",
+      before.empty() ? "" : before + "\n\n", kExitDone, done,
+      none.empty() ? "" : fmt::format(" {} {};", kExitNone, none), kExitWrong, kExitStopped));
 }
 
 CLI::Validator wholeNumber(long min, long max) {

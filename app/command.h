@@ -25,6 +25,8 @@ void addConvert(CLI::App& app, Command& chosen);
 void addInspect(CLI::App& app, Command& chosen);
 void addRoadmap(CLI::App& app, Command& chosen);
 void addView(CLI::App& app, Command& chosen);
+void addHelp(CLI::App& app, Command& chosen);        ///< after those that it helps with
+void addCompletion(CLI::App& app, Command& chosen);  ///< after those that it completes
 
 /// Accepts a finite decimal number within a range, ends included; CLI11's own lets `nan` through.
 CLI::Validator number(double min, double max, const std::string& unit = "");
@@ -34,8 +36,12 @@ Ramp readRamp(const std::string& text);  ///< @pre ramp() has accepted it
 /// Accepts two numbers with a comma between them, each within its range.
 CLI::Validator twoNumbers(const Ramp& first, const Ramp& second, const std::string& unit);
 std::pair<double, double> readTwoNumbers(const std::string& text);  ///< @pre accepted
+/// Accepts one of the names, and tells of another which is nearest to it.
+CLI::Validator choice(const std::vector<std::string>& names);
 /// Shows how the command is used, behind its options.
 void addExamples(CLI::App& command, const std::vector<std::string>& lines);
+/// Says behind them what the command ends with. @param none  when it is kExitNone; "" for never
+void addExitStatus(CLI::App& command, const std::string& done, const std::string& none = "");
 /// `--memory MB`, for commands that read meshes or captures. @param bytes  is set to it
 void addMemoryOption(CLI::App& command, size_t& bytes);
 /// Accepts a whole number within a range, ends included.

@@ -49,11 +49,11 @@ int frameOf(const std::string& text, const Clip& clip, int otherwise) {
   const auto parsed = std::from_chars(text.data(), end, value);
   const bool whole = seconds || value == std::floor(value);
   if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value) || !whole) {
-    throw InputError("--trim", 0, "'" + text + "'", kTrimForm);
+    throw InputError("amble convert: --trim", 0, "'" + text + "'", kTrimForm);
   }
   const double frame = seconds ? std::round(value / clip.frame_time) : value;
   if (!(frame >= 0.0 && frame < clip.frames())) {
-    throw InputError("--trim", 0, "'" + text + "' is not in the clip",
+    throw InputError("amble convert: --trim", 0, "'" + text + "' is not in the clip",
                      fmt::format("0 to {}, or 0s to {:g}s", clip.frames() - 1, clip.duration()));
   }
   return static_cast<int>(frame);
@@ -61,18 +61,21 @@ int frameOf(const std::string& text, const Clip& clip, int otherwise) {
 
 Clip trimmedClip(const Clip& clip, const std::string& range) {
   const size_t colon = range.find(':');
-  if (colon == std::string::npos) throw InputError("--trim", 0, "'" + range + "'", kTrimForm);
+  if (colon == std::string::npos)
+    throw InputError("amble convert: --trim", 0, "'" + range + "'", kTrimForm);
   const int first = frameOf(range.substr(0, colon), clip, 0);
   const int last = frameOf(range.substr(colon + 1), clip, clip.frames() - 1);
   if (first > last)
-    throw InputError("--trim", 0, "'" + range + "' ends before it begins", kTrimForm);
+    throw InputError("amble convert: --trim", 0, "'" + range + "' ends before it begins",
+                     kTrimForm);
   return trimmed(clip, first, last);
 }
 
 Clip resampledClip(const Clip& clip, double fps) {
   const double poses = clip.duration() * fps * clip.skeleton.size();
   if (poses > static_cast<double>(kMaxSampledPoses)) {
-    throw InputError("--fps", 0, fmt::format("{:g} frames a second of so long a clip", fps),
+    throw InputError("amble convert: --fps", 0,
+                     fmt::format("{:g} frames a second of so long a clip", fps),
                      "at most 10 million poses of joints");
   }
   return resampleClip(clip, 1.0 / fps);
@@ -129,13 +132,17 @@ void addConvert(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "convert", "Write a capture of any format as BVH or GLB: BVH, AMC, FBX, glTF, VRMA, DAE");
-  command->add_option("IN", options->in, "The capture; - is a BVH on standard input")->required();
+  command->add_option("IN", options->in, "The capture; - is a BVH on standard input")
+      ->type_name("FILE")
+      ->required();
   addMotionOutput(*command, options->out);
   addReadOptions(*command, options->read);
   command->add_option("--fps", options->fps, "Frames a second; default: the file's")
       ->check(number(1, kMostFrames, "1/s"));
-  command->add_option("--trim", options->trim,
-                      "A part of the file, first to last: " + std::string(kTrimForm));
+  command
+      ->add_option("--trim", options->trim,
+                   "A part of the file, first to last: " + std::string(kTrimForm))
+      ->type_name("A:B");
   command->add_flag("--mirror", options->mirror, "Left is right");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -40,6 +40,10 @@ Findings inspectFile(const std::filesystem::path& file, const MotionReadOptions&
     if (clip || !mesh) return clip.value();
   }
   if (mesh) return inspectMesh(file, options, limits);
+  if (kind == ".asf") {
+    throw InputError(file.string(), 0, "is a skeleton without motion",
+                     "the .amc file of a motion of it");
+  }
   throw InputError(file.string(), 0, "no kind of file that Amble knows",
                    ".yaml, .bvh, .amc, .obj, .gltf, .glb, .vrma, .ply, .stl, .dae, .fbx or .ifc");
 }
@@ -59,6 +63,7 @@ void addInspect(CLI::App& app, Command& chosen) {
   command
       ->add_option("FILE", options->files,
                    "YAML, captures or mesh files; - is a BVH on standard input")
+      ->type_name("FILE")
       ->required();
   addReadOptions(*command, options->read);
   command->add_flag("--json", options->json, "Print results for machines");

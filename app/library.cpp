@@ -35,11 +35,17 @@ void addBuild(CLI::App& library, Command& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = library.add_subcommand(
       "build", "Prepare the motions that a recipe names from their captures");
-  command->add_option("RECIPE", options->recipe, "What to take from which clip (YAML)")->required();
-  command->add_option("--captures", options->captures,
-                      "Folder of the clips; default: the recipe's `captures:`");
-  command->add_option("-o,--output", options->out,
-                      "Library file; default: the recipe's name without `.recipe`");
+  command->add_option("RECIPE", options->recipe, "What to take from which clip (YAML)")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("--captures", options->captures,
+                   "Folder of the clips; default: the recipe's `captures:`")
+      ->type_name("DIR");
+  command
+      ->add_option("-o,--output", options->out,
+                   "Library file; default: the recipe's name without `.recipe`")
+      ->type_name("FILE");
   command->callback([options, &chosen] {
     chosen = [options] {
       const std::filesystem::path out = options->out.empty() ? besideRecipe(options->recipe)
@@ -61,7 +67,9 @@ void addShow(CLI::App& library, Command& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       library.add_subcommand("show", "Say what motions a library holds, and from where");
-  command->add_option("LIBRARY", options->name, "default, or a file")->capture_default_str();
+  command->add_option("LIBRARY", options->name, "default, or a file")
+      ->type_name("FILE")
+      ->capture_default_str();
   command->add_flag("--json", options->json, "Print results for machines");
   command->callback([options, &chosen] {
     chosen = [options] {

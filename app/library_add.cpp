@@ -159,17 +159,22 @@ void addLibraryAdd(CLI::App& library, Command& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = library.add_subcommand(
       "add", "Add motions of captures to a library; where there is none it is made");
-  command->add_option("LIBRARY", options->library, "Library file (YAML)")->required();
-  command->add_option("CLIP", options->clips, "Captures: BVH, AMC, FBX, glTF, Collada")->required();
-  command->add_option("--name", options->name, "Of the motion; default: the clip's");
+  command->add_option("LIBRARY", options->library, "Library file (YAML)")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("CLIP", options->clips, "Captures: BVH, AMC, FBX, glTF, Collada")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--name", options->name, "Of the motion; default: the clip's")
+      ->type_name("NAME");
   command->add_option("--kind", options->kind, "What it is")
-      ->check(CLI::IsMember(motionKindNames()))
+      ->check(choice(motionKindNames()))
       ->capture_default_str();
   command->add_option("--turning", options->turning, "Of a walk; default: as it is found")
-      ->check(CLI::IsMember({"straight", "turn"}));
+      ->check(choice({"straight", "turn"}));
   command->add_option("--joints", options->chains, "Chains that a movement or posture moves: all")
       ->delimiter(',')
-      ->check(CLI::IsMember(chainNames()));
+      ->check(choice(chainNames()));
   command->add_option("--frames", options->frames, "First and last frame to look at; default: all")
       ->expected(2);
   command->add_flag("--no-mirror", options->no_mirror, "Leave out a walk's mirror image");

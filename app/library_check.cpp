@@ -125,9 +125,15 @@ void addLibraryCheck(CLI::App& library, Command& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       library.add_subcommand("check", "Check a library, and its motions against their captures");
-  command->add_option("LIBRARY", options->library, "default, or a file")->capture_default_str();
-  command->add_option("--captures", options->captures,
-                      "Folder of the clips: prepare every motion again and compare");
+  command->add_option("LIBRARY", options->library, "default, or a file")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command
+      ->add_option("--captures", options->captures,
+                   "Folder of the clips: prepare every motion again and compare")
+      ->type_name("DIR");
+  addExamples(*command, {"amble library check default"});
+  addExitStatus(*command, "all hold", "some do not");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -169,11 +169,11 @@ void addLibraryFind(CLI::App& library, Command& chosen) {
   options->threads = usualThreads();
   CLI::App* command = library.add_subcommand(
       "find", "Find clips and motions that are mostly standing, walking, running or jumping");
-  command->add_option("PATH", options->paths,
-                      "Clips, folders of them, libraries; default: default");
+  command->add_option("PATH", options->paths, "Clips, folders of them, libraries; default: default")
+      ->type_name("FILE");
   command->add_option("--type", options->type, "stand, walk, run, jump or unknown")
       ->required()
-      ->check(CLI::IsMember({"stand", "walk", "run", "jump", "unknown"}));
+      ->check(choice({"stand", "walk", "run", "jump", "unknown"}));
   const auto check = [](const std::string& text) -> std::string {
     return shareOf(text) ? "" : fmt::format("is '{}'; expected 0% to 100%, or 0 to 1", text);
   };
@@ -184,6 +184,8 @@ void addLibraryFind(CLI::App& library, Command& chosen) {
   command->add_option("--threads", options->threads, "Threads; changes no result")
       ->check(wholeNumber(1, 64));
   command->add_flag("--json", options->json, "Print results for machines");
+  addExamples(*command, {"amble library find --type walk --at-least 75%"});
+  addExitStatus(*command, "some were found", "none was found");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

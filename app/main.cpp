@@ -25,14 +25,19 @@ int complain(const std::string& line) {
   return kExitWrong;
 }
 
-int runProgram(int argc, char** argv) {
-  CLI::App app{"Plans how a person walks through a 3D scene.", "amble"};
-  app.set_version_flag("--version", version());
-  app.require_subcommand(1);
-  app.footer(
-      "Exit status: 0 a walk was found, all hold; 1 none was found, something differs; "
-      "2 the input or the use is wrong.");
-  Command chosen;
+// What a person wants first, in an order in which each may use what the one before made.
+constexpr const char* kDescription =
+    "Plans how a person walks through a 3D scene.\n\n"
+    "Examples:\n"
+    "  amble plan scenarios/living-room.yaml -o out     # a walk: out/walk.html to look at it\n"
+    "  amble validate out/walk.bvh --scene environments/scenes/living-room/scene.yaml\n"
+    "  amble animate --speed 1.4 --turn 20 -o turn.bvh  # one without a scene\n"
+    "  amble analyse turn.bvh                           # steps, speed, turn rate of any capture\n"
+    "  amble inspect scenarios/living-room.yaml         # what is in a file\n"
+    "  amble check scenarios/narrow-gap-070.yaml        # as it was expected, and accepted?\n"
+    "  amble help plan                                  # or: amble plan --help\n";
+
+void addCommands(CLI::App& app, Command& chosen) {
   addPlan(app, chosen);
   addCheck(app, chosen);
   addValidate(app, chosen);
@@ -43,6 +48,26 @@ int runProgram(int argc, char** argv) {
   addInspect(app, chosen);
   addRoadmap(app, chosen);
   addView(app, chosen);
+  addHelp(app, chosen);
+  addCompletion(app, chosen);
+}
+
+// What each ends with is behind its help; most have nothing to add.
+void addUsualExitStatus(CLI::App& app) {
+  if (app.get_footer().find("Exit status:") == std::string::npos) addExitStatus(app, "done");
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    addUsualExitStatus(*command);
+}
+
+int runProgram(int argc, char** argv) {
+  CLI::App app{kDescription, "amble"};
+  app.set_help_flag("-h,--help", "Print this and exit");
+  app.set_version_flag("--version", version(), "Print the version and exit");
+  app.require_subcommand(1);
+  Command chosen;
+  addCommands(app, chosen);
+  addExitStatus(app, "a walk was found, all hold", "none was found, something differs");
+  addUsualExitStatus(app);
   takeOneArgumentEach(app);
   try {
     app.parse(argc, argv);

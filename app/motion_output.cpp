@@ -1,6 +1,7 @@
 #include "app/motion_output.h"
 
 #include "animation/body/joint_names.h"
+#include "app/command.h"
 
 namespace amble {
 
@@ -8,16 +9,17 @@ void addNamesOption(CLI::App& command, std::string& naming) {
   command
       .add_option("--names", naming,
                   "Name joints as other tools do, by their roles; default: as they are")
-      ->check(CLI::IsMember(jointNamings()));
+      ->check(choice(jointNamings()));
 }
 
 void addMotionOutput(CLI::App& command, MotionOutput& output) {
   command
       .add_option("-o,--output", output.file,
                   "FILE.bvh, or FILE.glb with a body; - is a BVH on standard output")
+      ->type_name("FILE")
       ->required();
   command.add_option("--bvh-units", output.bvh_units, "Unit of length in the BVH")
-      ->check(CLI::IsMember({"m", "cm"}))
+      ->check(choice({"m", "cm"}))
       ->capture_default_str();
   addNamesOption(command, output.names);
 }

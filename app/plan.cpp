@@ -283,18 +283,31 @@ int run(const Options& options) {
                                   : runAll(options, scenario, how, folder, progress);
 }
 
+// As choices are shown; which of them it is, the run tells, for scenarios name planners too.
+std::string plannersText() {
+  std::vector<std::string> names;
+  for (const PlannerInfo& planner : listPlanners()) names.push_back(planner.name);
+  return fmt::format("NAME:{{{}}}", fmt::join(names, ","));
+}
+
 }  // namespace
 
 void addPlan(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<Options>();
   options->threads = usualThreads();
   CLI::App* command = app.add_subcommand("plan", "Plan one walk and write it with its report");
-  CLI::Option* scenario = command->add_option("SCENARIO", options->scenario,
-                                              "Scenario file (YAML); - is standard input");
-  command->add_option("-o,--output", options->out, "Folder for the results; default: out/NAME");
-  command->add_option("--planner", options->planner, "Instead of the scenario's");
-  command->add_option("--roadmap", options->roadmap,
-                      "A kept roadmap, which is asked first (amble roadmap build)");
+  CLI::Option* scenario =
+      command
+          ->add_option("SCENARIO", options->scenario, "Scenario file (YAML); - is standard input")
+          ->type_name("FILE");
+  command->add_option("-o,--output", options->out, "Folder for the results; default: out/NAME")
+      ->type_name("DIR");
+  command->add_option("--planner", options->planner, "Instead of the scenario's")
+      ->type_name(plannersText());
+  command
+      ->add_option("--roadmap", options->roadmap,
+                   "A kept roadmap, which is asked first (amble roadmap build)")
+      ->type_name("FILE");
   command->add_option("--seed", options->seed, "Instead of the scenario's")
       ->check(wholeNumber(0, 2147483647));
   command->add_option("--threads", options->threads, "Threads; changes no result")
@@ -305,13 +318,13 @@ void addPlan(CLI::App& app, Command& chosen) {
       ->check(number(24, 240, "1/s"))
       ->capture_default_str();
   command->add_option("--bvh-units", options->bvh_units, "Unit of length in the BVH")
-      ->check(CLI::IsMember({"m", "cm"}))
+      ->check(choice({"m", "cm"}))
       ->capture_default_str();
   addNamesOption(*command, options->names);
   command->add_option("--formats", options->formats, formatsHelp())
       ->delimiter(',')
       ->each([raw = options.get()](const std::string&) { raw->formats_given = true; })
-      ->check(CLI::IsMember(formatNames()))
+      ->check(choice(formatNames()))
       ->default_str(fmt::format("{}", fmt::join(options->formats, ",")));
   command
       ->add_option("--views", options->views,
@@ -322,7 +335,7 @@ void addPlan(CLI::App& app, Command& chosen) {
   command
       ->add_option("--checker", options->checker,
                    "Who is asked about contacts: our own trees, or FCL, with which they agree")
-      ->check(CLI::IsMember({"fast", "fcl"}))
+      ->check(choice({"fast", "fcl"}))
       ->capture_default_str();
   addMemoryOption(*command, options->memory);
   command->add_flag("--json", options->json, "Print the report");
@@ -330,6 +343,7 @@ void addPlan(CLI::App& app, Command& chosen) {
   addExamples(*command,
               {"amble plan scenarios/living-room.yaml -o out",
                "amble plan --formats bvh,json scenarios/living-room.yaml -o out --fps 30"});
+  addExitStatus(*command, "a walk was found", "none was found");
   command->callback([options, scenario, &chosen] {
     if (scenario->count() == 0 && !options->list_planners) throw CLI::RequiredError("SCENARIO");
     chosen = [options] { return run(*options); };

@@ -36,22 +36,27 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
   command
       .add_option("--up", options.up,
                   "The files' vertical axis; default: theirs or from the motion")
-      ->check(CLI::IsMember({"y", "z"}));
+      ->check(choice({"y", "z"}));
   command
       .add_option("--facing", options.facing_deg,
                   "Turn the clip so that the person first faces this way; 0 is +x")
       ->check(number(-360, 360, "degrees"))
       ->each([&options](const std::string&) { options.has_facing = true; });
-  command.add_option("--asf", options.asf, "Skeleton of AMC files; default: the one beside");
-  command.add_option("--roles", options.roles,
-                     "YAML of `role: joint name`, for rigs whose names say too little");
+  command.add_option("--asf", options.asf, "Skeleton of AMC files; default: the one beside")
+      ->type_name("FILE");
+  command
+      .add_option("--roles", options.roles,
+                  "YAML of `role: joint name`, for rigs whose names say too little")
+      ->type_name("FILE");
   command
       .add_option("--file-fps", options.file_fps,
                   "Frames a second of BVH and AMC files, whatever they say; FBX, glTF and DAE are "
                   "sampled at it")
       ->check(number(1, kMostFrames, "1/s"));
-  command.add_option("--take", options.take,
-                     "Animation of FBX, glTF and DAE files; default: the one in which most moves");
+  command
+      .add_option("--take", options.take,
+                  "Animation of FBX, glTF and DAE files; default: the one in which most moves")
+      ->type_name("NAME");
   addMemoryOption(command, options.memory);
 }
 

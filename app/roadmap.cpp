@@ -150,8 +150,11 @@ void addBuild(CLI::App& roadmap, Command& chosen) {
       "build", "Make a roadmap of a scene, without start and goal, and keep it");
   command
       ->add_option("SCENE", options->input, "Scenario, or a scene for the default character (YAML)")
+      ->type_name("FILE")
       ->required();
-  command->add_option("-o,--output", options->out, "File of the roadmap")->required();
+  command->add_option("-o,--output", options->out, "File of the roadmap")
+      ->type_name("FILE")
+      ->required();
   command->add_option("--seed", options->seed, "Instead of the scenario's")
       ->check(wholeNumber(0, 2147483647));
   command
@@ -169,6 +172,7 @@ void addBuild(CLI::App& roadmap, Command& chosen) {
   addMemoryOption(*command, options->memory);
   addExamples(*command, {"amble roadmap build scenarios/narrow-gap-070.yaml -o gap.roadmap",
                          "amble plan scenarios/narrow-gap-070.yaml --roadmap gap.roadmap"});
+  addExitStatus(*command, "it was made", "its time was up before that");
   command->callback([options, &chosen] { chosen = [options] { return build(*options); }; });
 }
 
@@ -182,6 +186,7 @@ void addShow(CLI::App& roadmap, Command& chosen) {
       roadmap.add_subcommand("show", "Say what a roadmap holds, and what it was made of");
   command
       ->add_option("FILE", options->file, "As `amble roadmap build` writes it; - is standard input")
+      ->type_name("FILE")
       ->required();
   command->add_flag("--json", options->json, "Print results for machines");
   command->callback(

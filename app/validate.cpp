@@ -9,6 +9,7 @@
 #include "app/command.h"
 #include "app/say.h"
 #include "base/rotation.h"
+#include "scenarios/standing_feet.h"
 #include "scenarios/validate_walk.h"
 
 namespace amble {
@@ -21,10 +22,22 @@ struct Options {
   double unit = 0.0;  // 0: guessed
   std::string up = "y";
   double floor = 0.0;
-  bool has_floor = false, json = false, allow_hover = false;
+  bool has_floor = false, json = false;
+  bool allow_hover = false, allow_slide = false, allow_pops = false;
   double max_slope_deg = 20.0;
   ValidateOptions validate;
 };
+
+// Ground is looked for so far below a sole and no farther.
+void printHover(const WalkValidation& result) {
+  const StandingFeet& feet = result.feet;
+  const std::string largest = feet.hover_max < kMostHover
+                                  ? fmt::format("{:.1f} mm largest", 1000.0 * feet.hover_max)
+                                  : fmt::format("no ground within {:g} m below", kMostHover);
+  say(stdout, "  hover        {}, over {:.0f} mm in {:.1f} % of the planted time{}\n", largest,
+      1000.0 * kHoverLimit, 100.0 * feet.hover_share,
+      result.hovers() ? ": feet hang in the air" : "");
+}
 
 void printText(const std::string& walk, const WalkValidation& result, const GroundLimits& limits) {
   say(stdout, "{}: {} frames of {:.7g} s, {} poses checked\n", walk, result.frames,
@@ -43,17 +56,17 @@ void printText(const std::string& walk, const WalkValidation& result, const Grou
         result.clearance_part, result.clearance_object, result.clearance_time);
   }
   const StandingFeet& feet = result.feet;
-  say(stdout, "  foot skate   {:.1f} mm mean, {:.1f} mm largest, of {} plants\n",
-      1000.0 * feet.skate_mean, 1000.0 * feet.skate_max, feet.plants);
-  say(stdout,
-      "  hover        {:.1f} mm largest, over {:.0f} mm in {:.1f} % of the planted time{}\n",
-      1000.0 * feet.hover_max, 1000.0 * kHoverLimit, 100.0 * feet.hover_share,
-      result.hovers() ? ": feet hang in the air" : "");
+  say(stdout, "  foot skate   {:.1f} mm mean, {:.1f} mm largest, of {} plants{}\n",
+      1000.0 * feet.skate_mean, 1000.0 * feet.skate_max, feet.plants,
+      result.slides() ? fmt::format(": over {:.0f} mm, feet slide", 1000.0 * kSlideLimit) : "");
+  printHover(result);
   say(stdout, "  steps        {:.3f} m up, {:.3f} m down at most{}\n", result.steps.up,
       result.steps.down,
       result.oversteps(limits) ? fmt::format(": over the {:g} m up or {:g} m down that may be",
                                              limits.max_climb, limits.max_drop)
                                : std::string());
+  say(stdout, "  pops         {:.1f}{}\n", result.pops,
+      result.hasPops() ? fmt::format(": over {:g}, a joint jumps or flips over", kPopsLimit) : "");
   say(stdout, "  penetration  {:.1f} mm largest\n", 1000.0 * result.ground_penetration);
 }
 
@@ -80,7 +93,9 @@ void printJson(const std::string& walk, const WalkValidation& result) {
         {"object", result.clearance_object},
         {"time", result.clearance_time}}},
       {"plants", result.feet.plants},
-      {"foot_skate", {{"mean", result.feet.skate_mean}, {"max", result.feet.skate_max}}},
+      {"foot_skate",
+       {{"mean", result.feet.skate_mean}, {"max", result.feet.skate_max}, {"limit", kSlideLimit}}},
+      {"pops", {{"value", result.pops}, {"limit", kPopsLimit}}},
       {"hover",
        {{"max", result.feet.hover_max},
         {"share", result.feet.hover_share},
@@ -103,7 +118,8 @@ int run(Options options) {
     printText(options.walk, result, how.limits);
   }
   const bool holds = result.contacts.empty() && (options.allow_hover || !result.hovers()) &&
-                     !result.oversteps(how.limits);
+                     (options.allow_slide || !result.slides()) &&
+                     (options.allow_pops || !result.hasPops()) && !result.oversteps(how.limits);
   return holds ? kExitDone : kExitNone;
 }
 
@@ -113,14 +129,15 @@ void addValidate(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "validate",
-      "Check any BVH against a scene: contacts, clearance, foot skate, hovering feet, steps; 1 on "
-      "contact, where planted soles hang in the air, and where a step is too high");
-  command->add_option("WALK", options->walk, "BVH file")->required();
-  command->add_option("--scene", options->scene, "Scene file (YAML)")->required();
+      "Check any BVH against a scene: contacts, clearance, hovering and sliding feet, steps, pops");
+  command->add_option("WALK", options->walk, "BVH file")->type_name("FILE")->required();
+  command->add_option("--scene", options->scene, "Scene file (YAML)")
+      ->type_name("FILE")
+      ->required();
   command->add_option("--unit", options->unit, "Length of the BVH's unit; default: from its legs")
       ->check(number(1e-6, 1e3, "m"));
   command->add_option("--up", options->up, "The BVH's vertical axis")
-      ->check(CLI::IsMember({"y", "z"}))
+      ->check(choice({"y", "z"}))
       ->capture_default_str();
   command->add_option("--height", options->validate.height, "Stature; default: from the skeleton")
       ->check(number(0.5, 2.5, "m"));
@@ -143,10 +160,17 @@ void addValidate(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_flag("--allow-hover", options->allow_hover,
                     "Feet in the air are said, and are no failure");
+  command->add_flag("--allow-slide", options->allow_slide,
+                    "Feet that slide are said, and are no failure");
+  command->add_flag("--allow-pops", options->allow_pops,
+                    "Joints that jump are said, and are no failure");
   command->add_flag("--json", options->json, "Print results for machines");
   const std::string example =
       "amble validate out/walk.bvh --scene environments/scenes/living-room/scene.yaml";
   addExamples(*command, {example, example + " --fps 240 --json"});
+  addExitStatus(*command, "all is well",
+                "a contact, planted soles that hang in the air or slide, a step that is too high, "
+                "or a joint that jumps");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

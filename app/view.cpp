@@ -174,14 +174,19 @@ void addView(CLI::App& app, Command& chosen) {
       ->add_option("PATH", options->paths,
                    "A folder of results (its page, or one made of its walk), a walk, captures and "
                    "folders of them, or a motion library (YAML); - is standard input")
+      ->type_name("FILE")
       ->required();
-  command->add_option("--scene", options->scene, "Scene file (YAML) that the walk is in");
-  command->add_option("--captures", options->captures,
-                      "Folder of a library's captures; default: its recipe's `captures:`");
-  command->add_option(
-      "-o,--output", options->out,
-      "The page; - is standard output; default: walk.html of the folder of results, "
-      "or STEM.html");
+  command->add_option("--scene", options->scene, "Scene file (YAML) that the walk is in")
+      ->type_name("FILE");
+  command
+      ->add_option("--captures", options->captures,
+                   "Folder of a library's captures; default: its recipe's `captures:`")
+      ->type_name("DIR");
+  command
+      ->add_option("-o,--output", options->out,
+                   "The page; - is standard output; default: walk.html of the folder of results, "
+                   "or STEM.html")
+      ->type_name("FILE");
   command->add_flag("--open", options->open, "Open it in the browser");
   command->add_flag("--json", options->json,
                     "Print what the page of captures shows, for machines; a page only with -o");

@@ -4,6 +4,12 @@ include(CMakePackageConfigHelpers)
 install(TARGETS amble EXPORT amble-targets)
 install(TARGETS amble_app RUNTIME)
 
+set(pages "${PROJECT_BINARY_DIR}/app/pages")
+install(FILES "${pages}/amble.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+install(FILES "${pages}/amble" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
+install(FILES "${pages}/_amble" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions")
+install(FILES "${pages}/amble.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
+
 amble_public_headers(amble_headers)
 foreach(header ${amble_headers})
   get_filename_component(room "${header}" DIRECTORY)

@@ -27,6 +27,15 @@ TEST_F(CommandLine, AMistypedCommandIsNamedWithTheNearest) {
   expectRefused("library", {"amble library: no command; expected one of build, show"});
 }
 
+TEST_F(CommandLine, AMistypedChoiceIsNamedWithTheNearest) {
+  expectRefused("plan in/scenario.yaml --formats bvhh",
+                {"--formats", "'bvhh'", "; expected 'bvh'"});
+  expectRefused("plan in/scenario.yaml --bvh-units feet", {"'feet'", "; expected one of m, cm"});
+  expectRefused("completion zhs", {"amble completion", "'zhs'", "; expected 'zsh'"});
+  expectRefused("help libary", {"amble: ", "'libary'", "; expected 'library'"});
+  expectRefused("help library shwo", {"amble library: ", "'shwo'", "; expected 'show'"});
+}
+
 TEST_F(CommandLine, AMistypedOptionIsNamedWithTheNearest) {
   expectRefused("plan --sede 3 in/scenario.yaml", {"amble plan: ", "'--sede'", "'--seed'"});
   expectRefused("plan in/scenario.yaml --sede=3", {"amble plan: ", "'--sede'", "'--seed'"});
@@ -60,6 +69,12 @@ TEST_F(CommandLine, AScenarioMayComeByAPipe) {
   EXPECT_EQ(named.status, 0) << named.err;
   const Ran inspected = run("inspect in/pipe.yaml & cat in/scenario.yaml >in/pipe.yaml; wait $!");
   EXPECT_EQ(inspected.status, 0) << inspected.err;
+}
+
+TEST_F(CommandLine, APipeThatNobodyWritesToIsOneLine) {
+  ASSERT_EQ(shell("mkfifo in/pipe").status, 0);
+  expectRefused("plan in/scenario.yaml -o out --roadmap in/pipe",
+                {"pipe: nobody writes to the pipe; expected a writer"});
 }
 
 TEST_F(CommandLine, WhatNeverEndsIsRefusedBeforeItFillsTheMachine) {
@@ -96,7 +111,8 @@ TEST_F(CommandLine, TheExamplesOfTheHelpWork) {
   for (const char* folder : {"scenarios", "environments", "animation"}) {
     fs::create_directory_symlink(fs::path(AMBLE_SOURCE_DIR) / folder, folder_ / folder);
   }
-  for (const char* command : {"plan", "check", "validate", "inspect", "roadmap build"}) {
+  for (const char* command : {"", "plan", "check", "validate", "animate", "inspect",
+                              "roadmap build", "help", "completion"}) {
     std::istringstream help(run(std::string(command) + " --help").out);
     int examples = 0;
     for (std::string line; std::getline(help, line);) {

@@ -21,9 +21,10 @@ const char* const kShort =
 // Below, each command's options in the order of its help.
 
 TEST_F(Options, EveryCommandIsTriedHere) {
-  EXPECT_EQ(listed("", "Subcommands:"),
-            (std::vector<std::string>{"plan", "check", "validate", "animate", "analyse", "library",
-                                      "convert", "inspect", "roadmap", "view"}));
+  EXPECT_EQ(
+      listed("", "Subcommands:"),
+      (std::vector<std::string>{"plan", "check", "validate", "animate", "analyse", "library",
+                                "convert", "inspect", "roadmap", "view", "help", "completion"}));
   EXPECT_EQ(listed("library", "Subcommands:"),
             (std::vector<std::string>{"build", "show", "add", "check", "find"}));
   EXPECT_EQ(optionsOf("library"), std::set<std::string>{});
@@ -234,6 +235,14 @@ class ValidateOptions : public Options {
   Uses ofReading() const;
   Uses ofTheGround() const;
 
+  // It fails with these words, and with the option it says them only.
+  void expectSaid(const Clip& clip, const std::string& option, const std::string& words) const {
+    writeBvh(folder_ / "other.bvh", clip, {});
+    const std::string other = "validate other.bvh --scene in/room.yaml ";
+    EXPECT_NE(good(other, 1).out.find(words), std::string::npos);
+    EXPECT_NE(good(other + option).out.find(words), std::string::npos);
+  }
+
   const std::string kBare = "validate out/walk.bvh ";
   const std::string kValidate = kBare + "--scene in/room.yaml --json ";
   json plain_;
@@ -308,13 +317,27 @@ ValidateOptions::Uses ValidateOptions::ofTheGround() const {
              good(over + "--max-climb 0 --max-drop 0.16");
              good(over + "--max-drop 0.1", 1);
            }},
-          {"--allow-hover", [this] {
+          {"--allow-hover",
+           [this] {
              write("in/sunk.yaml",
                    "name: sunk\nobjects:\n  - {name: floor, box: {size: [6, 4, 0.1]}, "
                    "at: [3, 2, -0.08]}\n");
              const std::string over = kBare + "--scene in/sunk.yaml --floor -0.03 ";
              EXPECT_NE(good(over, 1).out.find("hang in the air"), std::string::npos);
              EXPECT_NE(good(over + "--allow-hover").out.find("hang in the air"), std::string::npos);
+           }},
+          {"--allow-slide",
+           [this] {
+             Clip clip = readBvh(folder_ / "out/walk.bvh");
+             for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i).x() *= 0.6;
+             expectSaid(clip, "--allow-slide", "feet slide");
+           }},
+          {"--allow-pops", [this] {
+             Clip clip = readBvh(folder_ / "out/walk.bvh");
+             const int neck = clip.skeleton.size() / 2;
+             clip.poses.rotations(100)[neck] *=
+                 Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX()));
+             expectSaid(clip, "--allow-pops", "a joint jumps");
            }}};
 }
 

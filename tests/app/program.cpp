@@ -69,9 +69,9 @@ Program::Ran Program::type(const std::string& line) const {
 Program::Ran Program::shell(const std::string& commands, const std::string& before) const {
   // What the shell does first, the redirection of the program itself last, so that a test may
   // redirect too.
-  const std::string command = "cd '" + folder_.string() + "' && " + before + " exec >'" +
-                              folder_.string() + ".out' 2>'" + folder_.string() +
-                              ".err' </dev/null; " + commands;
+  const std::string command =
+      "cd '" + folder_.string() + "' && export AMBLE='" AMBLE_PROGRAM "'; " + before + " exec >'" +
+      folder_.string() + ".out' 2>'" + folder_.string() + ".err' </dev/null; " + commands;
   Ran ran;
   const int status = runShell(command, ran.memory);
   ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -42,11 +42,10 @@ class Program : public testing::Test {
   void expectRefused(const std::string& arguments, const std::vector<std::string>& parts,
                      const std::string& before = "") const;
 
-  std::filesystem::path folder_;
+  /// A shell's commands in folder_, with the program as $AMBLE.
+  Ran shell(const std::string& commands, const std::string& before = "") const;
 
- private:
-  /// A shell's commands in folder_.
-  Ran shell(const std::string& commands, const std::string& before) const;
+  std::filesystem::path folder_;
 };
 
 /// A floor of 6 x 4 m, in/room.yaml, and 4 m to walk over it, in/scenario.yaml.

@@ -21,4 +21,11 @@ run(${CMAKE_COMMAND} -E chdir "${WORK}"
 run("${WORK}/prefix/bin/amble" --version)
 run("${WORK}/prefix/bin/amble" inspect
     "${WORK}/prefix/share/amble/animation/motions/default.yaml")
+# Where man and the shells look.
+foreach(page man/man1/amble.1 bash-completion/completions/amble zsh/site-functions/_amble fish/vendor_completions.d/amble.fish)
+  file(SIZE "${WORK}/prefix/share/${page}" size)
+  if(size LESS 1000)
+    message(SEND_ERROR "${page}: ${size} bytes; expected what `amble help --man` and `amble completion` print")
+  endif()
+endforeach()
 file(REMOVE_RECURSE "${WORK}")
