@@ -174,8 +174,8 @@ TEST_F(FilesPage, ItHasTheKeysThatTheReadersKnow) {
   EXPECT_EQ(leavesOf(documentedKeys("Motion library")), leavesOf(library));
 }
 
-TEST_F(FilesPage, ItHasTheColumnsAndTheArrays) {
-  ASSERT_EQ(run("plan walk.yaml -o walk --formats csv,npz").status, 0);
+TEST_F(FilesPage, ItHasTheResultsWithTheirColumnsAndArrays) {
+  ASSERT_EQ(run("plan walk.yaml -o walk --formats csv,npz,sdf,glb,svg,html,json").status, 0);
   const std::string page = textOf(kSource / "docs/files.md");
   for (const std::string file : {"path.csv", "steps.csv", "joints.csv"}) {
     const size_t from = page.find("- `" + file),
@@ -188,6 +188,10 @@ TEST_F(FilesPage, ItHasTheColumnsAndTheArrays) {
         name = std::regex_replace(name, std::regex("^\\w+ ([xyz])"), "NAME $1");
       EXPECT_NE(about.find('`' + name + '`'), about.npos) << file << ": " << name;
     }
+  }
+  for (const auto& file : fs::directory_iterator(folder_ / "walk")) {
+    const std::string name = file.path().filename().string();
+    EXPECT_NE(page.find("`" + name + "`"), page.npos) << name;
   }
   Keys arrays;
   const std::string bytes = read("walk/walk.npz");
