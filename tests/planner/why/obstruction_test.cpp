@@ -264,7 +264,7 @@ TEST(Obstruction, InsideOfWhatIsWalkedOnIsNoPassage) {
   ASSERT_TRUE(why.has_value());
   EXPECT_EQ(why->object, "bed");
   EXPECT_EQ(why->other, "") << describe(*why);
-  EXPECT_FALSE(why->width.has_value());
+  EXPECT_EQ(why->lack, Obstruction::Lack::kStep) << "it is as high as it is";
 }
 
 TEST(Obstruction, WhereTheGroundEndsItsGapIsMeasured) {
