@@ -162,7 +162,7 @@ async function tryPhone(browser, open, claim, file) {
 async function tryLibrary(context, open, claim, file) {
   const page = await open(context, file);
   const motions = await page.evaluate(() => window.amble.page.bench.library.motions.length);
-  const listed = await page.$$eval('#bench-rows li, .other', (all) => all.length);
+  const listed = await page.$$eval('#bench-rows li, .no-clip', (all) => all.length);
   claim('every motion of a library is listed', listed === motions, listed);
   await page.click('#bench-rows li:has-text("walk-slow") .clip');
   await page.click('#bench-curves [data-key=cycle]');

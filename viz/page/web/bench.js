@@ -39,6 +39,8 @@ export class Bench {
     document.body.append(this.split, this.list.element, this.tree.element, this.curves.element, this.nav, this.tools);
     this.openPanel('curves');
     this.addKeys();
+    const layers = document.getElementById('layers-toggle');
+    if (matchMedia('(max-width: 1099px)').matches && layers.ariaExpanded === 'true') layers.click();
   }
 
   // To the page's own.

@@ -57,7 +57,7 @@ export class BenchList {
   // Motions of a library that are no poses: how walks begin and end.
   others(library) {
     return (library?.motions ?? []).filter((motion) => motion.transition).map(({ name, transition: t, source }) => make('p', {
-      className: 'other', title: `${source.clip}, frames ${source.frames.join(' to ')}. ${source.credit}`,
+      className: 'no-clip', title: `${source.clip}, frames ${source.frames.join(' to ')}. ${source.credit}`,
     }, make('b', { textContent: name }), ` first step ${number(t.first_speed, 2, 'm/s')}, ${number(t.acceleration, 2, 'm/s²')}`));
   }
 

@@ -56,7 +56,7 @@ export class Companion {
       for (const material of [mesh.material].flat().filter(Boolean)) {
         if (!this.colors.has(material)) this.colors.set(material, material.color?.clone());
         const own = this.colors.get(material);
-        if (own) material.color.copy(color ? own.clone().lerp(color, 0.55) : own);
+        if (own) material.color.copy(color ? own.clone().lerp(color, 0.85) : own);
       }
     });
   }
