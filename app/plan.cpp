@@ -331,7 +331,7 @@ void addPlan(CLI::App& app, Command& chosen) {
                    "Also pictures from these points of view: walk-top.png, ... (--formats views "
                    "writes all)")
       ->delimiter(',')
-      ->check(CLI::IsMember(viewNames()));
+      ->check(choice(viewNames()));
   command
       ->add_option("--checker", options->checker,
                    "Who is asked about contacts: our own trees, or FCL, with which they agree")
