@@ -233,7 +233,7 @@ TEST(RenderWalk, EveryPointOfViewShowsTheWalkInTheSameBytes) {
   }
 }
 
-// Green ground, a red pin.
+// The ground gets greener where one gets to, and there only; the pin is red.
 TEST(RenderWalk, WithoutAWalkShowsHowFarOneGetsAndWhatStoodInTheWay) {
   const auto walk = makeTestWalk();
   WalkView& view = walk->view;
@@ -242,16 +242,7 @@ TEST(RenderWalk, WithoutAWalkShowsHowFarOneGetsAndWhatStoodInTheWay) {
   view.start = view.goal = std::nullopt;
   RenderSettings settings = kSmall;
   settings.from = PointOfView::kTop;
-  const auto colored = [&](int channel, int by) {
-    const Image image = renderWalk(view, settings);
-    int count = 0;
-    for (size_t i = 0; i < image.rgb.size(); i += 3)
-      count += image.rgb[i + channel] >
-               std::max(image.rgb[i + (channel + 1) % 3], image.rgb[i + (channel + 2) % 3]) + by;
-    return count;
-  };
-  EXPECT_EQ(colored(1, 0), 0);
-  EXPECT_EQ(colored(0, 100), 0);
+  const Image before = renderWalk(view, settings);
   ReachedRegion reached;
   reached.breadth = 0.1;
   for (int i = 0; i < 30; ++i)
@@ -262,8 +253,18 @@ TEST(RenderWalk, WithoutAWalkShowsHowFarOneGetsAndWhatStoodInTheWay) {
   why.at = {3, 2, 0.9};
   view.reached = &reached;
   view.obstruction = &why;
-  EXPECT_GT(colored(1, 0), 2000);
-  EXPECT_GT(colored(0, 100), 20);
+  const Image after = renderWalk(view, settings);
+  const auto redness = [](const Image& image, size_t i) { return image.rgb[i] - image.rgb[i + 1]; };
+  int greener = 0, redder = 0;
+  for (size_t i = 0; i < before.rgb.size(); i += 3) {
+    greener += redness(after, i) < redness(before, i) - 8;
+    redder += redness(after, i) > redness(before, i) + 60;
+  }
+  const Camera camera = takeShot(view, settings.shot({})).camera;
+  const double metre = static_cast<double>(camera.scale);        // [pixels]
+  EXPECT_NEAR(greener, 6 * metre * metre, 0.3 * metre * metre);  // 2 x 3 m
+  EXPECT_GT(redder, 20);
+  EXPECT_LT(redder, 0.2 * metre * metre);
 }
 
 TEST(RenderWalk, AThingThatIsAddedChangesThePictureWhereItIsOnly) {
