@@ -173,6 +173,9 @@ std::optional<double> PassageProbe::topOver(const Eigen::Vector3d& ground, int* 
   const double top = request_.ground->crest(p, beyond, kPost, ground.z() + highest_,
                                             ground.z() + kShoulders * stature_);
   if (!std::isfinite(top)) return std::nullopt;
+  // What goes on above that is higher: it is the underside of something else that ends there.
+  const double above = top - ground.z() + 2.0 * kPost;
+  if (touched(ground, above, std::max(above, kShoulders * stature_)) == there) return std::nullopt;
   return top - ground.z();
 }
 
