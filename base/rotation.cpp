@@ -1,5 +1,6 @@
 #include "base/rotation.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -114,6 +115,19 @@ Eigen::Vector3d unwrapEuler(const Eigen::Vector3d& angles, const Eigen::Vector3d
   const double same_distance = (same_near - previous).squaredNorm();
   const double other_distance = (other_near - previous).squaredNorm();
   return other_distance < same_distance ? other_near : same_near;
+}
+
+Eigen::Quaterniond turnBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const Eigen::Vector3d a = from.normalized(), b = to.normalized();
+  const double cosine = b.dot(a);
+  if (cosine < -1.0 + 1e-12) {  // the cross product has no direction left
+    const double w2 = 0.5 * (1.0 + std::max(cosine, -1.0));
+    const Eigen::Vector3d v = a.unitOrthogonal() * std::sqrt(1.0 - w2);
+    return {std::sqrt(w2), v.x(), v.y(), v.z()};
+  }
+  const Eigen::Vector3d axis = a.cross(b);
+  const double s = std::sqrt((1.0 + cosine) * 2.0), per_s = 1.0 / s;
+  return {0.5 * s, axis.x() * per_s, axis.y() * per_s, axis.z() * per_s};
 }
 
 double wrapAngle(double angle) {

@@ -26,6 +26,11 @@ Eigen::Vector3d toEuler(const Eigen::Quaterniond& q, RotationOrder order);
 /// nearest to `previous`.
 Eigen::Vector3d unwrapEuler(const Eigen::Vector3d& angles, const Eigen::Vector3d& previous);
 
+/// The smallest turn of direction `from` to direction `to`, neither of them 0; of opposite ones,
+/// about any axis across. Quaterniond::FromTwoVectors, to the bit where they are not opposite,
+/// without the SVD that costs each file which has it eight seconds to compile.
+Eigen::Quaterniond turnBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
 /// Angle in (-pi, pi].
 double wrapAngle(double angle);
 /// Rotation by `heading` about World z.

@@ -88,7 +88,7 @@ FootShape makeFootShape(const Skeleton& skeleton, const JointRoles& roles, Side 
 Eigen::Quaterniond soleFrame(double heading, const Eigen::Vector3d& normal) {
   const Eigen::Quaterniond turned = aboutZ(heading);
   if (normal.x() == 0.0 && normal.y() == 0.0) return turned;
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * turned;
+  return turnBetween(Eigen::Vector3d::UnitZ(), normal) * turned;
 }
 
 SoleEnds soleEnds(const FootShape& shape, const Eigen::Vector3d& ankle,

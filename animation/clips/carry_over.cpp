@@ -92,7 +92,7 @@ class Matching {
   Eigen::Quaterniond swingOf(const BoneRole& bone) const {
     const Eigen::Vector3d b = boneOf(to_, here_, bone), a = boneOf(from_, there_, bone);
     if (a.norm() < 1e-6 || b.norm() < 1e-6) return Eigen::Quaterniond::Identity();
-    return Eigen::Quaterniond::FromTwoVectors(b, a);
+    return turnBetween(b, a);
   }
   double yawOf(const BoneRole& bone) const {
     const Eigen::Vector3d b = boneOf(to_, here_, bone), a = boneOf(from_, there_, bone);

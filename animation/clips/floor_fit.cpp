@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -100,8 +100,7 @@ FloorFit levelPlane(const FloorFit& floor) {
 }
 
 Clip levelClip(const Clip& clip, const FloorFit& floor, double ankle_height) {
-  const Eigen::Quaterniond turn =
-      Eigen::Quaterniond::FromTwoVectors(floor.normal, Eigen::Vector3d::UnitZ());
+  const Eigen::Quaterniond turn = turnBetween(floor.normal, Eigen::Vector3d::UnitZ());
   Clip level = clip;
   for (int i = 0; i < level.frames(); ++i) {
     level.poses.p_WR(i) = turn * clip.poses.p_WR(i);

@@ -6,6 +6,7 @@
 #include "animation/body/reference_pose.h"
 #include "animation/body/rest_feet.h"
 #include "animation/clips/foot_paths.h"
+#include "base/rotation.h"
 #include "base/statistics.h"
 
 namespace amble {
@@ -55,8 +56,7 @@ void turnArms(const Clip& clip, const JointRoles& roles, std::vector<Eigen::Quat
     for (int j = arm.arm; j >= 0 && j < skeleton.size(); ++j) {
       const Eigen::Vector3d bone = boneOf(skeleton, j);
       if (!skeleton.isAncestor(arm.arm, j) || bone.isZero()) continue;
-      const Eigen::Quaterniond swing =
-          Eigen::Quaterniond::FromTwoVectors(mean.q_HJ[j] * bone, q_HR * bone);
+      const Eigen::Quaterniond swing = turnBetween(mean.q_HJ[j] * bone, q_HR * bone);
       turns[j] = ((swing * mean.q_HJ[j]).conjugate() * q_HR).normalized();
     }
   }

@@ -144,6 +144,31 @@ TEST(Rotation, LogTakesTheShorterWay) {
   }
 }
 
+TEST(Rotation, TheTurnBetweenTwoDirectionsTakesOneToTheOtherByTheAngleBetweenThem) {
+  Generator generator(8);
+  for (int i = 0; i < 500; ++i) {
+    const Eigen::Vector3d from = randomVector(generator, 3.0);
+    const Eigen::Vector3d to =
+        i % 10 == 0 ? Eigen::Vector3d(2.0 * from) : Eigen::Vector3d(randomVector(generator, 0.1));
+    const Eigen::Quaterniond turn = turnBetween(from, to);
+    EXPECT_LT((turn * from.normalized() - to.normalized()).norm(), 1e-12);
+    EXPECT_NEAR(logRotation(turn).norm(), std::atan2(from.cross(to).norm(), from.dot(to)), 1e-12);
+  }
+}
+
+TEST(Rotation, TheTurnBetweenOppositeDirectionsIsHalfATurnAcrossThem) {
+  Generator generator(9);
+  // 1 plus a cosine near -1 is right to 1e-16, which is its share of beside^2.
+  for (const double beside : {0.0, 1e-16, 1e-12, 1e-9, 1e-7, 1e-5}) {
+    const Eigen::Vector3d from = randomVector(generator, 1.0);
+    const Eigen::Vector3d to = -from + beside * from.unitOrthogonal();
+    const Eigen::Quaterniond turn = turnBetween(from, to);
+    EXPECT_NEAR(turn.norm(), 1.0, 1e-5) << beside;
+    EXPECT_LT((turn * from.normalized() - to.normalized()).norm(), 2e-5) << beside;
+    EXPECT_NEAR(turn.vec().dot(from.normalized()), 0.0, 1e-5) << beside;
+  }
+}
+
 TEST(Rotation, WrappedAngleIsWithinHalfATurnAndTheSameDirection) {
   for (double angle = -50.0; angle < 50.0; angle += 0.37) {
     const double wrapped = wrapAngle(angle);

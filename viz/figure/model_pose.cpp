@@ -82,7 +82,7 @@ class Modelling {
   // Turns a joint, and all that hangs on it, so that `from`, of its frame, points to `to`.
   void swing(int joint, const Vector3d& from, const Vector3d& to) {
     if (!(from.norm() > 1e-9)) return;
-    const Quaterniond turn = Quaterniond::FromTwoVectors(q_[joint] * from, to);
+    const Quaterniond turn = turnBetween(q_[joint] * from, to);
     for (int j = joint; j < skeleton_.size(); ++j)
       if (skeleton_.isAncestor(joint, j)) q_[j] = (turn * q_[j]).normalized();
   }

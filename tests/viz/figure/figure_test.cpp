@@ -211,8 +211,7 @@ TEST(Figure, IsWholeWhereTheRestPoseHasLegsAndArmsAgainstTheTrunk) {
   std::vector<Eigen::Quaterniond> turns(joints.size(), Eigen::Quaterniond::Identity());
   for (size_t j = 1; j < joints.size(); ++j) {
     if (joints[j].offset.norm() > 0.0 && joints[j].parent > 0)
-      turns[joints[j].parent] =
-          Eigen::Quaterniond::FromTwoVectors(joints[j].offset, Vector3d::UnitY());
+      turns[joints[j].parent] = turnBetween(joints[j].offset, Vector3d::UnitY());
   }
   for (size_t j = 0; j < joints.size(); ++j) {
     if (joints[j].parent >= 0) joints[j].offset = turns[joints[j].parent] * joints[j].offset;
