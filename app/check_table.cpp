@@ -31,7 +31,7 @@ std::string timeChange(const CheckRow& row) {
 
 std::string figuresLine(const RunFigures& figures) {
   std::string line;
-  for (const Figure& figure : kFigures) {
+  for (const RunFigure& figure : kFigures) {
     const bool shown = !figure.of_walk || figures.hasWalk();
     line += cell(shown ? fmt::format("{} {}", figure.text(figures), figure.unit) : "");
   }
@@ -80,7 +80,7 @@ CheckTable::CheckTable(const std::vector<ScenarioFile>& files) {
 
 void CheckTable::printHead() const {
   std::string figures;
-  for (const Figure& figure : kFigures) figures += cell(figure.name);
+  for (const RunFigure& figure : kFigures) figures += cell(figure.name);
   say(stdout, "{:<8} {:<{}}  {:<13}{}\n", "", "scenario", width_, "status", figures);
 }
 
@@ -96,7 +96,7 @@ void CheckTable::printRow(const CheckRow& row) const {
 void CheckTable::printChanges(const CheckRow& row) const {
   const RunFigures& before = row.accepted->figures;
   std::string line;
-  for (const Figure& figure : kFigures) {
+  for (const RunFigure& figure : kFigures) {
     if (!figure.of_walk) continue;
     line += cell(before.hasWalk() && row.run.hasWalk() ? figure.change(before, row.run) : "");
   }

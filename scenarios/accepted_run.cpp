@@ -65,12 +65,12 @@ RunFigures figuresOf(const RunResult& result) {
           result.bvhDigest()};
 }
 
-std::string Figure::text(const RunFigures& figures) const {
+std::string RunFigure::text(const RunFigures& figures) const {
   const double shown = scale * (figures.*value);
   return std::isfinite(shown) ? fixedNumber(shown, decimals) : "-";
 }
 
-std::string Figure::change(const RunFigures& before, const RunFigures& now) const {
+std::string RunFigure::change(const RunFigures& before, const RunFigures& now) const {
   if (text(before) == text(now)) return "";
   const auto withSign = [](std::string number) {
     return number.starts_with('-') ? number : "+" + number;
@@ -122,7 +122,7 @@ std::string changesSince(const RunFigures& accepted, const RunFigures& now) {
     return "status is " + now.status + "; accepted was " + accepted.status;
   std::vector<std::string> changes;
   bool differs = now.bvh_sha256 != accepted.bvh_sha256;
-  for (const Figure& figure : kFigures) {
+  for (const RunFigure& figure : kFigures) {
     if (!figure.of_walk) continue;
     differs |= std::abs(now.*figure.value - accepted.*figure.value) > kNanometre;
     const std::string before = figure.text(accepted), after = figure.text(now);

@@ -29,7 +29,7 @@ struct RunFigures {
 RunFigures figuresOf(const RunResult& result);
 
 /// How a figure is shown.
-struct Figure {
+struct RunFigure {
   const char* name;
   double RunFigures::*value;
   const char* unit;  ///< that it is shown in
@@ -41,7 +41,7 @@ struct Figure {
   /// "+0.22 m", of times by the clock "+12 %"; "" where what is shown is the same.
   std::string change(const RunFigures& before, const RunFigures& now) const;
 };
-inline constexpr std::array<Figure, 5> kFigures = {
+inline constexpr std::array<RunFigure, 5> kFigures = {
     {{"length", &RunFigures::length, "m", 1.0, 2, true},
      {"duration", &RunFigures::duration, "s", 1.0, 2, true},
      {"clearance", &RunFigures::clearance, "m", 1.0, 3, true},

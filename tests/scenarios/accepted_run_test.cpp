@@ -24,7 +24,7 @@ TEST_F(AcceptedRunFile, ComesBackToTheNanometre) {
   ASSERT_TRUE(back);
   EXPECT_EQ(back->figures.status, "solved");
   EXPECT_EQ(back->figures.bvh_sha256, std::string(64, 'a'));
-  for (const Figure& figure : kFigures)
+  for (const RunFigure& figure : kFigures)
     EXPECT_NEAR(back->figures.*figure.value, someFigures().*figure.value, 1e-9) << figure.name;
   EXPECT_EQ(back->picture, "a picture");
   EXPECT_EQ(changesSince(back->figures, someFigures()), "");

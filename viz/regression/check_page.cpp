@@ -58,19 +58,19 @@ void writePictures(XmlWriter& xml, const CheckRow& row) {
   writePicture(xml, row.picture, row.scenario + ", now", "now: " + row.run.status);
 }
 
-std::string shown(const Figure& figure, const RunFigures& figures) {
+std::string shown(const RunFigure& figure, const RunFigures& figures) {
   if (figure.of_walk && !figures.hasWalk()) return "-";
   return figure.text(figures) + " " + figure.unit;
 }
 
-std::string changeOf(const Figure& figure, const CheckRow& row) {
+std::string changeOf(const RunFigure& figure, const CheckRow& row) {
   if (!row.accepted) return "";
   const RunFigures& before = row.accepted->figures;
   if (figure.of_walk && !(before.hasWalk() && row.run.hasWalk())) return "";
   return figure.change(before, row.run);
 }
 
-void writeFigure(XmlWriter& xml, const Figure& figure, const CheckRow& row) {
+void writeFigure(XmlWriter& xml, const RunFigure& figure, const CheckRow& row) {
   const std::string change = changeOf(figure, row);
   const bool marked = figure.of_walk && !change.empty();
   const XmlWriter::Element line = xml.open("tr", {{"class", marked ? "changed" : "same"}});
@@ -91,14 +91,14 @@ void writeFigures(XmlWriter& xml, const CheckRow& row) {
   }
   const XmlWriter::Element body = xml.open("tbody");
   const bool walks = row.run.hasWalk() || (row.accepted && row.accepted->figures.hasWalk());
-  for (const Figure& figure : kFigures)
+  for (const RunFigure& figure : kFigures)
     if (walks || !figure.of_walk) writeFigure(xml, figure, row);
 }
 
 // Changes that the table of figures does not show.
 std::vector<std::string> notesOf(const CheckRow& row) {
   std::vector<std::string> notes = row.notes;
-  const bool seen = std::any_of(kFigures.begin(), kFigures.end(), [&](const Figure& figure) {
+  const bool seen = std::any_of(kFigures.begin(), kFigures.end(), [&](const RunFigure& figure) {
     return figure.of_walk && !changeOf(figure, row).empty();
   });
   if (!row.changes.empty() && !seen) notes.insert(notes.begin(), row.changes);
@@ -156,7 +156,7 @@ void writeSummary(XmlWriter& xml, const std::vector<CheckRow>& rows) {
     before.planning_time += row.accepted->figures.planning_time;
     now.planning_time += row.run.planning_time;
   }
-  const Figure& planning = kFigures.back();
+  const RunFigure& planning = kFigures.back();
   if (before.planning_time <= 0.0) return;
   const std::string change = planning.change(before, now);
   xml.text("p", {},
