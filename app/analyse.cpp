@@ -21,7 +21,7 @@
 namespace amble {
 namespace {
 
-struct Options {
+struct AnalyseArguments {
   std::vector<std::string> paths;
   ReadOptions read;
   std::string plants, plot;
@@ -61,7 +61,7 @@ void keepClips(const std::vector<std::filesystem::path>& clips, const ReadOption
 }
 
 /// The files that were asked for, of every clip that could be read.
-void writeOutputs(const std::vector<AnalysedClip>& clips, const Options& options,
+void writeOutputs(const std::vector<AnalysedClip>& clips, const AnalyseArguments& options,
                   const std::vector<std::filesystem::path>& plants,
                   const std::vector<std::filesystem::path>& plots) {
   for (size_t i = 0; i < clips.size(); ++i) {
@@ -76,7 +76,7 @@ void writeOutputs(const std::vector<AnalysedClip>& clips, const Options& options
   }
 }
 
-int run(const Options& options) {
+int run(const AnalyseArguments& options) {
   const std::vector<std::filesystem::path> files = findClips(options.paths);
   std::vector<std::filesystem::path> plants, plots;
   if (!options.plants.empty()) plants = outputNames("--plants", options.plants, "csv", files);
@@ -108,7 +108,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addAnalyse(CLI::App& app, Command& chosen) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AnalyseArguments>();
   options->threads = usualThreads();
   CLI::App* command = app.add_subcommand(
       "analyse", "Measure clips: foot plants, gait events, type, speed, stride, lift, quality");

@@ -30,7 +30,7 @@
 namespace amble {
 namespace {
 
-struct Options {
+struct AnimateArguments {
   double speed = 1.2;     // [m/s]
   double turn_deg = 0.0;  // [degrees/s], left positive
   double duration = 5.0;  // [s]
@@ -56,7 +56,7 @@ void checkRamp(const std::string& option, const std::optional<Ramp>& asked, doub
   }
 }
 
-DemoRequest requestOf(const Options& options) {
+DemoRequest requestOf(const AnimateArguments& options) {
   DemoRequest request;
   request.duration = options.duration;
   request.turn_rate = options.turn_deg * kDegree;
@@ -121,7 +121,7 @@ void write(const MotionOutput& output, const MotionLibrary& library,
   writeFile(file, [&](std::ostream& out) { writeGlb(out, view); });
 }
 
-int run(const Options& options) {
+int run(const AnimateArguments& options) {
   const MotionLibrary library = openMotionLibrary(options.library);
   keepInputs(options.out.file, {library.file, library.file.parent_path() / library.skeleton_file});
   const DemoRequest request = requestOf(options);
@@ -168,7 +168,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addAnimate(CLI::App& app, Command& chosen) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AnimateArguments>();
   CLI::App* command =
       app.add_subcommand("animate", "Make a walk without a scene, from standing to standing");
   addMotionOutput(*command, options->out);

@@ -34,7 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct CheckArguments {
   std::vector<std::string> paths, filters;
   std::string junit, out;
   bool update = false, judge_times = false, json = false, list = false;
@@ -92,7 +92,7 @@ std::string pictureOf(const RunResult& result) {
   return png.str();
 }
 
-CheckOptions howToRun(const Options& options) {
+CheckOptions howToRun(const CheckArguments& options) {
   CheckOptions how;
   how.jobs = options.jobs;
   how.update = options.update;
@@ -105,7 +105,8 @@ CheckOptions howToRun(const Options& options) {
   return how;
 }
 
-std::vector<CheckRow> runAll(const Options& options, const std::vector<ScenarioFile>& files) {
+std::vector<CheckRow> runAll(const CheckArguments& options,
+                             const std::vector<ScenarioFile>& files) {
   Progress progress;
   std::mutex mutex;
   std::string which;  // of how many
@@ -135,7 +136,7 @@ void writePage(const fs::path& page, const std::vector<CheckRow>& rows) {
   writeFile(page, [&](std::ostream& out) { writeCheckPage(out, rows); });
 }
 
-int run(const Options& options) {
+int run(const CheckArguments& options) {
   const std::vector<fs::path> paths(options.paths.begin(), options.paths.end());
   const std::vector<ScenarioFile> files = scenariosNamed(findScenarios(paths), options.filters);
   if (options.list) return list(files, options.json);
@@ -154,7 +155,7 @@ int run(const Options& options) {
   return statusOf(rows);
 }
 
-void addRunOptions(CLI::App& command, Options& options) {
+void addRunOptions(CLI::App& command, CheckArguments& options) {
   command.add_flag("--update", options.update,
                    "Accept what is found: the SHA-256 of each walk of a finished run into its "
                    "`expect`, its figures and picture into accepted/ beside the scenario");
@@ -173,7 +174,7 @@ void addRunOptions(CLI::App& command, Options& options) {
 }  // namespace
 
 void addCheck(CLI::App& app, Command& chosen) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckArguments>();
   CLI::App* command = app.add_subcommand(
       "check",
       "Run every scenario found at the paths; compare with its `expect` and its last accepted run");

@@ -27,7 +27,7 @@
 namespace amble {
 namespace {
 
-struct Options {
+struct ConvertArguments {
   std::string in;
   MotionOutput out;
   ReadOptions read;
@@ -81,7 +81,7 @@ Clip resampledClip(const Clip& clip, double fps) {
   return resampleClip(clip, 1.0 / fps);
 }
 
-void report(const Options& options, const CapturedMotion& motion, const Clip& written) {
+void report(const ConvertArguments& options, const CapturedMotion& motion, const Clip& written) {
   std::FILE* const out = options.out.file == "-" ? stderr : stdout;
   Findings findings;
   addReadings(motion, findings);
@@ -91,7 +91,7 @@ void report(const Options& options, const CapturedMotion& motion, const Clip& wr
   for (const std::string& warning : findings.warnings) say(stderr, "warning: {}\n", warning);
 }
 
-void write(const Options& options, const Clip& clip, const JointRoles& roles) {
+void write(const ConvertArguments& options, const Clip& clip, const JointRoles& roles) {
   const std::filesystem::path out = options.out.file;
   if (!options.out.isGlb()) {
     writeBvh(out, clip, {.metres_per_unit = options.out.bvhUnit()});
@@ -101,7 +101,7 @@ void write(const Options& options, const Clip& clip, const JointRoles& roles) {
   writeFile(out, [&](std::ostream& stream) { writeGlb(stream, clip, figure); });
 }
 
-int run(const Options& options) {
+int run(const ConvertArguments& options) {
   const std::filesystem::path out = options.out.file;
   if (out != "-" && out.extension() != ".bvh" && !options.out.isGlb()) {
     throw InputError(out.string(), 0, "no format that is written", ".bvh or .glb");
@@ -129,7 +129,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addConvert(CLI::App& app, Command& chosen) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertArguments>();
   CLI::App* command = app.add_subcommand(
       "convert", "Write a capture of any format as BVH or GLB: BVH, AMC, FBX, glTF, VRMA, DAE");
   command->add_option("IN", options->in, "The capture; - is a BVH on standard input")

@@ -21,7 +21,7 @@
 namespace amble {
 namespace {
 
-struct Options {
+struct LibraryAddArguments {
   std::string library;
   std::vector<std::string> clips;
   std::string name, kind = "walk", turning, licence = "unknown", credit = "unknown";
@@ -32,7 +32,8 @@ struct Options {
 };
 
 // What is made of one clip: the motion, and the walk's mirror image.
-std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip, const Options& options) {
+std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
+                                      const LibraryAddArguments& options) {
   MotionRequest request;
   request.name = options.name.empty() ? clip.stem().string() : options.name;
   const auto& kinds = motionKindNames();
@@ -101,7 +102,7 @@ MotionLibrary libraryAt(const std::filesystem::path& file) {
   return library;
 }
 
-int run(const Options& options) {
+int run(const LibraryAddArguments& options) {
   const std::filesystem::path file = options.library;
   MotionLibrary library = libraryAt(file);
   int added = 0;
@@ -156,7 +157,7 @@ void sayWritten(const MotionLibrary& library, const std::filesystem::path& file)
 }
 
 void addLibraryAdd(CLI::App& library, Command& chosen) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LibraryAddArguments>();
   CLI::App* command = library.add_subcommand(
       "add", "Add motions of captures to a library; where there is none it is made");
   command->add_option("LIBRARY", options->library, "Library file (YAML)")

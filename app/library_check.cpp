@@ -14,7 +14,7 @@
 namespace amble {
 namespace {
 
-struct Options {
+struct LibraryCheckArguments {
   std::string library = "default", captures;
 };
 
@@ -99,7 +99,7 @@ std::string problemOf(const MotionLibrary& library, const Motion& motion,
   }
 }
 
-int run(const Options& options) {
+int run(const LibraryCheckArguments& options) {
   const MotionLibrary library = readMotionLibrary(motionLibraryFile(options.library));
   int wrong = 0;
   for (const Motion& motion : library.motions) {
@@ -122,7 +122,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addLibraryCheck(CLI::App& library, Command& chosen) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LibraryCheckArguments>();
   CLI::App* command =
       library.add_subcommand("check", "Check a library, and its motions against their captures");
   command->add_option("LIBRARY", options->library, "default, or a file")

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct LibraryFindArguments {
   ReadOptions read;
   std::vector<std::string> paths;
   std::string type, at_least = "75%";
@@ -84,7 +84,7 @@ std::vector<Found> foundIn(const MotionLibrary& library, MotionType type) {
 bool isLibrary(const std::string& path) { return path == "default" || path.ends_with(".yaml"); }
 
 /// What there is at the paths, clips in parallel. @param wrong  set where a clip cannot be read
-std::vector<Found> search(const Options& options, MotionType type, bool& wrong) {
+std::vector<Found> search(const LibraryFindArguments& options, MotionType type, bool& wrong) {
   std::vector<Found> all;
   std::vector<std::string> clip_paths;
   for (const std::string& path : options.paths) {
@@ -148,7 +148,7 @@ void print(const std::vector<Found>& all, const std::string& type, bool json) {
   std::cout << list.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
-int run(const Options& options) {
+int run(const LibraryFindArguments& options) {
   bool wrong = false;
   std::vector<Found> all = search(options, typeNamed(options.type), wrong);
   if (stopFlag()) return kExitStopped;
@@ -164,7 +164,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addLibraryFind(CLI::App& library, Command& chosen) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LibraryFindArguments>();
   options->paths = {"default"};
   options->threads = usualThreads();
   CLI::App* command = library.add_subcommand(

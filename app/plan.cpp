@@ -28,7 +28,7 @@
 namespace amble {
 namespace {
 
-struct Options {
+struct PlanArguments {
   std::string scenario, out, planner, roadmap;
   int seed = -1;  // -1: the scenario's
   int threads = 1;
@@ -41,7 +41,7 @@ struct Options {
   bool formats_given = false, json = false, list_planners = false;
 };
 
-bool wants(const Options& options, const std::string& format) {
+bool wants(const PlanArguments& options, const std::string& format) {
   if (format == "views" && !options.views.empty()) return true;
   const auto named = [&](std::string_view name) {
     return std::find(options.formats.begin(), options.formats.end(), name) != options.formats.end();
@@ -52,7 +52,7 @@ bool wants(const Options& options, const std::string& format) {
   return named(format) || std::any_of(resultFormats().begin(), resultFormats().end(), brings);
 }
 
-Scenario readAsked(const Options& options) {
+Scenario readAsked(const PlanArguments& options) {
   Scenario scenario = readScenario(options.scenario);
   if (!options.planner.empty()) {
     scenario.planner.name = options.planner;
@@ -65,7 +65,7 @@ Scenario readAsked(const Options& options) {
 
 // Into a folder of the scenario's name below out/, unless one is named, queries below it. That they
 // can be made is seen before the planning, not after it.
-std::filesystem::path chooseFolder(const Options& options, const Scenario& scenario) {
+std::filesystem::path chooseFolder(const PlanArguments& options, const Scenario& scenario) {
   const std::filesystem::path folder = options.out.empty()
                                            ? std::filesystem::path("out") / scenario.name
                                            : std::filesystem::path(options.out);
@@ -75,8 +75,8 @@ std::filesystem::path chooseFolder(const Options& options, const Scenario& scena
 }
 
 // That gives the same walk again: what changes it, and where it is written.
-std::string commandOf(const Options& options, const Report& report) {
-  const Options usual;
+std::string commandOf(const PlanArguments& options, const Report& report) {
+  const PlanArguments usual;
   std::string command =
       fmt::format("amble plan {} --seed {}", shellWord(options.scenario), report.seed);
   const auto add = [&](const char* option, const std::string& value) {
@@ -92,7 +92,8 @@ std::string commandOf(const Options& options, const Report& report) {
   return command;
 }
 
-void writeAll(const Options& options, RunResult& result, const std::filesystem::path& folder) {
+void writeAll(const PlanArguments& options, RunResult& result,
+              const std::filesystem::path& folder) {
   const bool loaded = result.problem != nullptr;
   const WalkView view = loaded ? viewOf(result) : WalkView{};
   WriteOptions write;
@@ -112,7 +113,7 @@ void writeAll(const Options& options, RunResult& result, const std::filesystem::
 }
 
 // What was asked for by name and is not there.
-void sayWhatIsMissing(const Options& options, const Report& report) {
+void sayWhatIsMissing(const PlanArguments& options, const Report& report) {
   if (report.status == PlanStatus::kSolved || !options.formats_given) return;
   std::vector<std::string> missing;
   for (const ResultFormat& format : resultFormats()) {
@@ -175,7 +176,7 @@ void printRow(const std::string& query, const Report& report) {
 }
 
 // Writes one result. @return the exit status that it stands for
-int conclude(const Options& options, RunResult& result, const std::filesystem::path& folder) {
+int conclude(const PlanArguments& options, RunResult& result, const std::filesystem::path& folder) {
   const Report& report = result.report;
   if (report.stopped_by == "interrupt" && report.status != PlanStatus::kSolved) {
     say(stderr, "amble plan: stopped; nothing was written to {}\n", folder.string());
@@ -187,7 +188,7 @@ int conclude(const Options& options, RunResult& result, const std::filesystem::p
 }
 
 // Each query into a folder of its own, with one table, or one list of reports.
-int runAll(const Options& options, const Scenario& scenario, const RunOptions& how,
+int runAll(const PlanArguments& options, const Scenario& scenario, const RunOptions& how,
            const std::filesystem::path& folder, Progress& progress) {
   int status = kExitDone;
   std::string separator = "[\n";
@@ -215,7 +216,7 @@ int runAll(const Options& options, const Scenario& scenario, const RunOptions& h
   return status;
 }
 
-int runOne(const Options& options, const Scenario& scenario, const RunOptions& how,
+int runOne(const PlanArguments& options, const Scenario& scenario, const RunOptions& how,
            const std::filesystem::path& folder, Progress& progress) {
   const StoppableWork work;
   RunResult result = runScenario(scenario, how);
@@ -241,7 +242,7 @@ std::vector<std::filesystem::path> outputsOf(const Scenario& scenario,
   return files;
 }
 
-RunOptions runOptions(const Options& options) {
+RunOptions runOptions(const PlanArguments& options) {
   RunOptions how;
   how.threads = options.threads;
   how.frame_time = 1.0 / options.fps;
@@ -254,7 +255,7 @@ RunOptions runOptions(const Options& options) {
   return how;
 }
 
-int run(const Options& options) {
+int run(const PlanArguments& options) {
   if (options.list_planners) return printPlanners();
   checkPrograms(options.formats);
   const Scenario scenario = readAsked(options);
@@ -293,7 +294,7 @@ std::string plannersText() {
 }  // namespace
 
 void addPlan(CLI::App& app, Command& chosen) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlanArguments>();
   options->threads = usualThreads();
   CLI::App* command = app.add_subcommand("plan", "Plan one walk and write it with its report");
   CLI::Option* scenario =

@@ -143,7 +143,7 @@ int show(const std::string& file, bool json) {
   return kExitDone;
 }
 
-void addBuild(CLI::App& roadmap, Command& chosen) {
+void addRoadmapBuild(CLI::App& roadmap, Command& chosen) {
   const auto options = std::make_shared<BuildOptions>();
   options->threads = usualThreads();
   CLI::App* command = roadmap.add_subcommand(
@@ -176,7 +176,7 @@ void addBuild(CLI::App& roadmap, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return build(*options); }; });
 }
 
-void addShow(CLI::App& roadmap, Command& chosen) {
+void addRoadmapShow(CLI::App& roadmap, Command& chosen) {
   struct Options {
     std::string file;
     bool json = false;
@@ -199,8 +199,8 @@ void addRoadmap(CLI::App& app, Command& chosen) {
   CLI::App* roadmap =
       app.add_subcommand("roadmap", "Build or show roadmaps that are kept for many queries");
   roadmap->require_subcommand(1);
-  addBuild(*roadmap, chosen);
-  addShow(*roadmap, chosen);
+  addRoadmapBuild(*roadmap, chosen);
+  addRoadmapShow(*roadmap, chosen);
 }
 
 }  // namespace amble

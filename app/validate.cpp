@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct ValidateArguments {
   std::string walk, scene;
   double unit = 0.0;  // 0: guessed
   std::string up = "y";
@@ -105,7 +105,7 @@ void printJson(const std::string& walk, const WalkValidation& result) {
   std::cout << all.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
-int run(Options options) {
+int run(ValidateArguments options) {
   ValidateOptions& how = options.validate;
   if (options.unit > 0.0) how.metres_per_unit = options.unit;
   if (options.has_floor) how.floor = options.floor;
@@ -126,7 +126,7 @@ int run(Options options) {
 }  // namespace
 
 void addValidate(CLI::App& app, Command& chosen) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ValidateArguments>();
   CLI::App* command = app.add_subcommand(
       "validate",
       "Check any BVH against a scene: contacts, clearance, hovering and sliding feet, steps, pops");

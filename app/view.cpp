@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ViewArguments {
   std::vector<std::string> paths;
   ReadOptions read;
   std::string scene, captures, out;
@@ -41,7 +41,7 @@ struct Shown {
   fs::path page;
 };
 
-Shown find(const Options& options) {
+Shown find(const ViewArguments& options) {
   Shown shown;
   if (!options.scene.empty()) shown.scene = options.scene;
   if (options.paths.size() == 1 && isResultFolder(options.paths[0])) {
@@ -59,7 +59,7 @@ Shown find(const Options& options) {
   return shown;
 }
 
-void keepAll(const Shown& shown, const Options& options, const std::optional<Scene>& scene) {
+void keepAll(const Shown& shown, const ViewArguments& options, const std::optional<Scene>& scene) {
   std::vector<fs::path> inputs;
   for (const fs::path& clip : shown.clips)
     for (const fs::path& file : options.read.filesOf(clip)) inputs.push_back(file);
@@ -68,7 +68,7 @@ void keepAll(const Shown& shown, const Options& options, const std::optional<Sce
   if (shown.page != "-") keepInputs(shown.page, inputs);
 }
 
-std::optional<Scene> sceneFor(const Shown& shown, const Options& options) {
+std::optional<Scene> sceneFor(const Shown& shown, const ViewArguments& options) {
   if (!shown.scene) return std::nullopt;
   LoadLimits limits;
   limits.memory = options.read.memory;
@@ -104,7 +104,7 @@ bool isYaml(const std::string& path) {
   return ending == ".yaml" || ending == ".yml";
 }
 
-int viewLibrary(const Options& options) {
+int viewLibrary(const ViewArguments& options) {
   const fs::path file = options.paths[0];
   const MotionLibrary library = readMotionLibrary(file);
   const BenchLibrary shown = benchOfLibrary(library, capturesOf(file, options.captures));
@@ -126,7 +126,7 @@ int viewLibrary(const Options& options) {
 }
 
 // Of a folder of results the page that came with them, which knows more than its walk tells.
-int showPage(const fs::path& page, const Options& options) {
+int showPage(const fs::path& page, const ViewArguments& options) {
   fs::path shown = page;
   if (!options.out.empty()) {
     shown = options.out;
@@ -140,7 +140,7 @@ int showPage(const fs::path& page, const Options& options) {
   return kExitDone;
 }
 
-int run(const Options& options) {
+int run(const ViewArguments& options) {
   if (options.json && options.out == "-")
     throw InputError("--json", 0, "with a page on standard output", "-o FILE, or no page");
   if (options.paths.size() == 1 && isYaml(options.paths[0])) return viewLibrary(options);
@@ -167,7 +167,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addView(CLI::App& app, Command& chosen) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ViewArguments>();
   CLI::App* command =
       app.add_subcommand("view", "Write a page to look at a result or at captures, in a browser");
   command

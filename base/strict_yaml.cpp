@@ -14,8 +14,6 @@
 namespace amble {
 namespace {
 
-enum class Kind { kNull, kScalar, kSequence, kMap };
-
 // What a file holds may be long; a message is one line.
 std::string quote(const std::string& text) {
   constexpr size_t kLongest = 60;
@@ -96,6 +94,8 @@ size_t editDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 struct YamlNode::Data {
+  enum class Kind { kNull, kScalar, kSequence, kMap };
+
   Kind kind = Kind::kNull;
   int line = 0;
   bool plain = true;  // a scalar without quotes
@@ -140,6 +140,8 @@ struct YamlNode::Data {
 
 // Makes a document of the parser's events, and refuses there what no reader of ours wants.
 struct YamlNode::Builder : YAML::EventHandler {
+  using Kind = Data::Kind;
+
   struct Document {
     std::string file;
     std::deque<Data> nodes;  // the root first; addresses stay
@@ -242,10 +244,10 @@ const YamlNode::Data& YamlNode::data() const {
   assert(data_ != nullptr && "ask the node itself first: if (const YamlNode n = map[key])");
   return *data_;
 }
-bool YamlNode::isMap() const { return data().kind == Kind::kMap; }
-bool YamlNode::isSequence() const { return data().kind == Kind::kSequence; }
+bool YamlNode::isMap() const { return data().kind == Data::Kind::kMap; }
+bool YamlNode::isSequence() const { return data().kind == Data::Kind::kSequence; }
 bool YamlNode::isScalar() const { return data().isScalar(); }
-bool YamlNode::isNull() const { return data().kind == Kind::kNull; }
+bool YamlNode::isNull() const { return data().kind == Data::Kind::kNull; }
 int YamlNode::line() const { return data().line; }
 const std::string& YamlNode::file() const { return *data().file; }
 std::string YamlNode::path() const { return data().path(); }

@@ -20,7 +20,7 @@ Json number(double value) {
   return rounded == 0.0 ? 0.0 : rounded;  // no -0
 }
 
-Json degrees(double angle) { return number(angle / kDegree); }
+Json inDegrees(double angle) { return number(angle / kDegree); }
 
 Json vector(const Eigen::Vector3d& v) { return {number(v.x()), number(v.y()), number(v.z())}; }
 
@@ -82,7 +82,7 @@ Json walkJson(const Report& report) {
           {"steps", stepsJson(report)},
           {"goal_error",
            {{"position", number(report.goal_position_error)},
-            {"heading", degrees(report.goal_heading_error)}}},
+            {"heading", inDegrees(report.goal_heading_error)}}},
           {"clearance", clearanceJson(report.clearance)},
           {"foot_skate",
            {{"mean", number(report.foot_skate_mean)}, {"max", number(report.foot_skate_max)}}},
@@ -106,8 +106,8 @@ Json obstructionJson(const Obstruction& why) {
                {"width", measured(why.width)},
                {"needed", measured(why.needed)},
                {"overlap", measured(why.overlap)},
-               {"slope", why.slope ? degrees(*why.slope) : Json(nullptr)},
-               {"max_slope", why.max_slope ? degrees(*why.max_slope) : Json(nullptr)}};
+               {"slope", why.slope ? inDegrees(*why.slope) : Json(nullptr)},
+               {"max_slope", why.max_slope ? inDegrees(*why.max_slope) : Json(nullptr)}};
   if (why.free) json["free"] = vector(*why.free);
   if (why.via) json["via"] = *why.via;
   return json;

@@ -20,7 +20,7 @@ namespace {
 // Of the skeleton. Beyond it is no person, but a wrong unit [m].
 constexpr double kShortest = 0.4, kTallest = 3.0;
 
-CapturedMotion readWalk(const std::filesystem::path& file, const ValidateOptions& options) {
+CapturedMotion readAsked(const std::filesystem::path& file, const ValidateOptions& options) {
   CapturedMotion walk = readMotion(file, {.metres_per_unit = options.metres_per_unit,
                                           .up = options.up,
                                           .memory = options.load.memory});
@@ -83,7 +83,7 @@ WalkValidation validateWalk(const std::filesystem::path& bvh,
                             const std::filesystem::path& scene_file,
                             const ValidateOptions& options) {
   WalkValidation result;
-  const CapturedMotion walk = readWalk(bvh, options);
+  const CapturedMotion walk = readAsked(bvh, options);
   requirePerson(walk, bvh.string());
   const Clip& clip = walk.clip;
   const JointRoles& roles = walk.roles;

@@ -252,6 +252,10 @@ int* roleSlot(JointRoles& roles, std::string_view role) {
 
 }  // namespace
 
+double JointRoles::meanLeg(const Skeleton& skeleton) const {
+  return 0.5 * (legLength(skeleton, kLeft) + legLength(skeleton, kRight));
+}
+
 double JointRoles::legLength(const Skeleton& skeleton, Side side) const {
   double length = 0.0;
   for (int j = legs[side].foot; j > legs[side].up_leg; j = skeleton.joint(j).parent) {

@@ -37,6 +37,7 @@ struct JointRoles {
   std::array<ArmJoints, 2> arms;  ///< by Side
 
   double legLength(const Skeleton& skeleton, Side side) const;  ///< thigh + shank [m]
+  double meanLeg(const Skeleton& skeleton) const;               ///< of both sides [m]
 };
 
 /// Guessed from names of the common rigs (MotionBuilder, 3ds Max Biped, Daz, Acclaim, Mixamo,

@@ -27,7 +27,7 @@ constexpr const char* kPostRotation = "_$AssimpFbx$_PostRotation";
 constexpr double kUsualTicks = 25.0;
 
 // Rates of frames that an FBX may mean [1/s].
-constexpr double kMinRate = 1.0, kMaxRate = 1000.0;
+constexpr double kMinFbxRate = 1.0, kMaxFbxRate = 1000.0;
 
 /// The number behind the first "line" of a message of Assimp's; 0: none.
 int lineIn(const std::string& problem) {
@@ -228,7 +228,7 @@ NodeScene assimpScene(const NodeSource& source) {
     if (animation.mNumChannels == 0) continue;
     result.takes.push_back(takeOf(animation, result.nodes.nodes));
     const double rate = animation.mTicksPerSecond;
-    if (ending == ".fbx" && rate >= kMinRate && rate <= kMaxRate) {
+    if (ending == ".fbx" && rate >= kMinFbxRate && rate <= kMaxFbxRate) {
       result.takes.back().frame_time = 1.0 / rate;
     }
   }

@@ -41,10 +41,6 @@ constexpr double kQuickest = 3.7, kSlowest = 1.0;
 constexpr double kUsualCadence = 1.8;  // of an adult's walk: 108 a minute (QUALITY.md) [steps/s]
 constexpr double kUsualRates[] = {24, 25, 30, 48, 50, 60, 72, 90, 100, 120, 200, 240};  // [1/s]
 
-double meanLeg(const Clip& clip, const JointRoles& roles) {
-  return 0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
-}
-
 double wayOf(const Clip& clip, int frame) {
   if (frame < 0 || frame + 1 >= clip.frames()) return 0.0;
   return (clip.poses.p_WR(frame + 1) - clip.poses.p_WR(frame)).norm();
@@ -139,7 +135,7 @@ std::vector<std::string> captureWarnings(const Clip& clip, const JointRoles& rol
                     jitter / kDegree));
   }
   const StepRhythm rhythm = stepRhythm(clip, roles);
-  const double leg = meanLeg(clip, roles);
+  const double leg = roles.meanLeg(clip.skeleton);
   if (rhythm.steps < kFewestSteps || !(leg > 0.0)) return warnings;
   if (rhythm.ground_speed > kGroundMoves && rhythm.speed < kOnTheSpot * rhythm.ground_speed) {
     warnings.push_back(fmt::format("walks on the spot: the ground goes back under it at {:.2f} m/s",

@@ -48,10 +48,6 @@ double rootRange(const Clip& clip, int axis) {
   return high - low;
 }
 
-double meanLeg(const Clip& clip, const JointRoles& roles) {
-  return 0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
-}
-
 /// Mean of where the feet point, across the vertical, as seen from the pelvis' heading: x along it,
 /// y to its left [1]. Zero where the rig has no toes.
 Eigen::Vector2d meanToes(const Clip& clip, const JointRoles& roles,
@@ -99,7 +95,7 @@ Reading<UpAxis> guessUp(const Clip& clip, const JointRoles& roles) {
   if (clip.frames() == 0) return {UpAxis::kY, true, false, "y, guessed: there are no frames"};
   const Eigen::Vector3d standing = meanStanding(clip, roles);
   const double y = standing.y(), z = standing.z();
-  const bool level = rootRange(clip, 2) < kVerticalRange * meanLeg(clip, roles);
+  const bool level = rootRange(clip, 2) < kVerticalRange * roles.meanLeg(clip.skeleton);
   if (z > kUpright && level) {
     return {UpAxis::kZ, true, true,
             fmt::format("z, guessed: the head is over the feet ({:.2f})", z)};
@@ -117,7 +113,7 @@ Reading<double> guessFacing(const Clip& clip, const JointRoles& roles) {
   const Eigen::Vector2d toes = meanToes(clip, roles, headings);
   facing.text =
       fmt::format("{:.1f} degrees, guessed: across the hip joints; {}", facing.value / kDegree,
-                  travelText(travel(clip, roles, headings), meanLeg(clip, roles)));
+                  travelText(travel(clip, roles, headings), roles.meanLeg(clip.skeleton)));
   if (toes.x() < 0.0) {
     facing.sure = false;
     facing.text += "; but the feet point the other way: are left and right exchanged?";

@@ -74,15 +74,11 @@ const char* axisName(UpAxis up) { return up == UpAxis::kY ? "y" : "z"; }
 
 bool isPerson(const CapturedMotion& motion) { return motion.no_person.empty(); }
 
-double meanLeg(const Clip& clip, const JointRoles& roles) {
-  return 0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
-}
-
 Reading<double> settleUnit(const CapturedMotion& motion, const Clip& seen, const StepRhythm& rhythm,
                            const std::optional<double>& said) {
   if (said) return {*said, false, true, fmt::format("{:g} m, as asked", *said)};
   if (!isPerson(motion)) return {1.0, true, false, "1 m, guessed: there are no legs"};
-  return guessUnit(meanLeg(seen, motion.roles), rhythm, seen.frame_time);
+  return guessUnit(motion.roles.meanLeg(seen.skeleton), rhythm, seen.frame_time);
 }
 
 Reading<UpAxis> settleUp(const CapturedMotion& motion, const Clip& seen,
@@ -154,7 +150,7 @@ std::optional<CapturedMotion> readNodes(const std::filesystem::path& file,
                                           options.metres_per_unit ? "asked" : "the file says")};
   } else {
     motion.metres_per_unit =
-        checkSaidUnit(notes.metres_per_unit, meanLeg(motion.clip, motion.roles));
+        checkSaidUnit(notes.metres_per_unit, motion.roles.meanLeg(motion.clip.skeleton));
   }
   motion.up = {
       notes.up, false, true,

@@ -19,7 +19,7 @@ constexpr double kStillJoint = 5e-5;
 constexpr double kUniformScale = 1e-6;
 
 // A limb: a chain of so many joints. Fewer above which all else hangs are no hips.
-constexpr int kLimb = 3;
+constexpr int kLimbHeight = 3;
 
 // Keys that lie evenly to that share of their distance are a file's frames [1].
 constexpr double kEven = 0.02;
@@ -217,7 +217,7 @@ int NodeSampler::findRoot() const {
     }
     size[above] += size[n];
     height[above] = std::max(height[above], height[n]);
-    if (height[n] >= kLimb) limbs[above].push_back(static_cast<int>(n));
+    if (height[n] >= kLimbHeight) limbs[above].push_back(static_cast<int>(n));
   }
   while (root >= 0 && limbs[root].size() == 1) root = limbs[root][0];
   return root;

@@ -20,7 +20,7 @@ constexpr double kPassed = 0.12;
 // over its ball. Measured on captures [1].
 constexpr double kRolled = 0.1;
 
-constexpr double kAdultLeg = 0.83;  // thigh + shank at a stature of 1.7 m (Winter) [m]
+constexpr double kUsualLeg = 0.83;  // thigh + shank at a stature of 1.7 m (Winter) [m]
 
 /// What the rhythm needs of a clip, by frame.
 struct FeetTrack {
@@ -115,7 +115,7 @@ StepRhythm stepRhythm(const Clip& clip, const JointRoles& roles) {
 
 double cadenceOverUsual(const StepRhythm& rhythm, double leg) {
   if (!(rhythm.speed > 0.0)) return 0.0;
-  const double usual = 0.743 * std::sqrt(rhythm.speed) * std::pow(kAdultLeg / leg, 0.25);
+  const double usual = 0.743 * std::sqrt(rhythm.speed) * std::pow(kUsualLeg / leg, 0.25);
   return 0.5 * rhythm.cadence / usual;
 }
 

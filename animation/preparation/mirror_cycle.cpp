@@ -8,16 +8,16 @@
 namespace amble {
 namespace {
 
-constexpr int kSamples = 64;  // of the cycle; even, more than twice the harmonics of any series
+constexpr int kPhases = 64;  // of the cycle; even, more than twice the harmonics of any series
 
 // One cycle along +x.
 Clip straightened(const WalkCycle& cycle, const Skeleton& skeleton,
                   const std::vector<Eigen::Quaterniond>& reference) {
-  Clip clip{"cycle", skeleton, cycle.period / kSamples, PoseArray(skeleton.size()), {}};
+  Clip clip{"cycle", skeleton, cycle.period / kPhases, PoseArray(skeleton.size()), {}};
   Pose pose;
   pose.rotations.resize(reference.size());
-  for (int i = 0; i < kSamples; ++i) {
-    const double phase = static_cast<double>(i) / kSamples;
+  for (int i = 0; i < kPhases; ++i) {
+    const double phase = static_cast<double>(i) / kPhases;
     const Eigen::VectorXd c = fourierAt(cycle.series, phase);
     pose.p_WR = c.head<3>();
     pose.p_WR.x() += cycle.speed * cycle.period * phase;
@@ -33,11 +33,11 @@ Clip straightened(const WalkCycle& cycle, const Skeleton& skeleton,
 // Channels of the mirrored poses: column i is their phase, half a period after the cycle's.
 Eigen::MatrixXd channelsOf(const Clip& mirrored, const WalkCycle& cycle,
                            const std::vector<Eigen::Quaterniond>& reference) {
-  Eigen::MatrixXd channels(cycle.series.channels(), kSamples);
-  for (int i = 0; i < kSamples; ++i) {
-    auto column = channels.col((i + kSamples / 2) % kSamples);
+  Eigen::MatrixXd channels(cycle.series.channels(), kPhases);
+  for (int i = 0; i < kPhases; ++i) {
+    auto column = channels.col((i + kPhases / 2) % kPhases);
     column.head<3>() = mirrored.poses.p_WR(i);
-    column[0] -= cycle.speed * cycle.period * i / kSamples;
+    column[0] -= cycle.speed * cycle.period * i / kPhases;
     for (size_t j = 0; j < reference.size(); ++j) {
       column.segment<3>(3 + 3 * static_cast<Eigen::Index>(j)) =
           logRotation(reference[j].conjugate() * mirrored.poses.rotations(i)[j]);
@@ -64,7 +64,7 @@ WalkCycle mirrorCycle(const WalkCycle& cycle, const Skeleton& skeleton, const Jo
   other.feet = {mirrored(cycle.feet[kRight]), mirrored(cycle.feet[kLeft])};
   other.toe_out = {-cycle.toe_out[kRight], -cycle.toe_out[kLeft]};
   std::vector<double> phases;
-  for (int i = 0; i < kSamples; ++i) phases.push_back(static_cast<double>(i) / kSamples);
+  for (int i = 0; i < kPhases; ++i) phases.push_back(static_cast<double>(i) / kPhases);
   const Clip clip = mirrorClip(straightened(cycle, skeleton, reference), roles);
   other.series = fitFourier(channelsOf(clip, cycle, reference), phases, cycle.series.harmonics());
   return other;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kHalfWindow = 0.1;                // over which speed is taken, both ways [s]
 constexpr double kStanding = 0.1, kWalking = 0.9;  // of the speed that is reached
-constexpr double kSlowestWalk = 0.4;               // [m/s]
+constexpr double kSlowestWalkOn = 0.4;             // [m/s]
 constexpr double kUsualSpeed = 0.75;               // quantile of speeds: most of the clip walks
 
 // Speed of the pelvis along the ground at each frame, [m/s].
@@ -71,7 +71,7 @@ Transition fitTransition(const Clip& level, const JointRoles& roles, bool start,
                                     [&](double v) { return v > kWalking * transition.speed; });
   const auto standing = std::find_if(std::make_reverse_iterator(walking), speeds.rend(),
                                      [&](double v) { return v < kStanding * transition.speed; });
-  if (transition.speed < kSlowestWalk || standing == speeds.rend()) {
+  if (transition.speed < kSlowestWalkOn || standing == speeds.rend()) {
     throw InputError(file, 0,
                      start ? "does not stand and then walk" : "does not walk and then stand",
                      "a clip that does");

@@ -22,7 +22,7 @@ float roundedDown(double x) {
 }
 float roundedUp(double x) { return -roundedDown(-x); }
 
-Eigen::AlignedBox3d boundsOf(const Triangle3& t) {
+Eigen::AlignedBox3d boxOf(const Triangle3& t) {
   Eigen::AlignedBox3d box(t[0]);
   box.extend(t[1]);
   box.extend(t[2]);
@@ -81,7 +81,7 @@ int TriangleTree::build(std::vector<int>& order, int begin, int end) {
       if (last - first <= kFew) continue;
       Eigen::AlignedBox3d middles;
       for (int i = first; i < last; ++i)
-        middles.extend(Eigen::Vector3d(boundsOf(triangles_[order[i]]).center()));
+        middles.extend(Eigen::Vector3d(boxOf(triangles_[order[i]]).center()));
       Eigen::Index axis;
       middles.sizes().maxCoeff(&axis);
       const int half = first + (last - first) / 2;
@@ -104,7 +104,7 @@ int TriangleTree::build(std::vector<int>& order, int begin, int end) {
 
 void TriangleTree::addChild(int node, int child, std::vector<int>& order, int begin, int end) {
   Eigen::AlignedBox3d box;
-  for (int i = begin; i < end; ++i) box.extend(boundsOf(triangles_[order[i]]));
+  for (int i = begin; i < end; ++i) box.extend(boxOf(triangles_[order[i]]));
   const bool leaf = end - begin <= kFew;
   const int first = leaf ? begin : build(order, begin, end);  // which moves the nodes
   Node& parent = nodes_[node];

@@ -12,7 +12,7 @@ constexpr double kShankHeight = 0.22;
 constexpr double kUsedShare = 0.5;   // of what was measured
 constexpr double kThinnest = 0.005;  // a line that is covered by less is none [m]
 // Of points along the path: chords of its tightest bends leave it by 3 mm [m]
-constexpr double kSpacing = 0.1;
+constexpr double kPointSpacing = 0.1;
 // Of limbs at the path's ends, beyond how far before or behind its point they are there [m].
 constexpr double kEndMargin = 0.1;
 
@@ -57,8 +57,8 @@ class LevelWay {
   double z() const { return z_; }
 
  private:
-  static constexpr double kUneven = 0.01;  // between points kSpacing apart [m]
-  static constexpr int kLevelPoints = 8;   // kSpacing apart: a stride
+  static constexpr double kUneven = 0.01;  // between points kPointSpacing apart [m]
+  static constexpr int kLevelPoints = 8;   // kPointSpacing apart: a stride
 
   const BodyCore::Way& way_;
   double z_;
@@ -134,7 +134,7 @@ BodyCore::BodyCore(const StraightWalk& walk, const Skeleton& skeleton, const Joi
 std::optional<BodyCore::Touch> BodyCore::touch(const Way& way, const CollisionWorld& world,
                                                CollisionScratch& scratch) const {
   const RootPath& path = way.path;
-  const int count = std::max(1, static_cast<int>(std::ceil(path.length() / kSpacing)));
+  const int count = std::max(1, static_cast<int>(std::ceil(path.length() / kPointSpacing)));
   std::vector<Eigen::Vector3d> before(lines_.size());
   LevelWay level(way);
   for (int i = 0; i <= count; ++i) {

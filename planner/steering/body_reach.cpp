@@ -16,12 +16,12 @@ constexpr size_t kMostOfReport = 4000000;  // of a part that is flooded to be to
 // Of a ball's radius, half a square's diagonal.
 constexpr double kOfRadius = 0.4;
 // Of a leg from the path, at any height [m].
-constexpr double kStride = 0.5;
+constexpr double kOfLegs = 0.5;
 constexpr double kLowestHips = 0.4;  // of stature
 // The feet of who has a ball at a place are no farther from there, of stature.
 constexpr double kFeet = 0.5;
 constexpr double kLevels = 0.04;  // between heights at which a ball is tried where ground is uneven
-constexpr double kThinnest = 0.01;   // a smaller ball is none [m]
+constexpr double kSmallest = 0.01;   // a smaller ball is none [m]
 constexpr int kStopEvery = 1 << 10;  // squares between looks at the clock
 
 // The axis of a part over a walk: heights over the ground, and how far it is from the path.
@@ -66,13 +66,13 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
           {high, std::max(high, body.upright - own.radius), HUGE_VAL, own.radius, aside, part});
     } else if (own.joint == roles.hips || own.name == "chest") {
       const double middle = 0.5 * (low + high), radius = own.radius - 0.5 * (high - low);
-      if (radius > kThinnest) balls_.push_back({middle, middle, HUGE_VAL, radius, aside, part});
+      if (radius > kSmallest) balls_.push_back({middle, middle, HUGE_VAL, radius, aside, part});
     } else if (own.joint == roles.legs[kLeft].leg || own.joint == roles.legs[kRight].leg) {
       // The leg, from the hip to the ankle, crosses this height once, with the thigh or the shank.
       const double height = highest_step + kAnkle * stature;
       if (height < kLowestHips * stature)
         balls_.push_back(
-            {height, height, kLowestHips * stature - height, own.radius, kStride, part});
+            {height, height, kLowestHips * stature - height, own.radius, kOfLegs, part});
     }
   }
   std::stable_sort(balls_.begin(), balls_.end(),

@@ -9,8 +9,8 @@ namespace amble {
 namespace {
 
 constexpr double kLift =
-    SceneGround::kLevel + 0.02;    // of the cylinder over the floor, so that rugs pass below [m]
-constexpr double kSpacing = 0.05;  // between checked places; what lies between is swept [m]
+    SceneGround::kLevel + 0.02;  // of the cylinder over the floor, so that rugs pass below [m]
+constexpr double kPlaceSpacing = 0.05;  // between checked places; what lies between is swept [m]
 
 class CylinderScratch : public SteeringScratch {
  public:
@@ -109,7 +109,7 @@ SteerResult CylinderSteering::steer(const Waypoint& from, const Waypoint& to,
   clear(own.buffer);
   const Eigen::Vector3d way = to.stance.position - from.stance.position;
   const double heading = std::atan2(way.y(), way.x());
-  const int count = std::max(1, static_cast<int>(std::ceil(way.norm() / kSpacing)));
+  const int count = std::max(1, static_cast<int>(std::ceil(way.norm() / kPlaceSpacing)));
   for (int i = 0; i <= count; ++i) addPlace(own.buffer, from.stance.position + way * i / count);
   SteerResult result;
   result.poses = own.buffer.size();

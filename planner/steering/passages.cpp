@@ -15,7 +15,7 @@ namespace {
 constexpr int kSeedSpacing = 3;  // squares between places that lines begin at
 // That a direction uphill is taken from: a tread and more [m]
 constexpr double kNeighbourhood = 0.45;
-constexpr double kStride = 0.05;     // between points of a line [m]
+constexpr double kLineStep = 0.05;   // between points of a line [m]
 constexpr double kLevelRun = 0.5;    // without a change of height: ground is level there [m]
 constexpr double kLevelSpan = 0.02;  // that heights of level ground may differ by [m]
 constexpr double kLanding = 0.9;     // between two flights: one stands there [m]
@@ -118,14 +118,14 @@ double Finder::acrossRisers(const Eigen::Vector3d& p, double heading) const {
 // The ground along a heading, from p on, as far as steps lead and until it has been level for long
 // enough to stand there.
 std::vector<Eigen::Vector3d> Finder::follow(const Eigen::Vector3d& p, double heading) const {
-  const Eigen::Vector2d way = kStride * unit(heading);
+  const Eigen::Vector2d way = kLineStep * unit(heading);
   std::vector<Eigen::Vector3d> line = {p};
   size_t begin = 0;  // of what has been level since
-  for (int i = 0; i * kStride < kLongest; ++i) {
+  for (int i = 0; i * kLineStep < kLongest; ++i) {
     const Eigen::Vector3d& last = line.back();
     const auto next = ground_.height(last.x() + way.x(), last.y() + way.y(), last.z(), step_);
     if (!next) break;
-    const double run = static_cast<double>(line.size() - 1 - begin) * kStride;
+    const double run = static_cast<double>(line.size() - 1 - begin) * kLineStep;
     if (run >= 2.0 * kFarthestStand) break;
     if (run >= kLanding && std::abs(line[begin].z() - *next) > kLevelSpan) break;
     line.emplace_back(last.x() + way.x(), last.y() + way.y(), *next);
@@ -140,9 +140,9 @@ std::optional<Eigen::Vector3d> standAtEnd(const std::vector<Eigen::Vector3d>& li
   while (level < line.size() &&
          std::abs(line[line.size() - 1 - level].z() - line.back().z()) <= kLevelSpan)
     ++level;
-  const double run = static_cast<double>(level) * kStride;
+  const double run = static_cast<double>(level) * kLineStep;
   if (run < kLevelRun || level == line.size()) return std::nullopt;
-  const auto in = static_cast<size_t>(std::min(0.5 * run, kFarthestStand) / kStride);
+  const auto in = static_cast<size_t>(std::min(0.5 * run, kFarthestStand) / kLineStep);
   return line[line.size() - level + in];
 }
 

@@ -11,14 +11,14 @@ namespace amble {
 namespace {
 
 constexpr double kHardlyRoom =
-    0.04;                         // beside the body: walks through such a place are uncertain [m]
-constexpr double kNearEnd = 0.5;  // so far around ends rooms are as those are [m]
+    0.04;                       // beside the body: walks through such a place are uncertain [m]
+constexpr double kAtEnd = 0.5;  // so far around ends rooms are as those are [m]
 // Around where a walk was stopped, until start and goal are parted [m].
 constexpr std::array<double, 4> kCuts = {0.25, 0.5, 1.0, 2.0};
 constexpr double kBelow = 2.5, kAbove = 0.5;  // ground that is cut, from there [m]
 constexpr double kStraight = 0.01;            // of a strip's middle line, over the ground [m]
 
-constexpr std::array<std::array<int, 2>, 8> kAround = {
+constexpr std::array<std::array<int, 2>, 8> kBeside = {
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
 
 class Region {
@@ -40,7 +40,7 @@ class Region {
 
  private:
   bool isNear(int place, int end) const {
-    return end >= 0 && (map_.at(place) - map_.at(end)).head<2>().norm() < kNearEnd;
+    return end >= 0 && (map_.at(place) - map_.at(end)).head<2>().norm() < kAtEnd;
   }
   bool isIn(int place) const;
 
@@ -70,7 +70,7 @@ std::vector<bool> Region::joinedTo(int place) const {
   while (!open.empty()) {
     const int here = open.back();
     open.pop_back();
-    for (const auto& [dx, dy] : kAround) {
+    for (const auto& [dx, dy] : kBeside) {
       const int other = map_.beside(here, dx, dy);
       if (other < 0 || joined[other] || !isIn(other)) continue;
       joined[other] = true;
@@ -98,7 +98,7 @@ double Region::widest() const {
     open.pop();
     narrowest = std::min(narrowest, room);
     if (place == to_) return narrowest;
-    for (const auto& [dx, dy] : kAround) see(map_.beside(place, dx, dy));
+    for (const auto& [dx, dy] : kBeside) see(map_.beside(place, dx, dy));
   }
   return -HUGE_VAL;
 }
@@ -172,7 +172,7 @@ class Nearest {
     std::vector<int> next;
     for (const int cell : ring_) {
       const int x = cell % count_.x(), y = cell / count_.x();
-      for (const auto& [dx, dy] : kAround) {
+      for (const auto& [dx, dy] : kBeside) {
         if (x + dx < 0 || y + dy < 0 || x + dx >= count_.x() || y + dy >= count_.y()) continue;
         const int other = cell + dy * count_.x() + dx;
         if (source_[other] >= 0) continue;

@@ -18,13 +18,13 @@ constexpr double kBesideEnds = 0.5;  // of a walk: there it is no walk yet [m]
 constexpr int kOnAxis = 4;           // parts of a capsule's axis, at whose ends it is looked at
 
 // Lifts differ by so much from step to step without anything to step over [m].
-constexpr double kUsualLift = 0.01;
+constexpr double kNoLift = 0.01;
 
 // On level ground with nothing to step over: legs that are lifted over furniture measure nothing.
 bool isPlain(const AnimationBuffer& buffer, double captured_lift) {
   Eigen::AlignedBox1d heights;
   for (const Footprint& print : buffer.footprints)
-    if (print.gait.lift > captured_lift + kUsualLift) return false;
+    if (print.gait.lift > captured_lift + kNoLift) return false;
   for (const FrameState& state : buffer.states)
     heights.extend(Eigen::AlignedBox1d::VectorType(state.position.z()));
   return heights.sizes()[0] <= SceneGround::kLevel;

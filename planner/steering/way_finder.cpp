@@ -19,7 +19,7 @@ constexpr double kUnease = 1.0;
 constexpr double kSqueeze = 4.0;
 constexpr double kRefused = 4.0;       // the same near a place where steering refused...
 constexpr double kRefusedNear = 0.4;   // ...within so much [m]
-constexpr double kClimb = 2.0;         // metres of way that a metre up or down is worth
+constexpr double kWayOfClimb = 2.0;    // metres of way that a metre up or down is worth
 constexpr double kNearEnd = 0.5;       // so far around ends rooms are as those are [m]
 constexpr double kFarthest = 10.0;     // from one corner to the next [m]
 constexpr double kRoomSought = 0.8;    // how far back from the farthest place seen [m]
@@ -88,7 +88,7 @@ std::vector<int> WayFinder::cheapest() const {
       if (other < 0) continue;
       if (map_->spare(other) < kTightest && map_->spare(other) < tightest(other)) continue;
       const double rise = std::abs(map_->at(other).z() - map_->at(place).z());
-      const double length = map_->cell() * std::hypot(dx, dy) + kClimb * rise;
+      const double length = map_->cell() * std::hypot(dx, dy) + kWayOfClimb * rise;
       const float total = cost[place] + static_cast<float>(length * factor(other));
       if (total >= cost[other]) continue;
       cost[other] = total;

@@ -33,9 +33,9 @@ std::string placeText(const Eigen::Vector3d& p) {
 
 // In centimetres that would do: up where more is needed, down where less is.
 double toDo(double needed, bool most) {
-  constexpr double kCentimetre = 0.01, kRounding = 1e-7;
-  return kCentimetre * (most ? std::floor(needed / kCentimetre + kRounding)
-                             : std::ceil(needed / kCentimetre - kRounding));
+  constexpr double kCentimetre = 0.01, kRoundedBy = 1e-7;
+  return kCentimetre * (most ? std::floor(needed / kCentimetre + kRoundedBy)
+                             : std::ceil(needed / kCentimetre - kRoundedBy));
 }
 
 // So many digits that what there is does not look like what would do.

@@ -9,7 +9,7 @@ namespace amble {
 namespace {
 
 constexpr double kPost = 0.02;        // radius [m]
-constexpr double kStep = 0.02;        // in which it is moved [m]
+constexpr double kMove = 0.02;        // in which it is moved [m]
 constexpr double kExact = 1e-4;       // to which that is refined [m]
 constexpr double kFarthest = 1.5;     // that is felt for to a side [m]
 constexpr int kDirections = 16;       // around a place
@@ -62,12 +62,12 @@ int PassageProbe::touched(const Eigen::Vector3d& ground, double low, double high
 // What is met first from a place on the ground along a heading.
 std::optional<PassageProbe::Side> PassageProbe::along(const Eigen::Vector3d& ground, double heading,
                                                       double low) const {
-  const double high = std::max(low + kStep, kShoulders * stature_);
+  const double high = std::max(low + kMove, kShoulders * stature_);
   const auto at = [&](double d) -> Eigen::Vector3d { return ground + d * unit(heading); };
-  for (double d = 0.0; d <= kFarthest; d += kStep) {
+  for (double d = 0.0; d <= kFarthest; d += kMove) {
     int object = touched(at(d), low, high);
     if (object < 0) continue;
-    double free = std::max(0.0, d - kStep), met = d;
+    double free = std::max(0.0, d - kMove), met = d;
     while (met - free > kExact) {
       const double middle = 0.5 * (free + met);
       const int there = touched(at(middle), low, high);
@@ -120,10 +120,10 @@ std::optional<PassageProbe::Gap> PassageProbe::narrowest(const Eigen::Vector3d& 
 double PassageProbe::depth(const Gap& gap) const {
   double length = 0.0;
   for (const double direction : {1.0, -1.0}) {
-    for (double d = kStep; d <= kDeepest; d += kStep) {
+    for (double d = kMove; d <= kDeepest; d += kMove) {
       const auto there = across(gap.middle + direction * d * unit(gap.heading), gap.heading);
       if (!there || there->width >= breadth_) break;
-      length += kStep;
+      length += kMove;
     }
   }
   return std::max(0.0, length - 2.0 * kPost);
@@ -152,10 +152,10 @@ std::optional<double> PassageProbe::headroom(const Eigen::Vector3d& ground, int&
     if (there >= 0) object = there;
     return there >= 0;
   };
-  for (double height = kOverhead * stature_; height < stature_; height += kStep) {
+  for (double height = kOverhead * stature_; height < stature_; height += kMove) {
     if (!touches(height)) continue;
     if (height <= kOverhead * stature_) return std::nullopt;
-    double free = height - kStep, met = height;
+    double free = height - kMove, met = height;
     while (met - free > kExact) {
       const double middle = 0.5 * (free + met);
       (touches(middle) ? met : free) = middle;

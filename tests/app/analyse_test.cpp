@@ -14,36 +14,37 @@ namespace {
 using nlohmann::json;
 
 const std::string kCaptures = captureFolder();
-const std::string kWalk = kCaptures + "cmu_mb2/07_01.bvh";
+const std::string kCmuWalk = kCaptures + "cmu_mb2/07_01.bvh";
 
 class Analyse : public Program {
  protected:
   void SetUp() override {
     Program::SetUp();
-    if (!std::filesystem::exists(kWalk)) GTEST_SKIP() << "no captures in " << AMBLE_SHARED;
+    if (!std::filesystem::exists(kCmuWalk)) GTEST_SKIP() << "no captures in " << AMBLE_SHARED;
   }
 };
 
 TEST_F(Analyse, ABrokenClipAmongOthersIsSaidAndTheOthersAreAnalysed) {
   write("in/broken.bvh", "HIERARCHY\nROOT hips\n[\n");
-  const Ran ran = run("analyse in/broken.bvh " + kWalk);
+  const Ran ran = run("analyse in/broken.bvh " + kCmuWalk);
   EXPECT_EQ(ran.status, 2);
   EXPECT_NE(ran.err.find("in/broken.bvh:3: "), std::string::npos) << ran.err;
   EXPECT_NE(ran.out.find("07_01.bvh"), std::string::npos) << ran.out;
-  const Ran machine = run("analyse --json in/broken.bvh " + kWalk);
+  const Ran machine = run("analyse --json in/broken.bvh " + kCmuWalk);
   EXPECT_EQ(machine.status, 2);
   EXPECT_EQ(json::parse(machine.out).size(), 1u);
 }
 
 TEST_F(Analyse, OneFileForSeveralClipsIsRefused) {
-  expectRefused("analyse --plot a.svg " + kWalk + " " + kWalk, {"--plot a.svg: ", "{stem}"});
-  expectRefused("analyse --plants out/ " + kWalk + " " + kWalk, {"--plants out/: ", "07_01.csv"});
+  expectRefused("analyse --plot a.svg " + kCmuWalk + " " + kCmuWalk, {"--plot a.svg: ", "{stem}"});
+  expectRefused("analyse --plants out/ " + kCmuWalk + " " + kCmuWalk,
+                {"--plants out/: ", "07_01.csv"});
   std::filesystem::create_directories(folder_ / "empty");
   expectRefused("analyse empty", {"empty: holds no clips; expected "});
 }
 
 TEST_F(Analyse, PlantsAreARowAFrameOfTheFile) {
-  const Ran ran = run("analyse --json --plants plants.csv " + kWalk);
+  const Ran ran = run("analyse --json --plants plants.csv " + kCmuWalk);
   ASSERT_EQ(ran.status, 0) << ran.err;
   const json clip = json::parse(ran.out)[0];
   std::istringstream rows(read("plants.csv"));
@@ -70,7 +71,7 @@ TEST_F(Analyse, PlantsAreARowAFrameOfTheFile) {
 }
 
 TEST_F(Analyse, SaysWhatThereIsInAClip) {
-  const Ran ran = run("analyse --json --plot feet.svg " + kWalk);
+  const Ran ran = run("analyse --json --plot feet.svg " + kCmuWalk);
   ASSERT_EQ(ran.status, 0) << ran.err;
   const json clip = json::parse(ran.out)[0];
   EXPECT_EQ(clip["class"]["type"], "walk");
@@ -110,13 +111,13 @@ TEST_F(Analyse, SeveralClipsAreATableAndALawOfTheirSubject) {
 }
 
 TEST_F(Analyse, FindsClipsByHowMuchOfThemIsOfAType) {
-  const std::string some = kWalk + " " + kCaptures + "cmu_mb2/09_01.bvh " + kCaptures +
+  const std::string some = kCmuWalk + " " + kCaptures + "cmu_mb2/09_01.bvh " + kCaptures +
                            "accad_female1/Female1_C05_WalkToRun.bvh ";
   const Ran walks = run("library find --type walk --at-least 75% --json " + some);
   ASSERT_EQ(walks.status, 0) << walks.err;
   const json found = json::parse(walks.out);
   ASSERT_EQ(found.size(), 2u);  // the largest share first
-  EXPECT_EQ(found[0]["name"], kWalk);
+  EXPECT_EQ(found[0]["name"], kCmuWalk);
   EXPECT_EQ(found[0]["share"], 1.0);
   EXPECT_GE(found[1]["share"], 0.75);
   EXPECT_EQ(json::parse(run("library find --type walk --at-least 1.0 --json " + some).out).size(),

@@ -24,7 +24,7 @@ struct Row {
   std::string more = "";  // to be put behind a scenario, so that a search in vain is short
 };
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
+std::string changed(std::string text, const std::string& what, const std::string& by) {
   for (size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
     text.replace(at, what.size(), by);
   return text;
@@ -36,7 +36,7 @@ const std::string kRightWalk = "1.036 m/s (1.29 legs/s)";
 const std::string kRightRhythm = "110.6 steps a minute";
 
 // `base` is the same walk without a fault: 4 s of legs of 0.80 m at 30 frames a second.
-const std::vector<Row> kCaptures = {
+const std::vector<Row> kCaptureRows = {
     {"captures/a01_one_frame_more.bvh",
      "analyse {}",
      0,
@@ -229,7 +229,7 @@ class Cases : public Program {
   }
 
   Ran runOn(const std::string& input, const std::string& arguments) const {
-    return run(replaced(arguments, "{}", "'" + (kCases / input).string() + "'"));
+    return run(changed(arguments, "{}", "'" + (kCases / input).string() + "'"));
   }
 
   // With a copy of the scenario that has more in it.
@@ -237,13 +237,13 @@ class Cases : public Program {
     std::ostringstream text;
     text << std::ifstream(kCases / row.input).rdbuf();
     const std::string folder = (kCases / row.input).parent_path().string();
-    write("more.yaml", replaced(text.str(), "scene: ", "scene: " + folder + "/") + row.more);
-    return run(replaced(row.arguments, "{}", "more.yaml"));
+    write("more.yaml", changed(text.str(), "scene: ", "scene: " + folder + "/") + row.more);
+    return run(changed(row.arguments, "{}", "more.yaml"));
   }
 
   void expect(const std::vector<Row>& rows) const {
     for (const Row& row : rows) {
-      SCOPED_TRACE("amble " + replaced(row.arguments, "{}", row.input));
+      SCOPED_TRACE("amble " + changed(row.arguments, "{}", row.input));
       const Ran ran = row.more.empty() ? runOn(row.input, row.arguments) : runCopy(row);
       const std::string all = ran.out + ran.err;
       EXPECT_EQ(ran.status, row.status) << all;
@@ -260,7 +260,7 @@ class Cases : public Program {
   }
 };
 
-TEST_F(Cases, CapturesAreReadAsTheyAreMeant) { expect(kCaptures); }
+TEST_F(Cases, CapturesAreReadAsTheyAreMeant) { expect(kCaptureRows); }
 TEST_F(Cases, ScenesAreReadOrSaidWhyNot) { expect(kScenes); }
 TEST_F(Cases, PlansSayWhatStandsInTheWay) { expect(kPlans); }
 
@@ -271,7 +271,7 @@ TEST_F(Cases, HostileFilesAreRefusedInOneLineAndUnderAGigabyte) {
           "objects:\n  - {name: m, mesh: '" + (kCases / hostile.input).string() + "'}\n");
     const bool is_capture = hostile.input.ends_with(".bvh");
     for (const std::string& arguments : is_capture ? kAsCapture : kAsMesh) {
-      SCOPED_TRACE("amble " + replaced(arguments, "{}", hostile.input));
+      SCOPED_TRACE("amble " + changed(arguments, "{}", hostile.input));
       const std::set<std::string> before = files();
       const Ran ran = runOn(hostile.input, arguments);
       EXPECT_EQ(ran.status, 2);
@@ -291,7 +291,7 @@ TEST_F(Cases, HostileFilesAreRefusedInOneLineAndUnderAGigabyte) {
 
 std::set<std::string> inputsOfRows() {
   std::set<std::string> inputs;
-  for (const auto* rows : {&kCaptures, &kScenes, &kPlans})
+  for (const auto* rows : {&kCaptureRows, &kScenes, &kPlans})
     for (const Row& row : *rows) inputs.insert(row.input);
   for (const Hostile& hostile : kHostile) inputs.insert(hostile.input);
   return inputs;
@@ -317,7 +317,7 @@ TEST_F(Cases, EveryLineOfTheReadmeHasARow) {
     if (!line.starts_with("| ") || line.starts_with("| input") || line.starts_with("| ---"))
       continue;
     const std::string cell = line.substr(2, line.find(" |") - 2);
-    std::istringstream names(replaced(cell, ",", " "));
+    std::istringstream names(changed(cell, ",", " "));
     const std::string kind =
         cell.find('/') == std::string::npos ? "hostile/" : cell.substr(0, cell.find('/') + 1);
     for (std::string name; names >> name;) {

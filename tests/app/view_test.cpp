@@ -10,20 +10,20 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kWalk = captureFolder() + "cmu_mb2/07_01.bvh";
+const std::string kViewed = captureFolder() + "cmu_mb2/07_01.bvh";
 const std::string kRun = captureFolder() + "accad_female1/Female1_C03_Run.bvh";
 
 class View : public Program {
  protected:
   void SetUp() override {
     Program::SetUp();
-    if (!std::filesystem::exists(kWalk)) GTEST_SKIP() << "no captures in " << AMBLE_SHARED;
+    if (!std::filesystem::exists(kViewed)) GTEST_SKIP() << "no captures in " << AMBLE_SHARED;
   }
 };
 
 TEST_F(View, ABrokenClipAmongOthersIsSaidAndTheOthersAreShown) {
   write("in/broken.bvh", "HIERARCHY\nROOT hips\n[\n");
-  const Ran ran = run("view in/broken.bvh " + kWalk + " -o page.html");
+  const Ran ran = run("view in/broken.bvh " + kViewed + " -o page.html");
   EXPECT_EQ(ran.status, 2);
   EXPECT_NE(ran.err.find("in/broken.bvh:3: "), std::string::npos) << ran.err;
   EXPECT_NE(read("page.html").find("07_01.bvh"), std::string::npos);
@@ -31,10 +31,10 @@ TEST_F(View, ABrokenClipAmongOthersIsSaidAndTheOthersAreShown) {
 }
 
 TEST_F(View, JsonSaysOfClipsWhatAnalyseSays) {
-  const Ran ran = run("view --json " + kWalk + " " + kRun);
+  const Ran ran = run("view --json " + kViewed + " " + kRun);
   ASSERT_EQ(ran.status, 0) << ran.err;
   const json clips = json::parse(ran.out);
-  const json analysed = json::parse(run("analyse --json " + kWalk + " " + kRun).out);
+  const json analysed = json::parse(run("analyse --json " + kViewed + " " + kRun).out);
   ASSERT_EQ(clips.size(), 2u);
   for (size_t i = 0; i < clips.size(); ++i) {
     for (const auto& [key, value] : clips[i]["analysis"].items())
@@ -47,7 +47,7 @@ TEST_F(View, JsonSaysOfClipsWhatAnalyseSays) {
 
 // What captured numbers say: both strikes of a step are moments of the gait.
 TEST_F(View, JsonHasAPhaseThatGoesWithTheStrikes) {
-  const json clip = json::parse(run("view --json " + kWalk).out)[0];
+  const json clip = json::parse(run("view --json " + kViewed).out)[0];
   const double frame_time = clip["frame_time"];
   ASSERT_GE(clip["phase"].size(), 2u);
   for (const json& moment : clip["phase"]) {
@@ -76,7 +76,7 @@ TEST_F(View, ALibraryIsShownWithTheCapturesThatItIsOf) {
 TEST_F(View, WhatIsNoLibraryIsRefused) {
   write("in/scene.yaml", "objects: []\n");
   expectRefused("view in/scene.yaml", {"in/scene.yaml:1: "});
-  expectRefused("view --json -o - " + kWalk, {"--json: ", "-o FILE"});
+  expectRefused("view --json -o - " + kViewed, {"--json: ", "-o FILE"});
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ Scenario parse(const std::string& text) {
 constexpr const char* kLeast = "scene: room.yaml\nstart: {at: [1, 1]}\ngoal: {at: [2, 3]}\n";
 
 // What the error says for kLeast with `more` behind it, whose first line is line 4.
-std::string errorOf(const std::string& more) {
+std::string refusalOf(const std::string& more) {
   try {
     parse(kLeast + more);
   } catch (const InputError& error) {
@@ -39,15 +39,15 @@ std::string errorOfText(const std::string& text) {
 bool startsWith(const std::string& text, const std::string& begin) {
   return text.rfind(begin, 0) == 0;
 }
-bool holds(const std::string& text, const std::string& part) {
+bool hasPart(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
 TEST(Scenario, MissingKeysAreNamed) {
-  EXPECT_TRUE(holds(errorOfText("start: {at: [1, 1]}\ngoal: {at: [2, 3]}\n"), "scene"));
-  EXPECT_TRUE(holds(errorOfText("scene: a\ngoal: {at: [2, 3]}\n"), "start"));
-  EXPECT_TRUE(holds(errorOfText("scene: a\nstart: {at: [2, 3]}\n"), "goal"));
-  EXPECT_TRUE(holds(errorOfText("scene: a\nstart: {heading: 3}\ngoal: {at: [1, 1]}\n"), "at"));
+  EXPECT_TRUE(hasPart(errorOfText("start: {at: [1, 1]}\ngoal: {at: [2, 3]}\n"), "scene"));
+  EXPECT_TRUE(hasPart(errorOfText("scene: a\ngoal: {at: [2, 3]}\n"), "start"));
+  EXPECT_TRUE(hasPart(errorOfText("scene: a\nstart: {at: [2, 3]}\n"), "goal"));
+  EXPECT_TRUE(hasPart(errorOfText("scene: a\nstart: {heading: 3}\ngoal: {at: [1, 1]}\n"), "at"));
 }
 
 struct BadCase {
@@ -98,9 +98,9 @@ TEST(Scenario, EveryBadKeyIsNamedWithItsLine) {
       {"expect:\n  min_clearence: 1\n", "dir/case.yaml:5:", "min_clearance"},
   };
   for (const BadCase& bad : cases) {
-    const std::string error = errorOf(bad.text);
+    const std::string error = refusalOf(bad.text);
     EXPECT_TRUE(startsWith(error, bad.where)) << bad.text << error;
-    EXPECT_TRUE(holds(error, bad.says)) << bad.text << error;
+    EXPECT_TRUE(hasPart(error, bad.says)) << bad.text << error;
   }
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/rotation.h"
+
 namespace amble {
 
 using Eigen::Vector2d;
@@ -13,7 +15,6 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr double kCrease = 0.7;  // edges sharper than this stay sharp [rad]
-constexpr double kPi = 3.14159265358979323846;
 
 Vector3d faceNormal(const TriangleMesh& mesh, const std::array<int, 3>& t) {
   const Vector3d& a = mesh.vertices[t[0]];

@@ -15,7 +15,7 @@ constexpr float kShadowBias = 0.012f;
 constexpr int kShadowBlur = 2;  // half width of the filter [shadow samples]
 constexpr int kCornerTaps = 8;  // of the ambient occlusion, a pixel, of 16 that are averaged
 constexpr float kFlat = 0.08f;  // sine of a rise that still darkens nothing
-constexpr float kPi = 3.14159265f;
+constexpr float kHalfTurn = 3.14159265f;
 
 float toLinear(float srgb) { return std::pow(srgb, 2.2f); }
 float toSrgb(float linear) { return std::pow(std::clamp(linear, 0.0f, 1.0f), 1 / 2.2f); }
@@ -231,7 +231,8 @@ class Corners {
       std::array<Spiral, 16> made;
       for (int k = 0; k < 16; ++k) {
         for (int i = 0; i < kCornerTaps; ++i) {
-          const float angle = noise(k % 4, k / 4) * 2 * kPi + static_cast<float>(i) * 2.39996f;
+          const float angle =
+              noise(k % 4, k / 4) * 2 * kHalfTurn + static_cast<float>(i) * 2.39996f;
           const float share =
               (static_cast<float>(i) + (static_cast<float>(k) + 0.5f) / 16) / kCornerTaps;
           made[k].x[i] = share * std::cos(angle);

@@ -37,14 +37,14 @@ Skeleton person(const std::vector<std::string>& trunk, const std::vector<std::st
   return Skeleton(joints);
 }
 
-struct Rig {
+struct NamedRig {
   const char* name;
   std::vector<std::string> trunk;
   std::vector<std::string> limbs;  // clavicle, arm, elbow, hand, thigh, shin, foot, toe
   std::string left, right;
 };
 
-const std::vector<Rig> kRigs = {
+const std::vector<NamedRig> kRigs = {
     {"MotionBuilder",
      {"Hips", "Spine", "Neck", "Head"},
      {"@Shoulder", "@Arm", "@ForeArm", "@Hand", "@UpLeg", "@Leg", "@Foot", "@ToeBase"},
@@ -227,7 +227,7 @@ TEST(JointRoles, BonesThatTwistAreBetweenTheJointsOfALimbAndNotOfThem) {
 }
 
 TEST(JointRoles, ASkeletonWithoutAPersonIsRefusedByTheFirstRoleMissing) {
-  const Rig& rig = kRigs[0];
+  const NamedRig& rig = kRigs[0];
   std::vector<std::string> limbs = rig.limbs;
   limbs[5] = "@Bone7";
   try {
@@ -243,7 +243,7 @@ TEST(JointRoles, ASkeletonWithoutAPersonIsRefusedByTheFirstRoleMissing) {
 TEST(JointRoles, AreFoundInTheCommonRigs) {
   const std::vector<std::string> limb_roles = {"shoulder", "arm", "fore_arm", "hand",
                                                "up_leg",   "leg", "foot",     "toe"};
-  for (const Rig& rig : kRigs) {
+  for (const NamedRig& rig : kRigs) {
     const JointRoles roles =
         guessJointRoles(person(rig.trunk, rig.limbs, rig.left, rig.right), rig.name);
     EXPECT_EQ(roles.hips, 0) << rig.name;
@@ -276,13 +276,13 @@ TEST(JointRoles, EveryRoleCanBeSetAndAskedByItsName) {
 }
 
 TEST(JointRoles, LegLengthIsThighAndShank) {
-  const Rig& rig = kRigs[0];
+  const NamedRig& rig = kRigs[0];
   const Skeleton skeleton = person(rig.trunk, rig.limbs, rig.left, rig.right);
   EXPECT_NEAR(guessJointRoles(skeleton, "").legLength(skeleton, kRight), 0.8, 1e-15);
 }
 
 TEST(JointRoles, TheUnitIsTheOneThatMakesALegOfAPersonsLength) {
-  const Rig& rig = kRigs[0];
+  const NamedRig& rig = kRigs[0];
   const Skeleton metres = person(rig.trunk, rig.limbs, rig.left, rig.right);
   const JointRoles roles = guessJointRoles(metres, "");
   for (const double unit : {1.0, 0.01, 0.0254, 0.056444, 0.001}) {

@@ -16,7 +16,7 @@
 namespace amble {
 namespace {
 
-std::string refusal(const std::filesystem::path& file, const MotionReadOptions& options = {}) {
+std::string fileRefusal(const std::filesystem::path& file, const MotionReadOptions& options = {}) {
   try {
     readMotion(file, options);
   } catch (const InputError& error) {
@@ -27,10 +27,10 @@ std::string refusal(const std::filesystem::path& file, const MotionReadOptions& 
 
 TEST(MotionReader, RefusesWhatItDoesNotKnowAndWhatIsNotThere) {
   const TestFolder folder;
-  EXPECT_NE(refusal(folder.write("walk.txt", "a walk")).find("no kind of capture"),
+  EXPECT_NE(fileRefusal(folder.write("walk.txt", "a walk")).find("no kind of capture"),
             std::string::npos);
-  EXPECT_NE(refusal(folder.path() / "none.bvh").find("cannot be opened"), std::string::npos);
-  EXPECT_NE(refusal(folder.write("walk.bvh", "HIERARCHX\n")).find("walk.bvh:1: 'HIERARCHX'"),
+  EXPECT_NE(fileRefusal(folder.path() / "none.bvh").find("cannot be opened"), std::string::npos);
+  EXPECT_NE(fileRefusal(folder.write("walk.bvh", "HIERARCHX\n")).find("walk.bvh:1: 'HIERARCHX'"),
             std::string::npos);
 }
 
@@ -128,12 +128,12 @@ TEST(MotionReader, AnAmcFindsItsSkeleton) {
   const TestFolder folder;
   const std::filesystem::path amc = folder.write("07_05-walk.amc", "");
   const auto found = [&amc] { return findAsf(amc).filename().string(); };
-  EXPECT_NE(refusal(amc).find("no .asf lies beside it; expected its skeleton, given by --asf"),
+  EXPECT_NE(fileRefusal(amc).find("no .asf lies beside it; expected its skeleton, given by --asf"),
             std::string::npos);
   folder.write("other.asf", "");
   EXPECT_EQ(found(), "other.asf");
   folder.write("08-run.asf", "");
-  EXPECT_NE(refusal(amc).find("several .asf lie beside it"), std::string::npos);
+  EXPECT_NE(fileRefusal(amc).find("several .asf lie beside it"), std::string::npos);
   folder.write("07-walk.asf", "");
   EXPECT_EQ(found(), "07-walk.asf");
   folder.write("07.ASF", "");

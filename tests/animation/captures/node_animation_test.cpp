@@ -86,7 +86,7 @@ Clip smoothClip(Generator& generator) {
   return clip;
 }
 
-double farthest(const Clip& a, int frame_a, const Clip& b, int frame_b) {
+double farthestOf(const Clip& a, int frame_a, const Clip& b, int frame_b) {
   const std::vector<JointFrame> x = jointFrames(a, frame_a), y = jointFrames(b, frame_b);
   double worst = 0.0;
   for (int j = 0; j < a.skeleton.size(); ++j) {
@@ -145,7 +145,7 @@ TEST(NodeAnimation, AClipComesBackWhateverTheFilesAxesUnitAndRest) {
     ASSERT_EQ(back.frames(), clip.frames());
     EXPECT_NEAR(back.frame_time, clip.frame_time, 1e-12);
     EXPECT_TRUE(back.joint_positions.empty());
-    for (int i = 0; i < clip.frames(); ++i) EXPECT_LT(farthest(clip, i, back, i), 1e-9);
+    for (int i = 0; i < clip.frames(); ++i) EXPECT_LT(farthestOf(clip, i, back, i), 1e-9);
   }
 }
 
@@ -166,7 +166,7 @@ TEST(NodeAnimation, SamplingBetweenKeysIsLinearInPlaceAndBySlerp) {
   ASSERT_EQ(fine.frames(), 61);
   Pose between;
   for (int i = 0; i + 1 < clip.frames(); ++i) {
-    EXPECT_LT(farthest(clip, i, fine, 2 * i), 1e-9);
+    EXPECT_LT(farthestOf(clip, i, fine, 2 * i), 1e-9);
     interpolatePose(clip.poses[i], clip.poses[i + 1], 0.5, between);
     EXPECT_LT((between.p_WR - fine.poses.p_WR(2 * i + 1)).norm(), 1e-9);
   }
@@ -257,7 +257,7 @@ TEST(NodeAnimation, HelpersArePartsOfTheNodeBelowThem) {
   scene.nodes.push_back(node);
   const Clip back = clipOfNodes(scene, "nodes");
   EXPECT_EQ(back.skeleton.size(), clip.skeleton.size());
-  for (int i = 0; i < clip.frames(); ++i) EXPECT_LT(farthest(clip, i, back, i), 1e-9);
+  for (int i = 0; i < clip.frames(); ++i) EXPECT_LT(farthestOf(clip, i, back, i), 1e-9);
 }
 
 TEST(NodeAnimation, UnmovedNodesAtTheEndAreEndSitesAndThingsAreNone) {

@@ -16,7 +16,7 @@
 namespace amble {
 namespace {
 
-std::string refusal(const std::string& text, const std::function<void(TextCursor&)>& act) {
+std::string cursorRefusal(const std::string& text, const std::function<void(TextCursor&)>& act) {
   TextCursor cursor(text, "f");
   try {
     act(cursor);
@@ -27,28 +27,28 @@ std::string refusal(const std::string& text, const std::function<void(TextCursor
 }
 
 TEST(TextCursor, SaysFileLineWhatIsThereAndWhatWasExpected) {
-  EXPECT_EQ(refusal("\n\n  one", [](TextCursor& in) { in.expectWord("two"); }),
+  EXPECT_EQ(cursorRefusal("\n\n  one", [](TextCursor& in) { in.expectWord("two"); }),
             "f:3: 'one'; expected two");
-  EXPECT_EQ(refusal("", [](TextCursor& in) { in.word(); }),
+  EXPECT_EQ(cursorRefusal("", [](TextCursor& in) { in.word(); }),
             "f:1: the file ends here; expected more");
-  EXPECT_EQ(refusal("a b", [](TextCursor& in) { in.word(), in.expectLineEnd(); }),
+  EXPECT_EQ(cursorRefusal("a b", [](TextCursor& in) { in.word(), in.expectLineEnd(); }),
             "f:1: 'b'; expected the end of the line");
-  EXPECT_EQ(refusal("Frame: 3", [](TextCursor& in) { in.expectLabel("Frames"); }),
+  EXPECT_EQ(cursorRefusal("Frame: 3", [](TextCursor& in) { in.expectLabel("Frames"); }),
             "f:1: no 'Frames:'; expected it here");
 }
 
 TEST(TextCursor, QuotesNoMoreThanALineCanHold) {
   const std::string long_word(100'000, 'x');
-  EXPECT_LT(refusal(long_word, [](TextCursor& in) { in.expectWord("y"); }).size(), 80u);
+  EXPECT_LT(cursorRefusal(long_word, [](TextCursor& in) { in.expectWord("y"); }).size(), 80u);
 }
 
 TEST(TextCursor, RefusesWhatIsNoNumberNotFiniteOrTooLarge) {
   for (const char* const bad : {"x", "1x", "1,5", "nan", "inf", "1e999", "-1e999", "1001", "-1001",
                                 "+", "-", ".", "--1", "+-1", "0x1"}) {
-    EXPECT_NE(refusal(bad, [](TextCursor& in) { in.number(1000.0); }), "") << bad;
+    EXPECT_NE(cursorRefusal(bad, [](TextCursor& in) { in.number(1000.0); }), "") << bad;
   }
   for (const char* const bad : {"-1", "1.5", "x", "99999999999", "", "3x"}) {
-    EXPECT_NE(refusal(bad, [](TextCursor& in) { in.count(); }), "") << bad;
+    EXPECT_NE(cursorRefusal(bad, [](TextCursor& in) { in.count(); }), "") << bad;
   }
 }
 

@@ -14,10 +14,10 @@
 namespace amble {
 namespace {
 
-const std::filesystem::path kMotions =
+const std::filesystem::path kOwnMotions =
     std::filesystem::path(AMBLE_SOURCE_DIR) / "animation/motions";
 
-std::string contentOf(const std::filesystem::path& file) {
+std::string textOf(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::stringstream text;
   text << in.rdbuf();
@@ -39,10 +39,10 @@ class WriteLibrary : public testing::Test {
 };
 
 TEST_F(WriteLibrary, WhatIsWrittenReadsAsItWas) {
-  const MotionLibrary library = readMotionLibrary(kMotions / "default.yaml");
+  const MotionLibrary library = readMotionLibrary(kOwnMotions / "default.yaml");
   writeMotionLibrary(library, folder_ / "again.yaml");
-  EXPECT_EQ(contentOf(folder_ / "again.yaml"), contentOf(kMotions / "default.yaml"));
-  EXPECT_EQ(contentOf(folder_ / "default.bvh"), contentOf(kMotions / "default.bvh"));
+  EXPECT_EQ(textOf(folder_ / "again.yaml"), textOf(kOwnMotions / "default.yaml"));
+  EXPECT_EQ(textOf(folder_ / "default.bvh"), textOf(kOwnMotions / "default.bvh"));
   const MotionLibrary again = readMotionLibrary(folder_ / "again.yaml");
   ASSERT_EQ(again.motions.size(), library.motions.size());
   for (size_t i = 0; i < library.motions.size(); ++i) {
@@ -54,7 +54,7 @@ TEST_F(WriteLibrary, WhatIsWrittenReadsAsItWas) {
 }
 
 TEST_F(WriteLibrary, TextOfAnyMarksComesBack) {
-  MotionLibrary library = readMotionLibrary(kMotions / "default.yaml");
+  MotionLibrary library = readMotionLibrary(kOwnMotions / "default.yaml");
   for (const std::string text :
        {"\"Anna\" \\ Bert: # 'both'", "- a: b", "*a", "&a", "!a", "#a", "a #b", "[a", "{a: b}",
         "%a", "@a", "`a", "~", "null", "true", "010", " a ", "a\nb", "\xC3\xBC"}) {
@@ -70,7 +70,7 @@ TEST_F(WriteLibrary, TextOfAnyMarksComesBack) {
 }
 
 TEST_F(WriteLibrary, JointsAreCalledWhatTheirBvhCallsThem) {
-  MotionLibrary library = readMotionLibrary(kMotions / "default.yaml");
+  MotionLibrary library = readMotionLibrary(kOwnMotions / "default.yaml");
   std::vector<Joint> joints = library.skeleton.joints();
   for (Joint& joint : joints) joint.name = "rig: " + joint.name + " #1";
   library.skeleton = Skeleton(joints);
@@ -82,7 +82,7 @@ TEST_F(WriteLibrary, JointsAreCalledWhatTheirBvhCallsThem) {
 }
 
 TEST_F(WriteLibrary, TimesAndClearancesOfValidityComeBack) {
-  MotionLibrary library = readMotionLibrary(kMotions / "default.yaml");
+  MotionLibrary library = readMotionLibrary(kOwnMotions / "default.yaml");
   const auto validOf = [](MotionLibrary& of, const std::string& name) -> Validity& {
     return std::find_if(of.motions.begin(), of.motions.end(),
                         [&](const Motion& motion) { return motion.name == name; })
@@ -100,7 +100,7 @@ TEST_F(WriteLibrary, TimesAndClearancesOfValidityComeBack) {
 }
 
 TEST_F(WriteLibrary, OverAnotherSkeletonOnlyWhereThatIsALibrarys) {
-  MotionLibrary library = readMotionLibrary(kMotions / "default.yaml");
+  MotionLibrary library = readMotionLibrary(kOwnMotions / "default.yaml");
   writeMotionLibrary(library, folder_ / "a.yaml");
   EXPECT_TRUE(isLibrarySkeleton(folder_ / "default.bvh"));
   library.skeleton = library.skeleton.scaled(1.1);
@@ -113,10 +113,10 @@ TEST_F(WriteLibrary, OverAnotherSkeletonOnlyWhereThatIsALibrarys) {
 }
 
 TEST_F(WriteLibrary, OverAFileThatIsNoLibraryIsRefused) {
-  const MotionLibrary library = readMotionLibrary(kMotions / "default.yaml");
+  const MotionLibrary library = readMotionLibrary(kOwnMotions / "default.yaml");
   std::ofstream(folder_ / "scene.yaml") << "name: room\nobjects: []\n";
   EXPECT_THROW(writeMotionLibrary(library, folder_ / "scene.yaml"), InputError);
-  EXPECT_EQ(contentOf(folder_ / "scene.yaml"), "name: room\nobjects: []\n");
+  EXPECT_EQ(textOf(folder_ / "scene.yaml"), "name: room\nobjects: []\n");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "default.bvh"));
 }
 

@@ -20,7 +20,7 @@ MotionRequest walkOf(const std::string& clip) {
 }
 
 /// The error of adding the motion to an empty library.
-std::string refusal(const MotionRequest& request) {
+std::string addRefusal(const MotionRequest& request) {
   MotionLibrary library;
   try {
     addMotion(library, request);
@@ -32,16 +32,16 @@ std::string refusal(const MotionRequest& request) {
 
 TEST(AddMotion, WhatIsUnfitIsRefusedWithTheReason) {
   AMBLE_NEEDS_CAPTURES();
-  EXPECT_NE(refusal(walkOf("accad_female1/Female1_B05_WalkBackwards.bvh")).find("backwards"),
+  EXPECT_NE(addRefusal(walkOf("accad_female1/Female1_B05_WalkBackwards.bvh")).find("backwards"),
             std::string::npos);
-  EXPECT_NE(refusal(walkOf("accad_female1/Female1_A01_Stand.bvh")).find("no whole cycle"),
+  EXPECT_NE(addRefusal(walkOf("accad_female1/Female1_A01_Stand.bvh")).find("no whole cycle"),
             std::string::npos);
   MotionRequest turn = walkOf("accad_female1/Female1_B03_Walk1.bvh");
   turn.turning = true;
-  EXPECT_NE(refusal(turn).find("walks straight"), std::string::npos);
+  EXPECT_NE(addRefusal(turn).find("walks straight"), std::string::npos);
   MotionRequest start = walkOf("accad_female1/Female1_B03_Walk1.bvh");
   start.kind = MotionKind::kStart;
-  EXPECT_NE(refusal(start).find("does not stand"), std::string::npos);
+  EXPECT_NE(addRefusal(start).find("does not stand"), std::string::npos);
 }
 
 TEST(AddMotion, ANameIsGivenOnce) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kStep = 0.65;
 
-const std::array<FootShape, 2>& feet() {
+const std::array<FootShape, 2>& ownFeet() {
   static const std::array<FootShape, 2> kFeet = openMotionLibrary("default").feet();
   return kFeet;
 }
@@ -21,7 +21,7 @@ const std::array<FootShape, 2>& feet() {
 /// From standing at the origin to standing `length` further along +x.
 FootstepPlan planOver(const Ground& ground, double length, GroundLimits limits = {}) {
   const RootPath path = straightPath(length);
-  const FootholdFinder holds(ground, feet(), limits);
+  const FootholdFinder holds(ground, ownFeet(), limits);
   FootPlacement placement;
   placement.step_length = kStep;
   Stance from, to;
@@ -94,7 +94,8 @@ TEST(FootstepPlan, FeetStandFartherBeforeHighRisers) {
       const double into = place.position.x() - flight.start;
       if (into < 0.0 || into > 5 * flight.going) continue;
       const double room = flight.going * std::ceil(into / flight.going) - into;
-      EXPECT_GT(flight.going - room, feet()[kLeft].radius - feet()[kLeft].heel_x - 1e-3) << rise;
+      EXPECT_GT(flight.going - room, ownFeet()[kLeft].radius - ownFeet()[kLeft].heel_x - 1e-3)
+          << rise;
       least = std::min(least, room);
     }
     EXPECT_GT(least, before + 0.03) << rise;

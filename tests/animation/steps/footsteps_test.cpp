@@ -9,11 +9,11 @@
 namespace amble {
 namespace {
 
-constexpr double kStep = 0.65;
+constexpr double kStepLength = 0.65;
 
 FootPlacement placement() {
   FootPlacement p;
-  p.step_length = kStep;
+  p.step_length = kStepLength;
   p.forward = 0.02;
   p.walk_toe_out = 0.1;
   p.stand_toe_out = 0.15;
@@ -34,11 +34,11 @@ struct Walk {
         steps(placement(), from, to, count, first) {
     const double begin = from_standing ? 0.0 : 0.5;
     steps.place([&](int i) {
-      return GroundPoint{{kStep * (i + begin) + placement().forward, 0.0, 0.0}, 0.0};
+      return GroundPoint{{kStepLength * (i + begin) + placement().forward, 0.0, 0.0}, 0.0};
     });
   }
   static Eigen::Vector3d endOf(bool from_standing, bool to_standing, int count) {
-    return {kStep * (count - (from_standing ? 0.5 : 0.0) - (to_standing ? 0.5 : 0.0)), 0, 0};
+    return {kStepLength * (count - (from_standing ? 0.5 : 0.0) - (to_standing ? 0.5 : 0.0)), 0, 0};
   }
 };
 
@@ -154,7 +154,7 @@ TEST(Footsteps, StepsOfAStraightWalkAreAlike) {
     std::vector<FootPlace>& places = walk.steps.places();
     const int n = walk.steps.steps();
     for (int i = walk.from.standing ? 2 : 0; i <= (walk.to.standing ? n - 1 : n); ++i) {
-      EXPECT_NEAR(places[i + 1].position.x() - places[i].position.x(), kStep, 1e-9);
+      EXPECT_NEAR(places[i + 1].position.x() - places[i].position.x(), kStepLength, 1e-9);
     }
   });
 }
@@ -170,8 +170,8 @@ TEST(Footsteps, AStandingStanceHasItsFeetSideBySide) {
 TEST(Footsteps, AWalkingStanceIsOneStepLongWithItsLeadingFootInFront) {
   for (const Side leading : {kLeft, kRight}) {
     const auto feet = Footsteps::atStance(placement(), {{1, 0, 0}, 0.0, false, leading});
-    EXPECT_NEAR(feet[leading].from.position.x() - feet[other(leading)].from.position.x(), kStep,
-                1e-15);
+    EXPECT_NEAR(feet[leading].from.position.x() - feet[other(leading)].from.position.x(),
+                kStepLength, 1e-15);
     EXPECT_LT(feet[leading].at, feet[other(leading)].at);
   }
 }

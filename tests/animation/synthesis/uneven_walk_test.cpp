@@ -18,7 +18,7 @@
 namespace amble {
 namespace {
 
-const MotionLibrary& library() {
+const MotionLibrary& ownLibrary() {
   static const MotionLibrary kLibrary = openMotionLibrary("default");
   return kLibrary;
 }
@@ -114,7 +114,7 @@ void expectGoodSteps(const WalkSynthesizer& walker, const Ground& ground,
 TEST(UnevenWalk, SlopesAreClimbedAndDescended) {
   for (const double degrees : {5.0, 10.0, 15.0, 20.0, -5.0, -10.0, -15.0, -20.0}) {
     const SlopeGround ground(degrees * kDegree);
-    const WalkSynthesizer walker(library(), ground, {});
+    const WalkSynthesizer walker(ownLibrary(), ground, {});
     for (const bool standing : {true, false}) {
       const Walked walked = walkOver(walker, ground, 5.9, standing);
       ASSERT_EQ(walked.result.refused, WalkRule::kNone) << degrees;
@@ -127,7 +127,7 @@ TEST(UnevenWalk, StairsAreTakenOneTreadAStepInTheMiddleOfEach) {
   for (const double rise : {0.12, 0.17, 0.19, -0.12, -0.17, -0.19}) {
     const Stairs flight{.rise = rise, .going = 0.29, .count = 10, .start = 1.25};
     const StairGround ground(flight);
-    const WalkSynthesizer walker(library(), ground, {});
+    const WalkSynthesizer walker(ownLibrary(), ground, {});
     for (const bool standing : {true, false}) {
       const Walked walked = walkOver(walker, ground, 1.25 + 9 * 0.29 + 1.4, standing);
       ASSERT_EQ(walked.result.refused, WalkRule::kNone) << rise;
@@ -148,7 +148,7 @@ TEST(UnevenWalk, ToesClearEveryNosingWhereverTheStairsBegin) {
   for (double start = 1.0; start < 1.7; start += 0.1) {
     const Stairs flight{.rise = 0.17, .going = 0.29, .count = 5, .start = start};
     const StairGround ground(flight);
-    const WalkSynthesizer walker(library(), ground, {});
+    const WalkSynthesizer walker(ownLibrary(), ground, {});
     const Walked walked = walkOver(walker, ground, start + 4 * 0.29 + 1.3, false);
     ASSERT_EQ(walked.result.refused, WalkRule::kNone) << start;
     std::vector<JointFrame> joints(walker.skeleton().size());
@@ -203,7 +203,7 @@ TEST(UnevenWalk, KneesPassOverTheNosingsOfHighFlights) {
     for (const double speed : {0.8, 1.2}) {
       const Stairs flight{.rise = rise, .going = 0.37, .count = 5, .start = 1.3};
       const StairGround ground(flight);
-      const WalkSynthesizer walker(library(), ground,
+      const WalkSynthesizer walker(ownLibrary(), ground,
                                    {.speed = speed, .limits = {.max_climb = 0.4}});
       const Walked walked = walkOver(walker, ground, 1.3 + 4 * 0.37 + 1.3);
       const std::string what = std::to_string(rise) + " m at " + std::to_string(speed) + " m/s";
@@ -219,8 +219,8 @@ TEST(UnevenWalk, KneesPassOverTheNosingsOfHighFlights) {
 
 TEST(UnevenWalk, StridesAndLiftsComeAsAskedAndHoldTheBarsOfGoodWalks) {
   const FlatGround ground;
-  const WalkSynthesizer walker(library(), ground, {});
-  const QualityAnchors anchors = anchorsOf(library(), 1.0, walker.settings().speed);
+  const WalkSynthesizer walker(ownLibrary(), ground, {});
+  const QualityAnchors anchors = anchorsOf(ownLibrary(), 1.0, walker.settings().speed);
   const auto judge = [&](const Walked& walked, const std::string& what) {
     ASSERT_EQ(walked.result.refused, WalkRule::kNone) << what;
     expectGoodSteps(walker, ground, walked.buffer, what);
@@ -264,7 +264,7 @@ TEST(UnevenWalk, StridesAndLiftsComeAsAskedAndHoldTheBarsOfGoodWalks) {
 TEST(UnevenWalk, TheCapturedLiftAndALevelSlopeGiveTheFlatWalkBack) {
   const FlatGround flat;
   const SlopeGround level(0.0);
-  const WalkSynthesizer on_flat(library(), flat, {}), on_slope(library(), level, {});
+  const WalkSynthesizer on_flat(ownLibrary(), flat, {}), on_slope(ownLibrary(), level, {});
   const Walked plain = walkOver(on_flat, flat, 5.0);
   GaitWishes wishes;
   wishes.lift = [&](double) { return on_flat.capturedLift(); };
@@ -283,7 +283,7 @@ TEST(UnevenWalk, TheCapturedLiftAndALevelSlopeGiveTheFlatWalkBack) {
 
 TEST(UnevenWalk, EdgesOnASlopeJoinToTheBit) {
   const SlopeGround ground(12.0 * kDegree);
-  const WalkSynthesizer walker(library(), ground, {});
+  const WalkSynthesizer walker(ownLibrary(), ground, {});
   const auto stance = [&](double x) {
     Stance s;
     s.standing = false;
@@ -306,7 +306,7 @@ TEST(UnevenWalk, EdgesOnASlopeJoinToTheBit) {
 
 TEST(UnevenWalk, EdgesJoinToTheBitAtAStanceThatWalksSlowlyAndTheWalkIsAsSlowThere) {
   const FlatGround ground;
-  const WalkSynthesizer walker(library(), ground, {});
+  const WalkSynthesizer walker(ownLibrary(), ground, {});
   for (const double pace : {0.5, 0.7, 0.93}) {
     Stance from, middle, to;
     from.standing = middle.standing = to.standing = false;
@@ -336,7 +336,7 @@ TEST(UnevenWalk, EdgesJoinToTheBitAtAStanceThatWalksSlowlyAndTheWalkIsAsSlowTher
 
 TEST(UnevenWalk, WhatCannotBeWalkedIsRefusedByItsRule) {
   const auto refusal = [](const Ground& ground, double length, CharacterSettings settings = {}) {
-    const WalkSynthesizer walker(library(), ground, settings);
+    const WalkSynthesizer walker(ownLibrary(), ground, settings);
     return walkOver(walker, ground, length).result.refused;
   };
   EXPECT_EQ(refusal(SlopeGround(22.0 * kDegree), 4.0), WalkRule::kSlope);
@@ -351,7 +351,7 @@ TEST(UnevenWalk, WhatCannotBeWalkedIsRefusedByItsRule) {
 
 TEST(UnevenWalk, TurningOnTheSpotKeepsFeetOnTheSlope) {
   const SlopeGround ground(10.0 * kDegree);
-  const WalkSynthesizer walker(library(), ground, {});
+  const WalkSynthesizer walker(ownLibrary(), ground, {});
   AnimationBuffer out;
   ASSERT_EQ(walker.turnOnSpot(Stance{}, 2.4, out).refused, WalkRule::kNone);
   std::vector<JointFrame> joints(walker.skeleton().size());

@@ -13,8 +13,8 @@ namespace {
 constexpr double kRadius = 0.1;  // of the ball that flies [m]
 
 /// Distance of a segment to a box about `at`, along the segment by thirds: it is convex there.
-double segmentToBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                    const Eigen::AlignedBox3d& box) {
+double distanceToBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                     const Eigen::AlignedBox3d& box) {
   double low = 0.0, high = 1.0;
   const auto off = [&](double t) { return box.exteriorDistance(Eigen::Vector3d(a + t * (b - a))); };
   for (int n = 0; n < 120; ++n) {
@@ -65,7 +65,7 @@ struct BallWorld {
   double gap(const PoseArray& poses, int frame) const {
     double least = HUGE_VAL;
     for (size_t i = 1; i < boxes.size(); ++i)
-      least = std::min(least, segmentToBox(poses.p_WR(frame), poses.p_WR(frame + 1), boxes[i]));
+      least = std::min(least, distanceToBox(poses.p_WR(frame), poses.p_WR(frame + 1), boxes[i]));
     return least - kRadius;
   }
 

@@ -10,7 +10,7 @@
 namespace amble {
 namespace {
 
-const ClearanceMap::Breadth kBody = {{{0.25, 1.75, 0.3}}, 0.15};
+const ClearanceMap::Breadth kBreadth = {{{0.25, 1.75, 0.3}}, 0.15};
 const Eigen::Vector3d kWest(-3, -2, 0), kEast(3, -2, 0), kNowhere(0, 50, 0);
 
 // A room of 8 x 6 m about the origin, with a wall along x = 0 that has doors.
@@ -36,7 +36,7 @@ struct Mapped {
   }
   Scene scene;
   SceneGround ground{scene};
-  ClearanceMap map{ground, {Eigen::Vector2d(-4, -3), Eigen::Vector2d(4, 3)}, kBody};
+  ClearanceMap map{ground, {Eigen::Vector2d(-4, -3), Eigen::Vector2d(4, 3)}, kBreadth};
 };
 
 bool holds(const ReachedRegion& region, double x, double y) {

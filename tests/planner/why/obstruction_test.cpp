@@ -42,7 +42,7 @@ TEST(Obstruction, IsTheRuleAndObjectThatRefusedMostOften) {
   EXPECT_EQ(why->at, Eigen::Vector3d(3, 2, 1));  // the middle one
 }
 
-PlanRequest requestIn(const FurnishedRoom& room) {
+PlanRequest askedIn(const FurnishedRoom& room) {
   PlanRequest request;
   request.synthesizer = &room.synthesizer;
   request.world = &room.world;
@@ -60,7 +60,7 @@ PlanOutcome throughDoor(double width) {
   const double post = 0.9 - width;
   scene.objects.push_back(boxObject("post", {0.1, post, 2.5}, {3, 4.0 - 0.5 * post, 1.25}));
   const FurnishedRoom room(scene);
-  PlanRequest request = requestIn(room);
+  PlanRequest request = askedIn(room);
   const double middle = 3.1 + 0.5 * width;
   request.start = {{1.2, middle, 0}, 0.0, true};
   request.goal = {{4.8, middle, 0}, 0.0, true};  // straight through
@@ -92,7 +92,7 @@ TEST(Obstruction, OfASillInADoorTheSillIsNamed) {
   Scene scene = furnishedScene();
   scene.objects.push_back(boxObject("sill", {0.1, 0.9, 0.35}, {3, 3.55, 0.175}));
   const FurnishedRoom room(scene);
-  PlanRequest request = requestIn(room);
+  PlanRequest request = askedIn(room);
   request.start = {{1.5, 3.55, 0}, 0.0, true};
   request.goal = {{4.5, 3.55, 0}, 0.0, true};
   const PlanOutcome outcome = planWalk(request);
@@ -107,7 +107,7 @@ TEST(Obstruction, WhatHangsTooLowSaysHowHigh) {
   Scene scene = furnishedScene();
   scene.objects.push_back(boxObject("lintel", {0.1, 0.9, 0.97}, {3, 3.55, 2.015}));  // at 1.53 m
   const FurnishedRoom room(scene);
-  PlanRequest request = requestIn(room);
+  PlanRequest request = askedIn(room);
   request.start = {{1.5, 3.55, 0}, 0.0, true};
   request.goal = {{4.5, 3.55, 0}, 0.0, true};
   const PlanOutcome outcome = planWalk(request);
@@ -141,7 +141,7 @@ Obstruction acrossFloors(const std::vector<SceneObject>& between, double rise, d
   scene.objects.insert(scene.objects.end(), between.begin(), between.end());
   const FurnishedRoom room(scene);
   Obstruction why;
-  measureGround({2, 1.5, 0}, {4 + length, 1.5, rise}, requestIn(room), why);
+  measureGround({2, 1.5, 0}, {4 + length, 1.5, rise}, askedIn(room), why);
   return why;
 }
 
@@ -182,7 +182,7 @@ TEST(Obstruction, StairsSayHowHighOrHowShortTheirStepsAre) {
 
 TEST(Obstruction, ABlockedEndSaysByWhatAndWhereItWouldDo) {
   const FurnishedRoom& room = furnishedRoom();
-  PlanRequest request = requestIn(room);
+  PlanRequest request = askedIn(room);
   request.start = {{0.05, 2, 0}, {}, true};
   const PlanOutcome outcome = planWalk(request);
   ASSERT_EQ(outcome.status, PlanStatus::kStartBlocked);
@@ -203,7 +203,7 @@ TEST(Obstruction, ARuleOfTheGroundNamesThePlaceAndTheHeight) {
   SteeringFailure refusal{WalkRule::kStepHeight};
   refusal.at = {1.5, 3.55, 0};
   refusal.body = {4.5, 3.55, 0};
-  const auto why = whatStoodInTheWay({refusal}, requestIn(room));
+  const auto why = whatStoodInTheWay({refusal}, askedIn(room));
   ASSERT_TRUE(why && why->width && why->needed);
   EXPECT_EQ(why->object, "sill");
   EXPECT_NEAR(why->at.x(), 2.85, 0.011);
@@ -218,7 +218,7 @@ TEST(Obstruction, ALegThatIsTooShortSaysWhereTheStepIsAndHowHigh) {
   SteeringFailure refusal{WalkRule::kReach};
   refusal.at = {1.5, 3.55, 0};
   refusal.body = {4.5, 3.55, 0.2};
-  const auto why = whatStoodInTheWay({refusal}, requestIn(room));
+  const auto why = whatStoodInTheWay({refusal}, askedIn(room));
   ASSERT_TRUE(why && why->width);
   EXPECT_NEAR(why->at.x(), 3.0, 0.011);
   EXPECT_NEAR(*why->width, 0.2, 1e-6);
@@ -230,17 +230,17 @@ TEST(Obstruction, WhatTheSceneRefusesSaysMoreThanEdgesThatHaveNoCurve) {
   const FurnishedRoom& room = furnishedRoom();
   std::vector<SteeringFailure> refusals(9, SteeringFailure{WalkRule::kStepLength});
   refusals.push_back(contact(1, 5, {3, 1, 1}));
-  EXPECT_EQ(whatStoodInTheWay(refusals, requestIn(room))->rule, WalkRule::kContact);
+  EXPECT_EQ(whatStoodInTheWay(refusals, askedIn(room))->rule, WalkRule::kContact);
   refusals.resize(30, SteeringFailure{WalkRule::kStepLength});  // next to nothing
   refusals.resize(31, SteeringFailure{WalkRule::kTurnRate});
-  EXPECT_EQ(whatStoodInTheWay(refusals, requestIn(room))->rule, WalkRule::kStepLength);
+  EXPECT_EQ(whatStoodInTheWay(refusals, askedIn(room))->rule, WalkRule::kStepLength);
 }
 
 TEST(Obstruction, WhatNothingTouchedSaysFromWhereToWhereAndHowFar) {
   SteeringFailure refusal{WalkRule::kNoCurve};
   refusal.at = {1.0, 1.0, 0};
   refusal.body = {1.3, 1.4, 0};
-  const auto why = whatStoodInTheWay({refusal}, requestIn(furnishedRoom()));
+  const auto why = whatStoodInTheWay({refusal}, askedIn(furnishedRoom()));
   ASSERT_TRUE(why.has_value());
   const std::string line = describe(*why);
   EXPECT_TRUE(holds(line, "on the way to (1.30, 1.40, 0.00), 0.50 m")) << line;
@@ -260,7 +260,7 @@ TEST(Obstruction, InsideOfWhatIsWalkedOnIsNoPassage) {
     refusal.heading = heading * kDegree;
     refusals.push_back(refusal);
   }
-  const auto why = whatStoodInTheWay(refusals, requestIn(room));
+  const auto why = whatStoodInTheWay(refusals, askedIn(room));
   ASSERT_TRUE(why.has_value());
   EXPECT_EQ(why->object, "bed");
   EXPECT_EQ(why->other, "") << describe(*why);
@@ -275,7 +275,7 @@ TEST(Obstruction, WhereTheGroundEndsItsGapIsMeasured) {
   SteeringFailure refusal{WalkRule::kNoGround};
   refusal.at = {2, 3, 0};
   refusal.body = {6, 3, 0};
-  const auto why = whatStoodInTheWay({refusal}, requestIn(room));
+  const auto why = whatStoodInTheWay({refusal}, askedIn(room));
   ASSERT_TRUE(why && why->width && why->needed);
   EXPECT_NEAR(why->at.x(), 3.0, 0.02);
   EXPECT_NEAR(*why->width, 2.0, 0.001);
@@ -311,7 +311,7 @@ TEST(Obstruction, FreePlacesThatAreOfferedAreFreeAndNear) {
     Stance blocked = end.stance;
     const auto failure = steering.stand(blocked, *scratch);
     ASSERT_TRUE(failure.has_value());
-    const Obstruction why = whatBlocks(*failure, end, requestIn(room), steering);
+    const Obstruction why = whatBlocks(*failure, end, askedIn(room), steering);
     ASSERT_TRUE(why.free.has_value()) << at.transpose();
     EXPECT_LT((*why.free - at).norm(), 1.2);
     bool stands = false;

@@ -11,7 +11,7 @@ namespace {
 
 using Lack = Obstruction::Lack;
 
-bool holds(const std::string& text, const std::string& part) {
+bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -39,22 +39,22 @@ TEST(ObstructionText, OfAGapSaysBetweenWhatHowWideAndWhatWouldDoAtWhatSpeed) {
       "the gap between wall and cupboard is 0.50 m wide at (1.00, 2.00, 0.80); 0.62 m would do "
       "at 1.2 m/s; the walk that came nearest had its left hand 0.031 m in wall");
   why.other = "wall";
-  EXPECT_TRUE(holds(describe(why), "between two sides of wall is")) << describe(why);
+  EXPECT_TRUE(says(describe(why), "between two sides of wall is")) << describe(why);
 }
 
 // Who makes it as wide as it says has made it wide enough, and who lowers it low enough.
 TEST(ObstructionText, RoundsToWhatWouldDo) {
-  EXPECT_TRUE(holds(describe(lacking(Lack::kGap, 0.5, 0.6101)), "0.62 m would do"));
-  EXPECT_TRUE(holds(describe(lacking(Lack::kGap, 0.5, 0.61)), "0.61 m would do"));
-  EXPECT_TRUE(holds(describe(lacking(Lack::kStep, 0.5, 0.259)), "at most 0.25 m"));
-  EXPECT_TRUE(holds(describe(lacking(Lack::kGround, 1.3, 0.77)), "at most 0.77 m"));
-  EXPECT_TRUE(holds(describe(lacking(Lack::kHeadroom, 1.6, 1.634)), "1.64 m would do"));
+  EXPECT_TRUE(says(describe(lacking(Lack::kGap, 0.5, 0.6101)), "0.62 m would do"));
+  EXPECT_TRUE(says(describe(lacking(Lack::kGap, 0.5, 0.61)), "0.61 m would do"));
+  EXPECT_TRUE(says(describe(lacking(Lack::kStep, 0.5, 0.259)), "at most 0.25 m"));
+  EXPECT_TRUE(says(describe(lacking(Lack::kGround, 1.3, 0.77)), "at most 0.77 m"));
+  EXPECT_TRUE(says(describe(lacking(Lack::kHeadroom, 1.6, 1.634)), "1.64 m would do"));
 }
 
 TEST(ObstructionText, WhatThereIsNeverLooksLikeWhatWouldDo) {
   for (const double width : {0.6149, 0.618, 0.6151}) {
     const std::string line = describe(lacking(Lack::kGap, width, 0.6175));
-    EXPECT_FALSE(holds(line, "is 0.62 m wide")) << line;
+    EXPECT_FALSE(says(line, "is 0.62 m wide")) << line;
   }
 }
 
@@ -63,11 +63,11 @@ TEST(ObstructionText, OfWhatIsMeasuredEveryLineSaysTheThingAndThePlace) {
   for (const Lack lack : {Lack::kGap, Lack::kHeadroom, Lack::kStep, Lack::kGround, Lack::kTread,
                           Lack::kSlope, Lack::kUnknown}) {
     const std::string line = describe(lacking(lack, 0.5, 0.6));
-    EXPECT_TRUE(holds(line, "(1.00, 2.00, 0.80)")) << line;
-    EXPECT_TRUE(nameless.contains(lack) || holds(line, "wall")) << line;
+    EXPECT_TRUE(says(line, "(1.00, 2.00, 0.80)")) << line;
+    EXPECT_TRUE(nameless.contains(lack) || says(line, "wall")) << line;
     EXPECT_EQ(line.find('\n'), std::string::npos);
   }
-  EXPECT_TRUE(holds(describe(lacking(Lack::kSlope, 0, 0)), "30 degrees steep"));
+  EXPECT_TRUE(says(describe(lacking(Lack::kSlope, 0, 0)), "30 degrees steep"));
 }
 
 TEST(ObstructionText, AnEndInAThingIsInIt) {
@@ -81,8 +81,8 @@ TEST(ObstructionText, WhereNothingWasTouchedTheRuleIsNamed) {
     why.rule = static_cast<WalkRule>(i);
     why.at = why.body = {1.25, -2.5, 0};
     const std::string line = describe(why);
-    EXPECT_TRUE(holds(line, std::string(walkRuleName(why.rule)))) << line;
-    EXPECT_TRUE(holds(line, "(1.25, -2.50, 0.00)")) << line;
+    EXPECT_TRUE(says(line, std::string(walkRuleName(why.rule)))) << line;
+    EXPECT_TRUE(says(line, "(1.25, -2.50, 0.00)")) << line;
   }
 }
 

@@ -13,7 +13,8 @@
 namespace amble {
 namespace {
 
-constexpr StripSettings kSmall{.pictures = 3, .columns = 3, .tile_width = 60, .tile_height = 80};
+constexpr StripSettings kSmallStrip{
+    .pictures = 3, .columns = 3, .tile_width = 60, .tile_height = 80};
 
 long pixelsOf(const Image& image, const Color& color) {
   long count = 0;
@@ -26,9 +27,9 @@ long pixelsOf(const Image& image, const Color& color) {
 
 TEST(RenderStrip, ThreadsChangeNoByte) {
   const auto walk = makeTestWalk();
-  StripSettings two = kSmall;
+  StripSettings two = kSmallStrip;
   two.threads = 2;
-  EXPECT_EQ(renderStrip(walk->view, kSmall).rgb, renderStrip(walk->view, two).rgb);
+  EXPECT_EQ(renderStrip(walk->view, kSmallStrip).rgb, renderStrip(walk->view, two).rgb);
 }
 
 TEST(RenderStrip, AFootHasItsBarWhileItIsPlanted) {
@@ -51,7 +52,7 @@ TEST(RenderStrip, FollowsAWalkOntoHigherGround) {
     high->animation.states[i].position.z() += 1.0;
   }
   for (Footprint& print : high->animation.footprints) print.position.z() += 1.0;
-  const Image a = renderStrip(low->view, kSmall), b = renderStrip(high->view, kSmall);
+  const Image a = renderStrip(low->view, kSmallStrip), b = renderStrip(high->view, kSmallStrip);
   long differ = 0;
   for (size_t i = 0; i < a.rgb.size(); ++i) differ += std::abs(a.rgb[i] - b.rgb[i]) > 8;
   EXPECT_LT(differ, static_cast<long>(a.rgb.size() / 100));  // but for rounding at edges

@@ -17,7 +17,7 @@
 namespace amble {
 namespace {
 
-std::string planOf(const WalkView& view) {
+std::string svgOf(const WalkView& view) {
   std::ostringstream out;
   writePlanView(out, view);
   return out.str();
@@ -112,7 +112,7 @@ TEST(Svg, YGoesDown) {
 }
 
 TEST(Svg, DrawingsLieInTheirViewBox) {
-  EXPECT_GT(expectDrawing(planOf(makeTestWalk()->view)), 50);
+  EXPECT_GT(expectDrawing(svgOf(makeTestWalk()->view)), 50);
   EXPECT_GT(expectDrawing(plotOf("walk")), 500);
 }
 
@@ -123,7 +123,7 @@ TEST(Svg, NamesOfAnyBytesAreReadBack) {
   const auto walk = makeTestWalk();
   walk->view.title = name;
   walk->scene.objects.back().name = name;
-  for (const std::string& text : {planOf(walk->view), plotOf(name)}) {
+  for (const std::string& text : {svgOf(walk->view), plotOf(name)}) {
     expectDrawing(text);
     pugi::xml_document read;
     ASSERT_TRUE(read.load_string(text.c_str()));
@@ -138,7 +138,7 @@ TEST(Svg, RoadmapEdgesAreDrawnAlongTheirWalks) {
   for (int i = 0; i <= 20; ++i) curve.push_back({1 + 0.2 * i, 1 + std::sin(0.157 * i)});
   walk->view.roadmap.edges = {{0, 1, curve}, {1, 0, {}}};
   pugi::xml_document read;
-  ASSERT_TRUE(read.load_string(planOf(walk->view).c_str()));
+  ASSERT_TRUE(read.load_string(svgOf(walk->view).c_str()));
   const auto edges = read.select_nodes("//path[@class='edge']");
   ASSERT_EQ(edges.size(), 2u);
   const std::vector<Eigen::Vector2d> there = pointsOf(edges[0].node()),
