@@ -42,6 +42,36 @@ endfunction()
 set(amble_std_headers <Eigen/Geometry> <algorithm> <array> <cmath> <filesystem> <functional> <map>
                       <memory> <optional> <ostream> <span> <string> <vector>)
 
+# With AMBLE_UNITY: the sources of a room are compiled together, some at a time, which instantiates each template of
+# Eigen's and the standard library's once for all of them. Names in their unnamed namespaces must then differ.
+function(amble_unity target)
+  if(NOT AMBLE_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  list(SORT sources)
+  set(rooms "${sources}")
+  list(TRANSFORM rooms REPLACE "/[^/]+$" "")
+  list(REMOVE_DUPLICATES rooms)
+  foreach(room ${rooms})
+    set(in_room "${sources}")
+    list(FILTER in_room INCLUDE REGEX "^${room}/[^/]+$")
+    list(LENGTH in_room count)
+    math(EXPR groups "(${count} + ${amble_together} - 1) / ${amble_together}")
+    file(RELATIVE_PATH name "${PROJECT_SOURCE_DIR}" "${room}")
+    string(MAKE_C_IDENTIFIER "${name}" name)
+    set(i 0)
+    foreach(source ${in_room})
+      math(EXPR group "${i} * ${groups} / ${count}")
+      set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${name}_${group}")
+      math(EXPR i "${i} + 1")
+    endforeach()
+  endforeach()
+endfunction()
+set(amble_together 10)  # at most; more are little quicker in all, and slow where one of them is edited
+
 # Flags of every target of ours. Fused multiply-add would make results depend on the compiler.
 function(amble_flags target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
@@ -70,6 +100,7 @@ function(amble_library folder)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                               $<INSTALL_INTERFACE:include/amble>)
   amble_pch(libraries ${target} ${amble_std_headers})
+  amble_unity(${target})
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen ${arg_USES} PRIVATE ${arg_PRIVATE})
   install(TARGETS ${target} EXPORT amble-targets)
@@ -118,6 +149,7 @@ function(amble_tests folder)
   target_include_directories(${target} PRIVATE "${PROJECT_BINARY_DIR}/generated")
   target_link_libraries(${target} PRIVATE amble_${folder} GTest::gtest_main ${arg_PRIVATE})
   amble_pch(tests ${target} <gtest/gtest.h> ${amble_std_headers})
+  amble_unity(${target})
   gtest_discover_tests(${target} TEST_PREFIX "${folder}." DISCOVERY_MODE PRE_TEST
                        PROPERTIES TIMEOUT 600)
 endfunction()
