@@ -291,7 +291,13 @@ Obstruction whatTheGroundLacks(const GroundGap& gap, const PlanRequest& request)
   why.count = 1;
   why.rule =
       gap.width() > longestStep(*request.synthesizer) ? WalkRule::kNoGround : WalkRule::kStepHeight;
-  measureGround(gap.near, gap.far, request, why);
+  if (measureGround(gap.near, gap.far, request, why) || why.rule != WalkRule::kStepHeight)
+    return why;
+  // Another storey, of which nothing is seen from here.
+  const GroundLimits& limits = request.ground->settings().limits;
+  why.lack = Obstruction::Lack::kStep;
+  why.width = std::abs(gap.rise());
+  why.needed = gap.rise() > 0.0 ? limits.max_climb : limits.max_drop;
   return why;
 }
 

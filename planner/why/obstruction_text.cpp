@@ -109,6 +109,10 @@ std::string measured(const Obstruction& why) {
       return why.object + " hangs " + width + " over the ground" + at + wouldDo(why);
     case Lack::kStep:
       if (!why.needed) return "a step of " + width + " is out of a leg's reach" + at;
+      if (why.object.empty())
+        return "no ground leads from " + placeText(why.at) + " to " + placeText(why.body) + ", " +
+               width + (why.body.z() > why.at.z() ? " higher" : " lower") +
+               atMost(why, "stepped up or down");
       return why.object + " is " + width + " high" + at + atMost(why, "stepped over or climbed");
     case Lack::kGround:
       return "the ground has a break of " + width + at + atMost(why, "stepped over");

@@ -63,9 +63,9 @@ TEST_F(Commands, PlanGivesTheSameBytesAtAnyNumberOfThreads) {
 
 TEST_F(Commands, WithoutAWalkTheFilesOfOneThatWereAskedForAreNamedAsMissing) {
   wallOff();
-  const Ran ran = run("plan in/scenario.yaml -o out --formats png,json");
+  const Ran ran = run("plan in/scenario.yaml -o out --formats glb,png,json");
   EXPECT_EQ(ran.status, 1);
-  EXPECT_TRUE(ran.err.ends_with("amble plan: without a walk there is no walk.png\n")) << ran.err;
+  EXPECT_TRUE(ran.err.ends_with("amble plan: without a walk there is no walk.glb\n")) << ran.err;
   const Ran other = run("plan in/scenario.yaml -o out --formats json,svg");
   EXPECT_EQ(other.err.find("without a walk"), std::string::npos) << other.err;
 }

@@ -65,7 +65,7 @@ TEST_F(Figures, OfCheckAreThoseOfItsTable) {
   const auto [rows, text] = both("check in");
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_NEAR(after(text, "solved"), of(rows[0]["length"]), 0.0051);
-  EXPECT_NEAR(after(text, " m "), of(rows[0]["clearance"]), 0.00051);
+  EXPECT_NEAR(after(text, " s "), of(rows[0]["clearance"]), 0.00051);
   EXPECT_NE(text.find("1 scenarios: 1 as expected"), std::string::npos);
 }
 

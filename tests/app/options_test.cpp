@@ -127,6 +127,12 @@ PlanOptions::Uses PlanOptions::ofResults() const {
              EXPECT_NE(report["body"].dump().find("\"thigh_l\""), std::string::npos);
              expectRefused(kPlan + "-o out --names maya", {"--names", "maya"});
            }},
+          {"--views",
+           [this] {
+             expectFiles("--formats bvh --views top,first",
+                         {"walk-first.png", "walk-top.png", "walk.bvh"});
+             expectRefused(kPlan + "-o out --views above", {"--views", "above"});
+           }},
           {"--formats",
            [this] {
              expectFiles("--formats glb", {"walk.glb"});

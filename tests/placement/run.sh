@@ -12,8 +12,8 @@ case $who in
   blender)
     command -v blender >/dev/null || { echo "skipped: blender is not installed"; exit 77; } ;;
   numpy)
-    python=python3
-    "$python" -c "import numpy" 2>/dev/null || python=/usr/bin/python3  # Debian's, beside one that has no NumPy
+    python=/usr/bin/python3  # Debian's has it; others that stand before it in the path often have not
+    [ -x "$python" ] || python=python3
     "$python" -c "import numpy" 2>/dev/null || { echo "skipped: NumPy is not installed"; exit 77; } ;;
 esac
 
