@@ -5,10 +5,8 @@
 #include "base/text.h"
 
 namespace amble {
-namespace {
 
-// Well-formed, and nothing in it that markup is made of.
-std::string escaped(std::string_view text) {
+std::string xmlText(std::string_view text) {
   std::string safe;
   for (const char c : utf8Text(text)) {
     switch (c) {
@@ -31,8 +29,6 @@ std::string escaped(std::string_view text) {
   return safe;
 }
 
-}  // namespace
-
 std::string xmlNumber(double value) {
   constexpr int kDecimals = 3;
   return std::isfinite(value) ? plainNumber(value, kDecimals) : "0";
@@ -45,7 +41,7 @@ void XmlWriter::declare() { out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\
 void XmlWriter::begin(std::string_view name, const XmlAttributes& attributes) {
   out_ << '<' << name;
   for (const XmlAttribute& attribute : attributes) {
-    out_ << ' ' << attribute.name << "=\"" << escaped(attribute.value) << '"';
+    out_ << ' ' << attribute.name << "=\"" << xmlText(attribute.value) << '"';
   }
 }
 
@@ -63,7 +59,7 @@ void XmlWriter::empty(std::string_view name, const XmlAttributes& attributes) {
 void XmlWriter::text(std::string_view name, const XmlAttributes& attributes,
                      std::string_view text) {
   begin(name, attributes);
-  out_ << '>' << escaped(text) << "</" << name << ">\n";
+  out_ << '>' << xmlText(text) << "</" << name << ">\n";
 }
 
 }  // namespace amble

@@ -14,6 +14,10 @@ namespace amble {
 /// point; "0" for what is not finite.
 std::string xmlNumber(double value);
 
+/// Text as it may stand in an element or in an attribute's quotes, of HTML too: well-formed, and
+/// nothing in it that markup is made of.
+std::string xmlText(std::string_view text);
+
 struct XmlAttribute {
   XmlAttribute(std::string_view its_name, std::string_view its_value)
       : name(its_name), value(its_value) {}

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/text.h"
+#include "base/xml.h"
 #include "viz/page/bench.h"
 #include "viz/page/page_data.h"
 #include "viz/page/page_texts.h"
@@ -20,30 +21,6 @@ std::string listOf(const Items& items, Write write) {
     list += write(item);
   }
   return list + "]";
-}
-
-// Text as it may stand in an element or in an attribute's quotes.
-std::string htmlText(const std::string& text) {
-  std::string safe;
-  for (const char c : utf8Text(text)) {
-    switch (c) {
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '&':
-        safe += "&amp;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
 }
 
 // People of one build share a figure: of many clips there is one.
@@ -100,8 +77,8 @@ void writePage(std::ostream& out, const PageSubject& subject) {
   PageBytes bytes;
   const std::string data = inScript(dataOf(subject, bytes));
   const std::map<std::string_view, std::function<void()>> marks = {
-      {"title", [&] { out << htmlText(subject.title); }},
-      {"description", [&] { out << htmlText(subject.description); }},
+      {"title", [&] { out << xmlText(subject.title); }},
+      {"description", [&] { out << xmlText(subject.description); }},
       {"style", [&] { out << pageStyle(); }},
       {"script", [&] { out << pageScript(); }},
       {"data", [&] { out << data; }},

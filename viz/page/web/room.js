@@ -207,13 +207,29 @@ export class Room {
     const eye = cameras.current.position;
     const inside = cameras.mode === 'first';
     for (const { mesh, box } of this.ceilings) {
-      mesh.visible = inside || !this.gives || eye.z < box.min.z || aim.z - kHip > box.max.z - 0.3;
+      const above = eye.z < box.min.z || aim.z - kHip > box.max.z - 0.3;
+      mesh.visible = inside || !this.gives || above || !covers(box, eye, aim);
     }
     for (const wall of this.walls) {
       const gives = this.gives && !inside && cameras.mode !== 'top' && hides(wall, eye, aim);
       wall.mesh.material = gives ? kGhost : kThing;
     }
   }
+}
+
+/** Whether the walker is under it, or seen through it. */
+function covers(box, eye, aim) {
+  const under = aim.x > box.min.x && aim.x < box.max.x && aim.y > box.min.y && aim.y < box.max.y;
+  return under || between(kWide.copy(box).expandByScalar(kAround), eye, aim);
+}
+
+function between(box, eye, aim) {
+  kRay.origin.copy(eye);
+  kRay.direction.subVectors(aim, eye);
+  const away = kRay.direction.length();
+  kRay.direction.divideScalar(away || 1);
+  const hit = kRay.intersectBox(box, kHit);
+  return hit !== null && hit.distanceTo(eye) < away - 0.2;
 }
 
 function hides({ box, outside }, eye, aim) {
@@ -223,12 +239,7 @@ function hides({ box, outside }, eye, aim) {
   kWide.copy(box).expandByScalar(kAround);
   kWide.min[axis] += kAround;
   kWide.max[axis] -= kAround;
-  kRay.origin.copy(eye);
-  kRay.direction.subVectors(aim, eye);
-  const away = kRay.direction.length();
-  kRay.direction.divideScalar(away || 1);
-  const hit = kRay.intersectBox(kWide, kHit);
-  return hit !== null && hit.distanceTo(eye) < away - 0.2;
+  return between(kWide, eye, aim);
 }
 
 const kWide = new Box3(), kRay = new Ray(), kHit = new Vector3();
