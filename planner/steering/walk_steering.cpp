@@ -10,18 +10,13 @@
 #include "environments/ground/ground_cells.h"
 #include "planner/steering/passages.h"
 #include "planner/steering/walk_effort.h"
+#include "planner/steering/walk_proposals.h"
 #include "planner/steering/way_finder.h"
 
 namespace amble {
 namespace {
 
-constexpr std::array<double, 3> kHandles = {
-    0.3, 0.45, 0.6};  // of makeBezier, by trial: bends of every kind have one that suits
-constexpr double kSamePlace = 1e-6;    // nearer stances have no direction between them [m]
-constexpr double kSameHeading = 1e-9;  // a smaller turn is none [rad]
-// A curve that begins or ends further from the straight line's direction is a loop; turning on the
-// spot is shorter [rad].
-constexpr double kWidestCurve = 100 * kDegree;
+constexpr double kSamePlace = 1e-6;  // nearer stances have no direction between them [m]
 // Stride and cadence give way a little so that steps and frames are whole.
 constexpr double kSpeedMargin = 1.15;
 
@@ -42,67 +37,6 @@ WalkScratch& walkScratch(SteeringScratch& scratch) { return static_cast<WalkScra
 SteeringFailure failure(WalkRule rule, const Stance& from, const Stance& to) {
   const Eigen::Vector3d way = to.position - from.position;
   return {rule, -1, -1, 0.0, from.position, to.position, std::atan2(way.y(), way.x())};
-}
-
-double turn(double from, double to) {
-  const double angle = wrapAngle(to - from);
-  return std::abs(angle) < kSameHeading ? 0.0 : angle;
-}
-
-// One way to walk from one stance to the other: the headings of the root path's two ends, and its
-// handles.
-struct Way {
-  double leave = 0.0;
-  double arrive = 0.0;
-  double handle = 1.0 / 3.0;
-};
-
-WalkEdge makeEdge(const Waypoint& from, const Waypoint& to, const Way& way) {
-  WalkEdge edge;
-  edge.from = from.stance;
-  edge.to = to.stance;
-  edge.any_leading = to.any_leading;
-  if (from.any_heading) edge.from.heading = way.leave;
-  if (to.any_heading) edge.to.heading = way.arrive;
-  edge.turn_first = turn(edge.from.heading, way.leave);
-  edge.turn_last = turn(way.arrive, edge.to.heading);
-  edge.path = RootPath({makeBezier(edge.from.position.head<2>(), way.leave,
-                                   edge.to.position.head<2>(), way.arrive, way.handle)});
-  edge.length = edge.path.length();
-  return edge;
-}
-
-// Largest |curvature| of a curve, by parameter: near enough to tell curves apart, at a hundredth of
-// RootPath's cost [1/m].
-double sharpestBend(const Bezier& c) {
-  constexpr int kSamples = 16;
-  double sharpest = 0.0;
-  for (int i = 0; i <= kSamples; ++i) {
-    const double u = static_cast<double>(i) / kSamples, v = 1.0 - u;
-    const Eigen::Vector2d d = v * v * (c.col(1) - c.col(0)) + 2.0 * u * v * (c.col(2) - c.col(1)) +
-                              u * u * (c.col(3) - c.col(2));
-    const Eigen::Vector2d dd =
-        v * (c.col(2) - 2.0 * c.col(1) + c.col(0)) + u * (c.col(3) - 2.0 * c.col(2) + c.col(1));
-    const double speed = d.norm();
-    if (!(speed > 0.0)) return HUGE_VAL;
-    sharpest = std::max(
-        sharpest, 2.0 / 3.0 * std::abs(d.x() * dd.y() - d.y() * dd.x()) / (speed * speed * speed));
-  }
-  return sharpest;
-}
-
-// Ways of all handle lengths, the gentlest first; `count` of them.
-void addCurves(const Waypoint& from, const Waypoint& to, double leave, double arrive, int count,
-               std::vector<Way>& ways) {
-  std::vector<std::pair<double, Way>> curves;
-  for (const double handle : kHandles) {
-    const Bezier curve = makeBezier(from.stance.position.head<2>(), leave,
-                                    to.stance.position.head<2>(), arrive, handle);
-    curves.emplace_back(sharpestBend(curve), Way{leave, arrive, handle});
-  }
-  std::stable_sort(curves.begin(), curves.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (int i = 0; i < count; ++i) ways.push_back(curves[i].second);
 }
 
 // Parts of an edge in time, and the one first that is refused most often.
@@ -126,56 +60,6 @@ Stance withHeading(Stance stance, double heading) {
   return stance;
 }
 
-// Stage 1: root paths, the ones that are likeliest to be wanted first.
-std::vector<Way> waysBetween(const Waypoint& from, const Waypoint& to) {
-  const Eigen::Vector2d line = (to.stance.position - from.stance.position).head<2>();
-  const double ahead = std::atan2(line.y(), line.x());
-  const double leave = from.any_heading ? ahead : from.stance.heading;
-  const double arrive = to.any_heading ? ahead : to.stance.heading;
-  const bool may_turn_first = from.stance.standing || from.any_heading;
-  const bool may_turn_last = to.stance.standing || to.any_heading;
-  const double off_first = std::abs(turn(ahead, leave)), off_last = std::abs(turn(ahead, arrive));
-  std::vector<Way> ways;
-  if (off_first > 0.0 || off_last > 0.0) {
-    const int curves = may_turn_first && may_turn_last ? 1 : static_cast<int>(kHandles.size());
-    if (off_first < kWidestCurve && off_last < kWidestCurve)
-      addCurves(from, to, leave, arrive, curves, ways);
-  }
-  if ((may_turn_first || off_first == 0.0) && (may_turn_last || off_last == 0.0)) {
-    ways.push_back({ahead, ahead});
-  } else if (may_turn_first && off_last < kWidestCurve) {  // bend into the arriving walk
-    addCurves(from, to, ahead, arrive, 1, ways);
-    addCurves(from, to, 2 * ahead - arrive, arrive, 1, ways);  // an arc, nearly
-  } else if (may_turn_last && off_first < kWidestCurve) {
-    addCurves(from, to, leave, ahead, 1, ways);
-    addCurves(from, to, leave, 2 * ahead - leave, 1, ways);
-  }
-  return ways;
-}
-
-// Where one may turn, or step aside, from the one to the other: standing, on one level.
-bool isLevel(const Waypoint& from, const Waypoint& to) {
-  const double rise = to.stance.position.z() - from.stance.position.z();
-  return std::abs(rise) < SceneGround::kLevel;
-}
-bool onOneFloor(const Waypoint& from, const Waypoint& to) {
-  return isLevel(from, to) && from.stance.standing && to.stance.standing;
-}
-
-// Turning on the spot from one heading to the other, or by small steps beside it, where there is no
-// way to walk.
-WalkEdge makeTurn(const Waypoint& from, const Waypoint& to) {
-  WalkEdge edge;
-  edge.from = from.stance;
-  edge.to = to.stance;
-  if (from.any_heading) edge.from.heading = edge.to.heading;
-  if (to.any_heading) edge.to.heading = edge.from.heading;
-  edge.turn_first = turn(edge.from.heading, edge.to.heading);
-  if (!edge.to.standing && to.any_leading) edge.to.leading = edge.from.leading;
-  edge.length = (edge.to.position - edge.from.position).head<2>().norm();
-  return edge;
-}
-
 // How far the walking body reaches to its sides, feet, legs, arms and head.
 ClearanceMap::Breadth breadthByHeight(const StraightWalk& walk, const WalkSynthesizer& synthesizer,
                                       const Body& body, const SceneGround& ground) {
@@ -197,14 +81,6 @@ ClearanceMap::Breadth breadthByHeight(const StraightWalk& walk, const WalkSynthe
       all.bands.push_back({heights[i], heights[i + 1], reach(heights[i], heights[i + 1])});
   }
   return all;
-}
-
-// Whether who walks at the one is at the other as well, without a step.
-bool isThere(const Waypoint& from, const Waypoint& to) {
-  const WalkEdge edge = makeTurn(from, to);
-  return isLevel(from, to) && !from.stance.standing && !to.stance.standing &&
-         std::abs(edge.turn_first) <= kSameHeading &&
-         (to.any_leading || to.stance.leading == from.stance.leading);
 }
 
 }  // namespace
