@@ -11,6 +11,8 @@ set(rooms
   animation/captures animation/clips
   animation/library
   animation/analysis animation/steps
+  animation/editing
+  animation/graph animation/grafting
   animation/preparation animation/synthesis
   animation/quality
   environments/furniture
@@ -23,7 +25,7 @@ set(rooms
   app)
 list(FIND rooms animation/steps steps_floor)
 set(runtime animation/library animation/steps animation/synthesis)
-set(offline animation/clips animation/analysis animation/preparation)
+set(offline animation/clips animation/analysis animation/editing animation/graph animation/grafting animation/preparation)
 
 # Into `room` and `floor`: the room that `file`, a path from the root, stands in, and its place in the list, or -1.
 macro(find_room file)
