@@ -1,0 +1,40 @@
+/// What an edit of a captured walk moves, frame by frame: the root and both feet. Everything else
+/// follows: the legs by inverse kinematics, the upper body as it was captured.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "animation/body/clip.h"
+#include "animation/body/joint_roles.h"
+
+namespace amble {
+
+/// Where a foot joint is at each frame [World].
+struct FootTrack {
+  std::vector<Eigen::Vector3d> ankle;  ///< [m]
+  std::vector<Eigen::Quaterniond> q_WF;
+};
+
+struct WalkTracks {
+  std::vector<Eigen::Vector3d> root;  ///< p_WR at each frame [m]
+  std::array<FootTrack, 2> feet;      ///< by Side
+};
+
+WalkTracks tracksOf(const Clip& clip, const JointRoles& roles);
+
+/// What it took to follow tracks.
+struct TrackFit {
+  double lowered = 0.0;  ///< the most that hips went down for legs to reach [m, >= 0]
+  double missed = 0.0;   ///< the farthest that an ankle stays from its track [m, >= 0]
+};
+
+/// The clip with root and feet where the tracks have them. Where a leg would have to be longer than
+/// it was captured at that frame, and than kStraightest of its length, the hips go down: one smooth
+/// curve over all that is missing. Joints but the root's place, thighs, shanks and feet keep their
+/// rotations to the bit. Tracks as they were captured give the clip back.
+/// @pre a row a frame; no joint_positions
+Clip followTracks(const Clip& clip, const JointRoles& roles, const WalkTracks& tracks,
+                  TrackFit* fit = nullptr);
+
+}  // namespace amble

@@ -1,0 +1,117 @@
+#include "animation/editing/foot_lock.h"
+
+#include <gtest/gtest.h>
+
+#include "animation/analysis/gait_measures.h"
+#include "animation/analysis/motion_measures.h"
+#include "animation/clips/level_capture.h"
+#include "tests/animation/captures.h"
+#include "tests/animation/rig.h"
+
+namespace amble {
+namespace {
+
+/// Straight walks and turns of three kinds of rigs.
+const std::array<std::string, 5> kWalks = {
+    "accad_female1/Female1_B03_Walk1.bvh", "accad_female1/Female1_B12_WalkTurnRight90.bvh",
+    "accad_male1/Male1_B3_Walk.bvh", "cmu_mb2/02_01.bvh", "cmu_mb2/07_03.bvh"};
+
+struct HeldWalk {
+  JointRoles roles;
+  Clip before, after;
+  FootLock lock;
+};
+
+HeldWalk held(const std::string& path) {
+  const LevelCapture capture = readLevelCapture(sharedFolder() / "mocap" / path);
+  HeldWalk walk{capture.motion.roles, capture.motion.clip, {}, {}};
+  walk.before.joint_positions.clear();
+  const FootPlants plants = detectPlants(walk.before, walk.roles);
+  walk.after = lockFeet(walk.before, walk.roles, plants, &walk.lock);
+  return walk;
+}
+
+GaitMeasures measured(const Clip& clip, const JointRoles& roles) {
+  return measureGait(clip, roles, detectPlants(clip, roles));
+}
+
+TEST(FootLock, WhoeverFindsPlantsHimselfSeesThemStay) {
+  AMBLE_NEEDS_CAPTURES();
+  for (const std::string& path : kWalks) {
+    const HeldWalk walk = held(path);
+    const GaitMeasures gait = measured(walk.after, walk.roles);
+    EXPECT_GT(measured(walk.before, walk.roles).largest_drift, 0.004) << path;
+    EXPECT_LT(gait.largest_drift, 0.002) << path;
+    EXPECT_LT(gait.toe_skate, 0.010) << path;
+  }
+}
+
+TEST(FootLock, MotionStaysAsSmoothAsItWas) {
+  AMBLE_NEEDS_CAPTURES();
+  for (const std::string& path : kWalks) {
+    const HeldWalk walk = held(path);
+    EXPECT_LT(jointJerk(walk.after), 1.1 * jointJerk(walk.before)) << path;
+    EXPECT_LT(rootAcceleration(walk.after), 1.15 * rootAcceleration(walk.before)) << path;
+    EXPECT_EQ(kneeBackwardsShare(walk.after, walk.roles), 0.0) << path;
+    EXPECT_LT(walk.lock.farthest, 0.05) << path;
+    EXPECT_LT(walk.lock.fit.lowered, 0.02) << path;
+    EXPECT_LT(walk.lock.fit.missed, 1e-9) << path;
+  }
+}
+
+TEST(FootLock, OnlyLegsAndTheRootsPlaceChangeAndNoFootsHeightOrTurn) {
+  AMBLE_NEEDS_CAPTURES();
+  const HeldWalk walk = held(kWalks[0]);
+  std::vector<bool> of_legs(walk.before.skeleton.size(), false);
+  for (const LegJoints& leg : walk.roles.legs) {
+    for (const int joint : {leg.up_leg, leg.leg, leg.foot}) of_legs[joint] = true;
+  }
+  const WalkTracks before = tracksOf(walk.before, walk.roles),
+                   after = tracksOf(walk.after, walk.roles);
+  for (int i = 0; i < walk.before.frames(); ++i) {
+    for (int j = 0; j < walk.before.skeleton.size(); ++j) {
+      if (of_legs[j]) continue;
+      EXPECT_EQ(walk.after.poses.rotations(i)[j].coeffs(),
+                walk.before.poses.rotations(i)[j].coeffs());
+    }
+    for (const Side side : {kLeft, kRight}) {
+      const FootTrack &from = before.feet[side], &to = after.feet[side];
+      EXPECT_NEAR(to.ankle[i].z(), from.ankle[i].z(), 1e-9);
+      EXPECT_LT(to.q_WF[i].angularDistance(from.q_WF[i]), 1e-7);
+    }
+  }
+}
+
+TEST(FootLock, AFootThatSlidesEvenlyStandsInTheMiddleOfItsSlide) {
+  Puppet puppet;
+  puppet.slide = 0.03;
+  const Rig rig;
+  const Clip clip = rig.walk(puppet);
+  const FootPlants plants = puppet.plants();
+  const Clip still = lockFeet(clip, rig.roles, plants);
+  const FootPaths paths = footPaths(still, rig.roles);
+  const double toe = Puppet::kFoot;
+  for (int cycle = 1; cycle < 4; ++cycle) {
+    const double middle = 0.5 * (puppet.strike(kLeft, cycle) + puppet.liftOff(kLeft, cycle));
+    const Eigen::Vector3d print = puppet.footprint(kLeft, cycle);
+    for (const double from_middle : {-0.2, 0.0, 0.2}) {
+      const auto frame =
+          static_cast<Eigen::Index>(std::lround((middle + from_middle) * puppet.rate));
+      EXPECT_NEAR(paths[kLeft](frame, 3), print.x() + toe, 5e-4) << cycle;
+      EXPECT_NEAR(paths[kLeft](frame, 4), print.y(), 1e-6) << cycle;
+    }
+  }
+}
+
+TEST(FootLock, FeetThatStandAreGivenBack) {
+  Puppet puppet;
+  const Rig rig;
+  const Clip clip = rig.walk(puppet);
+  const Clip same = lockFeet(clip, rig.roles, puppet.plants());
+  for (int i = 0; i < clip.frames(); ++i) {
+    EXPECT_LT((same.poses.p_WR(i) - clip.poses.p_WR(i)).norm(), 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace amble
