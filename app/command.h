@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/exit_status.h"
-#include "app/ramp.h"
+#include "base/ramp.h"
 
 namespace amble {
 

@@ -8,7 +8,7 @@
 
 #include "animation/ground/ground.h"
 #include "animation/synthesis/walk_synthesizer.h"
-#include "app/ramp.h"
+#include "base/ramp.h"
 
 namespace amble {
 

@@ -155,17 +155,6 @@ const PlantMeasures* standBefore(const GaitMeasures& measures, size_t landing) {
   return nullptr;
 }
 
-/// Heel and toe at a frame: the heel turns with the foot, from `flat_pitch`.
-SoleEnds endsAt(const FootTrack& track, int frame, double flat_pitch) {
-  const Eigen::Vector3d &ankle = track.ankle[frame], &toe = track.toe[frame];
-  const Eigen::Vector2d ahead = (toe - ankle).head<2>();
-  const double run = ahead.norm();
-  const double pitch = std::atan2(ankle.z() - toe.z(), run) - flat_pitch;
-  SoleEnds ends{ankle - Eigen::Vector3d(0, 0, track.heel * std::cos(pitch)), toe};
-  if (run > 0.0) ends.heel.head<2>() -= track.heel * std::sin(pitch) / run * ahead;
-  return ends;
-}
-
 /// Least rise of the toe over where it stood, in the middle of its swing.
 double toeClearance(const PlantMeasures& before, const PlantMeasures& landing,
                     const FootTrack& track) {
@@ -188,9 +177,11 @@ StepMeasure stepTo(const GaitMeasures& measures, size_t landing,
   prints.along = std::atan2(way.y(), way.x());
   const PlantMeasures* before = standBefore(measures, landing);
   if (before != nullptr) {
+    const FootTrack& track = tracks[to.side];
     prints.from = {before->at, before->ends};
     for (int k = before->plant.last; k <= to.plant.first; ++k) {
-      prints.swing.push_back(endsAt(tracks[to.side], k, before->flat_pitch));
+      prints.swing.push_back(
+          capturedSole(track.ankle[k], track.toe[k], track.heel, before->flat_pitch));
     }
   }
   StepMeasure step = measureStep(prints);
@@ -408,6 +399,16 @@ GaitMeasures measureGait(const Clip& clip, const JointRoles& roles, const FootPl
   result.knee_backwards = kneeBackwardsShare(clip, roles);
   result.bone_length_change = boneLengthChange(clip);
   return result;
+}
+
+SoleEnds capturedSole(const Eigen::Vector3d& ankle, const Eigen::Vector3d& toe, double heel,
+                      double flat_pitch) {
+  const Eigen::Vector2d ahead = (toe - ankle).head<2>();
+  const double run = ahead.norm();
+  const double pitch = std::atan2(ankle.z() - toe.z(), run) - flat_pitch;
+  SoleEnds ends{ankle - Eigen::Vector3d(0, 0, heel * std::cos(pitch)), toe};
+  if (run > 0.0) ends.heel.head<2>() -= heel * std::sin(pitch) / run * ahead;
+  return ends;
 }
 
 double fastestFootTurn(const Clip& clip, const JointRoles& roles) {

@@ -83,6 +83,12 @@ struct GaitMeasures {
 GaitMeasures measureGait(const Clip& clip, const JointRoles& roles, const FootPlants& plants,
                          const Ground* ground = nullptr);
 
+/// Heel and toe of a captured foot: the heel is the point so far [m] below the ankle of a flat foot
+/// (kAnkleHeightOfLeg), whose way from ankle to toe goes down by `flat_pitch` [rad], and turns with
+/// the foot.
+SoleEnds capturedSole(const Eigen::Vector3d& ankle, const Eigen::Vector3d& toe, double heel,
+                      double flat_pitch);
+
 /// The fastest that a foot turns, over the time of a frame [rad/s, >= 0].
 double fastestFootTurn(const Clip& clip, const JointRoles& roles);
 

@@ -11,19 +11,28 @@ namespace {
 
 constexpr double kAnkleOfStature = 0.039;  // for rigs without a toe: Drillis & Contini (1966)
 
-}  // namespace
-
-Clip levelled(const Clip& clip, const JointRoles& roles, FloorFit* floor) {
-  const bool noisy = jointJitter(clip) > kNoisy;
-  const Clip steady = noisy ? steadied(clip) : Clip();
-  const Clip& seen = noisy ? steady : clip;
+/// The clip on its floor, which is fitted to what is `seen` of it.
+Clip onFloor(const Clip& clip, const Clip& seen, const JointRoles& roles, FloorFit* floor) {
   const FloorFit fit = fitFloor(seen, roles);
   if (floor != nullptr) *floor = fit;
   const double stature = statureOf(clip.skeleton, roles);
   const bool toes = roles.legs[kLeft].toe >= 0 && roles.legs[kRight].toe >= 0;
   const double ankle = toes ? makeFootShape(clip.skeleton, roles, kLeft, stature).ankle_height
                             : kAnkleOfStature * stature;
-  return levelClip(seen, doubtOf(fit).empty() ? fit : levelPlane(fit), ankle);
+  return levelClip(clip, doubtOf(fit).empty() ? fit : levelPlane(fit), ankle);
+}
+
+}  // namespace
+
+Clip levelled(const Clip& clip, const JointRoles& roles, FloorFit* floor) {
+  if (jointJitter(clip) <= kNoisy) return onFloor(clip, clip, roles, floor);
+  const Clip steady = steadied(clip);
+  return onFloor(steady, steady, roles, floor);
+}
+
+Clip levelledAsCaptured(const Clip& clip, const JointRoles& roles, FloorFit* floor) {
+  const bool noisy = jointJitter(clip) > kNoisy;
+  return onFloor(clip, noisy ? steadied(clip) : clip, roles, floor);
 }
 
 LevelCapture readLevelCapture(const std::filesystem::path& file, const MotionReadOptions& options) {

@@ -31,16 +31,16 @@ std::pair<int, int> heldFrames(const FootPlant& plant) {
   return {plant.first + loose, plant.last - loose};
 }
 
-Wanted wantedOf(const Eigen::MatrixXd& path, const std::vector<FootPlant>& plants) {
-  const int frames = static_cast<int>(path.rows());
-  Wanted wanted{Eigen::MatrixXd::Zero(frames, 2), std::vector<double>(frames, 0.0)};
+Wanted wantedOf(const std::vector<Eigen::Vector3d>& toe, const std::vector<FootPlant>& plants) {
+  const auto frames = static_cast<Eigen::Index>(toe.size());
+  Wanted wanted{Eigen::MatrixXd::Zero(frames, 2), std::vector<double>(toe.size(), 0.0)};
   for (const FootPlant& plant : plants) {
     const auto [first, last] = heldFrames(plant);
-    const int count = last - first + 1;
-    const Eigen::RowVector2d mean = path.block(first, 3, count, 2).colwise().mean();
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (int i = first; i <= last; ++i) sum += toe[i].head<2>();
     for (int i = first; i <= last; ++i) {
       wanted.weights[i] = kHeld;
-      wanted.shift.row(i) = mean - path.block<1, 2>(i, 3);
+      wanted.shift.row(i) = (sum / (last - first + 1) - toe[i].head<2>()).transpose();
     }
   }
   return wanted;
@@ -61,15 +61,15 @@ Eigen::MatrixXd pelvisShift(const std::array<Eigen::MatrixXd, 2>& shifts, const 
 
 }  // namespace
 
-double lockTracks(const FootPaths& paths, const FootPlants& plants, double frame_time,
-                  WalkTracks& tracks) {
+double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks) {
   std::array<Eigen::MatrixXd, 2> shifts;
   double farthest = 0.0;
   for (const Side side : {kLeft, kRight}) {
-    const Wanted wanted = wantedOf(paths[side], plants.plants[side]);
+    FootTrack& foot = tracks.feet[side];
+    const Wanted wanted = wantedOf(foot.toe, plants.plants[side]);
     shifts[side] = leastCurve(wanted.shift, wanted.weights, frame_time, kFootWidth);
-    for (Eigen::Index i = 0; i < shifts[side].rows(); ++i) {
-      tracks.feet[side].ankle[i].head<2>() += shifts[side].row(i).transpose();
+    for (int i = 0; i < plants.frames; ++i) {
+      foot.move(i, {shifts[side](i, 0), shifts[side](i, 1), 0.0});
       farthest = std::max(farthest, shifts[side].row(i).norm());
     }
   }
@@ -84,7 +84,7 @@ Clip lockFeet(const Clip& clip, const JointRoles& roles, const FootPlants& plant
   assert(plants.frames == clip.frames());
   WalkTracks tracks = tracksOf(clip, roles);
   FootLock took;
-  took.farthest = lockTracks(footPaths(clip, roles), plants, clip.frame_time, tracks);
+  took.farthest = lockTracks(plants, clip.frame_time, tracks);
   const Clip held = followTracks(clip, roles, tracks, &took.fit);
   if (lock != nullptr) *lock = took;
   return held;

@@ -24,9 +24,7 @@ struct FootLock {
 Clip lockFeet(const Clip& clip, const JointRoles& roles, const FootPlants& plants,
               FootLock* lock = nullptr);
 
-/// The same of tracks; legs are to follow them. @return how far a foot is moved at most [m, >= 0]
-/// @param paths  of the clip's toes as the tracks have them (foot_paths.h)
-double lockTracks(const FootPaths& paths, const FootPlants& plants, double frame_time,
-                  WalkTracks& tracks);
+/// The same of tracks, which legs are to follow. @return how far a foot is moved at most [m, >= 0]
+double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks);
 
 }  // namespace amble

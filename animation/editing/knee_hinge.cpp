@@ -12,7 +12,7 @@ namespace {
 constexpr double kSaysPlane = 0.34;  // sine of a flexion, 20 degrees, from which on planes count
 // A knee that was captured bent back is bent forward once the leg is shorter by so much [m]: over
 // less it would snap, over more the ankle would stay off its place for longer.
-constexpr double kForwardOver = 0.004;
+constexpr double kForwardOver = 0.003;
 
 /// How the distance of hip and ankle depends on the knee's turn by `angle` about the hinge:
 ///   thigh . shank = fixed + swing cos(flexion), flexion = captured + angle.

@@ -71,29 +71,34 @@ Eigen::MatrixXd leastCurve(const Eigen::MatrixXd& wanted, const std::vector<doub
   return curve;
 }
 
+std::vector<double> averaged(const std::vector<double>& values, double frame_time, double width) {
+  const int frames = static_cast<int>(values.size());
+  const int reach = std::max(1, static_cast<int>(std::lround(width / frame_time)));
+  std::vector<double> weights;
+  double total = 0.0;
+  for (int k = -reach; k <= reach; ++k) {
+    const double u = k / (reach + 1.0);
+    weights.push_back(std::pow(1.0 - u * u, 3));
+    total += weights.back();
+  }
+  std::vector<double> result(values.size(), 0.0);
+  for (int i = 0; i < frames; ++i) {
+    for (int k = -reach; k <= reach; ++k) {
+      result[i] += weights[k + reach] / total * values[std::clamp(i + k, 0, frames - 1)];
+    }
+  }
+  return result;
+}
+
 std::vector<double> curveOver(const std::vector<double>& missing, double frame_time, double width) {
   const int frames = static_cast<int>(missing.size());
   const int reach = std::max(1, static_cast<int>(std::lround(width / frame_time)));
   const RangeMaximum largest(missing);
-  const auto within = [&](int i) {
-    const int at = std::clamp(i, 0, frames - 1);
-    return largest.over(std::max(0, at - reach), std::min(frames - 1, at + reach));
-  };
-  std::vector<double> weights;
-  for (int k = -reach; k <= reach; ++k) {
-    const double u = k / (reach + 1.0);
-    weights.push_back(std::pow(1.0 - u * u, 3));
-  }
-  std::vector<double> curve(missing.size(), 0.0);
+  std::vector<double> within(missing.size(), 0.0);
   for (int i = 0; i < frames; ++i) {
-    double sum = 0.0, weight = 0.0;
-    for (int k = -reach; k <= reach; ++k) {
-      sum += weights[k + reach] * within(i + k);
-      weight += weights[k + reach];
-    }
-    curve[i] = sum / weight;
+    within[i] = largest.over(std::max(0, i - reach), std::min(frames - 1, i + reach));
   }
-  return curve;
+  return averaged(within, frame_time, width);
 }
 
 }  // namespace amble

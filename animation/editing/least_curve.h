@@ -18,6 +18,10 @@ namespace amble {
 Eigen::MatrixXd leastCurve(const Eigen::MatrixXd& wanted, const std::vector<double>& weights,
                            double frame_time, double width);
 
+/// The values averaged over `width` on both sides, nearer ones weighing more: positive ones stay
+/// so. Beyond the ends the last value goes on.
+std::vector<double> averaged(const std::vector<double>& values, double frame_time, double width);
+
 /// A smooth curve that is nowhere below `missing` and nowhere above its largest value within two
 /// widths: the largest within a width, averaged over a width. Nothing missing gives exactly
 /// nothing.

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "animation/clips/foot_paths.h"
 #include "animation/editing/knee_hinge.h"
 #include "animation/editing/least_curve.h"
 
@@ -18,7 +19,7 @@ constexpr double kStraightest = 0.9975;
 constexpr double kSmallChange = 0.005;
 // Over which hips go down before a leg is too short, and come up again: half the time of a step, so
 // that they do so once a step [s].
-constexpr double kDipTime = 0.15;
+constexpr double kDipTime = 0.25;
 
 /// The legs of a frame as they were captured, and where the root was.
 struct CapturedFrame {
@@ -85,12 +86,14 @@ void turnLeg(const CapturedFrame& frame, const Skeleton& skeleton, const LegJoin
 WalkTracks tracksOf(const Clip& clip, const JointRoles& roles) {
   WalkTracks tracks;
   std::vector<JointFrame> joints(clip.skeleton.size());
+  const FootPaths paths = footPaths(clip, roles);
   for (int i = 0; i < clip.frames(); ++i) {
     forwardKinematics(clip, i, joints);
     tracks.root.push_back(clip.poses.p_WR(i));
     for (const Side side : {kLeft, kRight}) {
       const JointFrame& foot = joints[roles.legs[side].foot];
       tracks.feet[side].ankle.push_back(foot.p_WJ);
+      tracks.feet[side].toe.emplace_back(paths[side].block<1, 3>(i, 3).transpose());
       tracks.feet[side].q_WF.push_back(foot.q_WJ);
     }
   }

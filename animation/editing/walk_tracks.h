@@ -10,10 +10,21 @@
 
 namespace amble {
 
-/// Where a foot joint is at each frame [World].
+/// Where a foot is at each frame [World].
 struct FootTrack {
-  std::vector<Eigen::Vector3d> ankle;  ///< [m]
-  std::vector<Eigen::Quaterniond> q_WF;
+  std::vector<Eigen::Vector3d> ankle;  ///< its joint [m]
+  std::vector<Eigen::Vector3d> toe;    ///< its toe joint, or what stands for it (foot_paths.h) [m]
+  std::vector<Eigen::Quaterniond> q_WF;  ///< of its joint
+
+  void move(int frame, const Eigen::Vector3d& by) {
+    ankle[frame] += by;
+    toe[frame] += by;
+  }
+  /// About the toe.
+  void turn(int frame, const Eigen::Quaterniond& by) {
+    ankle[frame] = toe[frame] + by * (ankle[frame] - toe[frame]);
+    q_WF[frame] = by * q_WF[frame];
+  }
 };
 
 struct WalkTracks {

@@ -1,4 +1,4 @@
-/// A value of the command line that may change over a walk.
+/// A value that may change over a walk.
 #pragma once
 
 namespace amble {
