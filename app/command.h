@@ -22,6 +22,7 @@ void addAnimate(CLI::App& app, Command& chosen);
 void addAnalyse(CLI::App& app, Command& chosen);
 void addLibrary(CLI::App& app, Command& chosen);
 void addConvert(CLI::App& app, Command& chosen);
+void addGraft(CLI::App& app, Command& chosen);
 void addInspect(CLI::App& app, Command& chosen);
 void addRoadmap(CLI::App& app, Command& chosen);
 void addView(CLI::App& app, Command& chosen);

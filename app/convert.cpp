@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -15,6 +13,7 @@
 #include "animation/clips/mirror_clip.h"
 #include "animation/clips/resample_clip.h"
 #include "app/command.h"
+#include "app/frame_range.h"
 #include "app/motion_output.h"
 #include "app/read_options.h"
 #include "app/say.h"
@@ -36,38 +35,8 @@ struct ConvertArguments {
   bool mirror = false;
 };
 
-constexpr const char* kTrimForm =
-    "A:B, frames as 10:200, or seconds as 0.5s:2s; either may be left out";
-
-/// A frame, or a time with an `s` behind it, as the nearest frame; `otherwise` where nothing is
-/// said.
-int frameOf(const std::string& text, const Clip& clip, int otherwise) {
-  if (text.empty()) return otherwise;
-  const bool seconds = text.back() == 's';
-  const char* const end = text.data() + text.size() - (seconds ? 1 : 0);
-  double value = 0.0;
-  const auto parsed = std::from_chars(text.data(), end, value);
-  const bool whole = seconds || value == std::floor(value);
-  if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value) || !whole) {
-    throw InputError("amble convert: --trim", 0, "'" + text + "'", kTrimForm);
-  }
-  const double frame = seconds ? std::round(value / clip.frame_time) : value;
-  if (!(frame >= 0.0 && frame < clip.frames())) {
-    throw InputError("amble convert: --trim", 0, "'" + text + "' is not in the clip",
-                     fmt::format("0 to {}, or 0s to {:g}s", clip.frames() - 1, clip.duration()));
-  }
-  return static_cast<int>(frame);
-}
-
 Clip trimmedClip(const Clip& clip, const std::string& range) {
-  const size_t colon = range.find(':');
-  if (colon == std::string::npos)
-    throw InputError("amble convert: --trim", 0, "'" + range + "'", kTrimForm);
-  const int first = frameOf(range.substr(0, colon), clip, 0);
-  const int last = frameOf(range.substr(colon + 1), clip, clip.frames() - 1);
-  if (first > last)
-    throw InputError("amble convert: --trim", 0, "'" + range + "' ends before it begins",
-                     kTrimForm);
+  const auto [first, last] = readFrameRange("amble convert: --trim", range, ':', clip);
   return trimmed(clip, first, last);
 }
 
@@ -141,7 +110,7 @@ void addConvert(CLI::App& app, Command& chosen) {
       ->check(number(1, kMostFrames, "1/s"));
   command
       ->add_option("--trim", options->trim,
-                   "A part of the file, first to last: " + std::string(kTrimForm))
+                   "A part of the file, first to last: " + frameRangeForm(':'))
       ->type_name("A:B");
   command->add_flag("--mirror", options->mirror, "Left is right");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });

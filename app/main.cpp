@@ -45,6 +45,7 @@ void addCommands(CLI::App& app, Command& chosen) {
   addAnalyse(app, chosen);
   addLibrary(app, chosen);
   addConvert(app, chosen);
+  addGraft(app, chosen);
   addInspect(app, chosen);
   addRoadmap(app, chosen);
   addView(app, chosen);

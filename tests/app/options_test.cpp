@@ -21,10 +21,11 @@ const char* const kShort =
 // Below, each command's options in the order of its help.
 
 TEST_F(Options, EveryCommandIsTriedHere) {
-  EXPECT_EQ(
-      listed("", "Subcommands:"),
-      (std::vector<std::string>{"plan", "check", "validate", "animate", "analyse", "library",
-                                "convert", "inspect", "roadmap", "view", "help", "completion"}));
+  EXPECT_EQ(listed("", "Subcommands:"),
+            (std::vector<std::string>{"plan", "check", "validate", "animate", "analyse", "library",
+                                      "convert", "graft", "inspect", "roadmap", "view", "help",
+                                      "completion"}));
+  EXPECT_EQ(listed("graft", "Subcommands:"), (std::vector<std::string>{"all"}));
   EXPECT_EQ(listed("library", "Subcommands:"),
             (std::vector<std::string>{"build", "show", "add", "check", "find"}));
   EXPECT_EQ(optionsOf("library"), std::set<std::string>{});
