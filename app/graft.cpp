@@ -8,6 +8,7 @@
 
 #include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
+#include "animation/clips/good_frames.h"
 #include "app/command.h"
 #include "app/frame_range.h"
 #include "app/graft_all.h"
@@ -32,7 +33,7 @@ struct GraftArguments {
   std::string range, action;
   int alternative = 0;
   double ease = -1.0;  // [s]; negative: not given
-  bool as_it_falls = false, json = false;
+  bool cut = false, as_it_falls = false, json = false;
 };
 
 GraftWishes wishesOf(const GraftArguments& options, const Clip& base, const Clip& upper) {
@@ -40,6 +41,7 @@ GraftWishes wishesOf(const GraftArguments& options, const Clip& base, const Clip
   wishes.chains = options.chains;
   wishes.alternative = options.alternative;
   if (options.ease >= 0.0) wishes.ease = options.ease;
+  if (options.cut) wishes.ease = 0.0;
   if (!options.range.empty())
     wishes.range = readFrameRange("amble graft: --range", options.range, '-', base);
   if (!options.action.empty())
@@ -58,6 +60,13 @@ void write(const GraftArguments& options, Clip clip, const JointRoles& roles) {
   }
   const Figure figure = capturedFigure(clip, roles);
   writeFile(out, [&](std::ostream& stream) { writeGlb(stream, clip, figure); });
+}
+
+// The frames that are grafted; what is measured is measured on them.
+void cutTo(Graft& graft) {
+  graft.clip = trimmed(graft.clip, graft.first, graft.last);
+  graft.acceleration = largestAcceleration(jointPeaks(graft.clip.poses, graft.clip.frame_time,
+                                                      graft.joints, 0, graft.clip.frames() - 1));
 }
 
 void requireUse(const GraftArguments& options) {
@@ -85,7 +94,7 @@ int run(const GraftArguments& options) {
   const GraftSource base = readGraftSource(options.base, options.read.forReader());
   const GraftSource upper = readGraftSource(options.upper, options.read.forReader());
   const GraftWishes wishes = wishesOf(options, base.clip.clip, upper.clip.clip);
-  const Grafted grafted = graftOn(base, upper, wishes, !options.as_it_falls);
+  Grafted grafted = graftOn(base, upper, wishes, !options.as_it_falls);
   if (!grafted.plan.refusal.empty()) {
     throw InputError(options.upper, 0, grafted.plan.refusal, "two clips that the rules permit");
   }
@@ -93,6 +102,7 @@ int run(const GraftArguments& options) {
     say(stderr, "{}: {}; --as-it-falls writes it all the same\n", options.upper, grafted.refusal);
     return kExitNone;
   }
+  if (options.cut) cutTo(grafted.graft);
   Findings findings = describeGraft(options.out.file, base, upper, grafted, wishes);
   if (!base.clip.clip.joint_positions.empty() && !options.out.isGlb()) {
     findings.warnings.push_back("joints other than the root move; in the BVH they are fixed");
@@ -122,6 +132,10 @@ void addPairOptions(CLI::App& command, GraftArguments& options) {
       .add_option("--ease", options.ease,
                   "Time to pass over at the ends [s]; default: as long as the joints need")
       ->check(number(0.0, 10.0, "s"));
+  command
+      .add_flag("--cut", options.cut,
+                "Write the frames that are grafted and no others; nothing passes over")
+      ->excludes("--ease");
   command.add_flag("--as-it-falls", options.as_it_falls,
                    "Leave arms in the body where they get into it, and only warn");
   command.add_flag("--json", options.json, "Print results for machines");

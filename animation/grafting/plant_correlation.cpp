@@ -122,7 +122,10 @@ TimeWarp::TimeWarp(const Correlation& correlation) {
 
 std::vector<Correlation> correlate(const LocomotiveClip& base, const LocomotiveClip& upper,
                                    const CorrelationWindows& windows) {
-  if (windows.upper.type == MotionType::kStand) return {byTimeAlone(base, upper, windows)};
+  if (windows.upper.type == MotionType::kStand) {
+    if (windows.base.frames() < 2 || windows.upper.frames() < 2) return {};
+    return {byTimeAlone(base, upper, windows)};
+  }
   const std::vector<PlantMoment> below = momentsOf(base, windows.base);
   const std::vector<PlantMoment> above = momentsOf(upper, windows.upper);
   const int n = static_cast<int>(below.size()), m = static_cast<int>(above.size());
@@ -135,6 +138,7 @@ std::vector<Correlation> correlate(const LocomotiveClip& base, const LocomotiveC
       correlation.moments.push_back({below[i].frame, above[i + shift].frame});
       correlation.same_foot = below[i].first_kind == above[i + shift].first_kind;
     }
+    if (correlation.moments.size() < 2) continue;
     if (windows.base.type == MotionType::kJump && !correlation.same_foot) continue;
     setFrames(correlation);
     correlation.mismatch = mismatchOf(correlation, base_ankles, upper_ankles);

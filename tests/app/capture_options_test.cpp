@@ -228,6 +228,12 @@ GraftOptions::Uses GraftOptions::ofThePair() const {
                        {"in/box.bvh: ", "expected 0 to "});
        }},
       {"--ease", [this] { EXPECT_EQ(said("--ease 0.7")["ease_in"], 0.7); }},
+      {"--cut",
+       [this] {
+         const json whole = said("--cut");
+         EXPECT_EQ(readBvh(folder_ / "out.bvh").frames(),
+                   whole["last"].get<int>() - whole["first"].get<int>() + 1);
+       }},
       {"--as-it-falls",
        [this] {
          EXPECT_EQ(said("--as-it-falls")["arms_in_body"]["turned"], json({0.0, 0.0}));

@@ -13,12 +13,11 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-class GraftCommand : public Program {
+class GraftCommand : public InRoom {
  protected:
   void SetUp() override {
-    Program::SetUp();
+    InRoom::SetUp();
     if (!fs::exists(kFemale)) GTEST_SKIP() << "no captures";
-    fs::create_directories(folder_ / "in");
   }
   void take(const std::string& from, const std::string& as) const {
     fs::copy_file(captureFolder() + from, folder_ / "in" / as);
@@ -68,20 +67,20 @@ TEST_F(GraftCommand, OfAFolderMakesTheNinePairsAndListsTheOthersWithTheirRule) {
 TEST_F(GraftCommand, WhatIsCarriedGoesIntoALibraryAndIsCarriedOnAWalk) {
   take("accad_female1/Female1_B03_Walk1.bvh", "walk.bvh");
   take("accad_female1/Female1_B20_WalkWithBox.bvh", "box.bvh");
-  ASSERT_EQ(run("graft in/walk.bvh in/box.bvh -o box-walk.bvh").status, 0);
-  fs::create_directories(folder_ / "library");
+  ASSERT_EQ(run("graft in/walk.bvh in/box.bvh --cut -o box-walk.bvh").status, 0);
   const fs::path motions = fs::path(AMBLE_SOURCE_DIR) / "animation/motions";
   for (const char* const name : {"default.yaml", "default.bvh"})
-    fs::copy_file(motions / name, folder_ / "library" / name);
-  const Ran added = run(
-      "library add library/default.yaml box-walk.bvh --kind movement --joints left_arm,right_arm "
-      "--name box");
+    fs::copy_file(motions / name, folder_ / "in" / name);
+  const Ran added =
+      run("library add in/default.yaml box-walk.bvh --kind movement --joints left_arm,right_arm "
+          "--name box");
   ASSERT_EQ(added.status, 0) << added.err;
-  ASSERT_EQ(
-      run("animate --library library/default.yaml --action box --duration 3 -o with.bvh").status,
-      0);
-  ASSERT_EQ(run("animate --library library/default.yaml --duration 3 -o without.bvh").status, 0);
-  const Clip with = readBvh(folder_ / "with.bvh"), without = readBvh(folder_ / "without.bvh");
+  write("in/carrying.yaml",
+        kScenario + "character: {library: default.yaml}\nwalk: {actions: [box]}\n");
+  ASSERT_EQ(run("plan in/carrying.yaml -o with --formats bvh").status, 0);
+  ASSERT_EQ(run("plan in/scenario.yaml -o without --formats bvh").status, 0);
+  const Clip with = readBvh(folder_ / "with/walk.bvh");
+  const Clip without = readBvh(folder_ / "without/walk.bvh");
   // Hands before the belly rather than beside the thighs.
   const int hand = with.skeleton.find("LeftHand");
   std::vector<JointFrame> a(with.skeleton.size()), b(a.size());
