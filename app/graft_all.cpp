@@ -134,6 +134,11 @@ int run(const GraftAllArguments& options) {
   const std::vector<GraftSource> sources = readAll(files, options, errors);
   if (stopFlag()) return kExitStopped;
   for (const std::string& error : errors) say(stderr, "{}\n", error);
+  if (sources.size() < 2 && !errors.empty()) return kExitWrong;
+  if (sources.size() < 2) {
+    throw InputError(options.paths.front(), 0, "is one clip, which has nothing to go on",
+                     "two clips or more");
+  }
   std::vector<Pair> pairs = pairsOf(sources);
   std::filesystem::create_directories(options.out);
   for (const Pair& pair : pairs) keepInputs(std::filesystem::path(options.out) / pair.file, files);

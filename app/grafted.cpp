@@ -89,7 +89,8 @@ Grafted graftOn(const GraftSource& base, const GraftSource& upper, const GraftWi
                                                    return a.depth - a.sources < b.depth - b.sources;
                                                  });
       grafted.refusal = fmt::format(
-          "the {} is {:.0f} mm in the {} at frames {} to {}, {:.0f} in the sources, and no turn of up "
+          "the {} is {:.0f} mm in the {} at frames {} to {}, {:.0f} in the sources, and no turn of "
+          "up "
           "to {:.0f} degrees brings it out",
           worst.part, 1000.0 * worst.depth, worst.other, worst.first, worst.last,
           1000.0 * worst.sources, kMostTurned / kDegree);

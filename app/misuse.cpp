@@ -64,7 +64,7 @@ std::string explainMisuse(const CLI::App& app, const CLI::ParseError& error) {
   });
   if (option != left.end()) return unknownOption(*command, words, *option);
   const std::vector<std::string> commands = commandNames(*command);
-  if (!commands.empty()) {
+  if (!commands.empty() && command->get_require_subcommand_min() > 0) {
     const std::string problem =
         left.empty() ? "no command" : fmt::format("there is no command '{}'", left.front());
     const std::string meant = left.empty() ? "" : nearestWord(left.front(), commands);

@@ -148,7 +148,7 @@ std::vector<int> graftedJoints(const Skeleton& skeleton, const JointRoles& roles
       throw InputError(file, 0,
                        is_lower ? "the chain " + wanted + " is of the lower body, which stays"
                                 : "has no chain '" + wanted + "'",
-                       "of " + joined(names));
+                       "one of " + joined(names));
     }
     for (int j = 0; j < skeleton.size(); ++j) {
       if (!lower[j] && (wanted == "upper" || limb_of[j] == wanted)) taken[j] = true;
