@@ -4,7 +4,7 @@
 #include <ostream>
 #include <vector>
 
-#include "animation/analysis/frequency_law.h"
+#include "animation/library/frequency_law.h"
 #include "app/analysed_clip.h"
 #include "app/findings.h"
 

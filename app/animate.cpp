@@ -15,6 +15,7 @@
 #include "animation/quality/walk_quality.h"
 #include "animation/synthesis/action.h"
 #include "animation/synthesis/walk_synthesizer.h"
+#include "app/animate_engine.h"
 #include "app/command.h"
 #include "app/demo_walk.h"
 #include "app/motion_output.h"
@@ -31,10 +32,11 @@ namespace amble {
 namespace {
 
 struct AnimateArguments {
-  double speed = 1.2;     // [m/s]
-  double turn_deg = 0.0;  // [degrees/s], left positive
-  double duration = 5.0;  // [s]
-  double height = 0.0;    // [m]; 0: the library's
+  std::string speed = "1.2";  // as it was written [m/s]
+  std::string engine;         // file, or "": walks of the library
+  double turn_deg = 0.0;      // [degrees/s], left positive
+  double duration = 5.0;      // [s]
+  double height = 0.0;        // [m]; 0: the library's
   double fps = 60.0;
   std::string library = "default";
   MotionOutput out;
@@ -42,6 +44,9 @@ struct AnimateArguments {
   std::vector<std::string> actions;
   bool quality = false;
 };
+
+constexpr double kSlowestWalk = 0.3, kFastestWalk = 2.0;  // of CharacterSettings [m/s]
+constexpr double kFastestRun = 12.0;                      // that anybody asks for [m/s]
 
 // What is asked for must be within what captured walks are edited to (thesis, chapter 6).
 void checkRamp(const std::string& option, const std::optional<Ramp>& asked, double captured,
@@ -121,14 +126,31 @@ void write(const MotionOutput& output, const MotionLibrary& library,
   writeFile(file, [&](std::ostream& out) { writeGlb(out, view); });
 }
 
+// Walks of a library hold one speed on the straight.
+double speedOf(const AnimateArguments& options) {
+  const Ramp speed = readRamp(options.speed);
+  if (speed.from == speed.to && speed.from >= kSlowestWalk && speed.to <= kFastestWalk) {
+    return speed.from;
+  }
+  throw InputError("amble animate: --speed", 0, "is '" + options.speed + "'",
+                   fmt::format("{:g} to {:g} m/s; --engine takes other speeds, and ramps",
+                               kSlowestWalk, kFastestWalk));
+}
+
+int runEngine(const AnimateArguments& options) {
+  return animateEngine({options.engine, readRamp(options.speed), options.duration, options.height,
+                        options.fps, options.out});
+}
+
 int run(const AnimateArguments& options) {
+  const double speed = speedOf(options);
   const MotionLibrary library = openMotionLibrary(options.library);
   keepInputs(options.out.file, {library.file, library.file.parent_path() / library.skeleton_file});
   const DemoRequest request = requestOf(options);
-  const std::unique_ptr<Ground> ground = demoGround(request, options.speed);
+  const std::unique_ptr<Ground> ground = demoGround(request, speed);
   CharacterSettings settings;
   settings.height = options.height;
-  settings.speed = options.speed;
+  settings.speed = speed;
   settings.frame_time = 1.0 / options.fps;
   settings.actions = options.actions;
   for (const std::string& action : options.actions) {
@@ -172,8 +194,12 @@ void addAnimate(CLI::App& app, Command& chosen) {
   CLI::App* command =
       app.add_subcommand("animate", "Make a walk without a scene, from standing to standing");
   addMotionOutput(*command, options->out);
-  command->add_option("--speed", options->speed, "On the straight; less in turns")
-      ->check(number(0.3, 2.0, "m/s"))
+  command
+      ->add_option(
+          "--speed", options->speed,
+          "On the straight, 0.3 to 2; less in turns. Of an engine any, and a ramp over the "
+          "time of the walk")
+      ->check(ramp(0, kFastestRun, "m/s"))
       ->capture_default_str();
   command->add_option("--turn", options->turn_deg, "Turn rate at that speed, left positive")
       ->check(number(-180, 180, "degrees/s"))
@@ -204,16 +230,29 @@ void addAnimate(CLI::App& app, Command& chosen) {
   command->add_option("--library", options->library, "Motion library: default, or a file")
       ->type_name("FILE")
       ->capture_default_str();
+  auto* engine = command
+                     ->add_option("--engine", options->engine,
+                                  "Walk or run straight ahead with a speed engine instead (amble "
+                                  "library engine build): no starts and stops, feet as captured")
+                     ->type_name("FILE");
+  for (const char* option :
+       {"--turn", "--stride", "--lift", "--incline", "--stairs", "--action", "--library"}) {
+    engine->excludes(option);
+  }
   command->add_option("--fps", options->fps, "Frames a second")
       ->check(number(24, 240, "1/s"))
       ->capture_default_str();
-  command->add_flag("--quality", options->quality, "Print what the walk measures beside its bars");
+  command->add_flag("--quality", options->quality, "Print what the walk measures beside its bars")
+      ->excludes(engine);
   addExamples(*command, {"amble animate --speed 1.2 --turn 20 --duration 5 -o turn.bvh",
                          "amble animate --stairs .17,.29 --duration 8 -o stairs.bvh",
-                         "amble animate --stride 0.5..0.8 --lift 0.15 -o stride.bvh"});
+                         "amble animate --stride 0.5..0.8 --lift 0.15 -o stride.bvh",
+                         "amble animate --engine anna.yaml --speed 0.4..1.8 -o faster.bvh"});
   addExitStatus(*command, "the walk is there",
                 "there is none such, or a bar of --quality does not hold");
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] { return options->engine.empty() ? run(*options) : runEngine(*options); };
+  });
 }
 
 }  // namespace amble

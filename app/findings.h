@@ -33,6 +33,7 @@ Findings inspectMesh(const std::filesystem::path& file, const MotionReadOptions&
 std::optional<Findings> inspectClip(const std::filesystem::path& file,
                                     const MotionReadOptions& options);
 Findings inspectLibrary(const std::filesystem::path& file);
+Findings inspectEngine(const std::filesystem::path& file);
 Findings inspectScenario(const ScenarioFile& file, const LoadLimits& limits);
 
 }  // namespace amble

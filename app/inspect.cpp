@@ -22,6 +22,7 @@ Findings inspectYaml(const std::filesystem::path& file, const LoadLimits& limits
     if (root.has("scene") || root.has("start") || root.has("queries"))
       return inspectScenario({file, text}, limits);
     if (root.has("motions")) return inspectLibrary(file);
+    if (root.has("mean_posture")) return inspectEngine(file);
     if (root.has("objects")) return inspectScene(file, limits);
   }
   root.fail("no kind of file that Amble knows",

@@ -1,4 +1,4 @@
-// amble library build|show|add|check|find: prepared motion libraries from captures.
+// amble library build|show|add|check|find|engine: prepared motion libraries from captures.
 
 #include <fmt/format.h>
 
@@ -11,6 +11,7 @@
 #include "app/findings.h"
 #include "app/library_add.h"
 #include "app/library_check.h"
+#include "app/library_engine.h"
 #include "app/library_find.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
@@ -89,6 +90,7 @@ void addLibrary(CLI::App& app, Command& chosen) {
   addLibraryAdd(*library, chosen);
   addLibraryCheck(*library, chosen);
   addLibraryFind(*library, chosen);
+  addLibraryEngine(*library, chosen);
 }
 
 }  // namespace amble

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "animation/body/reference_pose.h"
+#include "animation/library/library_parts_writer.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/library/motion_library_writer.h"
 #include "animation/preparation/motion_library_add.h"
@@ -72,19 +73,6 @@ void sayAdded(const Motion& motion) {
       cycle.series.harmonics(), cycle.residual / kDegree);
 }
 
-// A name beside the library that nothing has but, at most, another library's skeleton: captures
-// often are called what is made of them.
-std::string skeletonName(const std::filesystem::path& file) {
-  const std::string stem = file.stem().string();
-  for (int i = 1;; ++i) {
-    std::string name = stem;
-    if (i > 1) name += "-skeleton";
-    if (i > 2) name += "-" + std::to_string(i - 1);
-    const std::filesystem::path skeleton = file.parent_path() / (name + ".bvh");
-    if (!std::filesystem::exists(skeleton) || isLibrarySkeleton(skeleton)) return name + ".bvh";
-  }
-}
-
 MotionLibrary libraryAt(const std::filesystem::path& file) {
   if (std::filesystem::exists(file)) return readMotionLibrary(file);
   if (file.extension() != ".yaml" && file.extension() != ".yml") {
@@ -98,7 +86,7 @@ MotionLibrary libraryAt(const std::filesystem::path& file) {
   }
   MotionLibrary library;
   library.file = file;
-  library.skeleton_file = skeletonName(file);
+  library.skeleton_file = skeletonNameBeside(file);
   return library;
 }
 

@@ -12,8 +12,4 @@ namespace amble {
 /// names. Nothing is lost: only libraries and their skeletons are written over. @throws InputError
 void writeMotionLibrary(const MotionLibrary& library, const std::filesystem::path& file);
 
-/// Whether the file is the skeleton of some library, byte by byte as it is written here, and so may
-/// be written anew.
-bool isLibrarySkeleton(const std::filesystem::path& file);
-
 }  // namespace amble

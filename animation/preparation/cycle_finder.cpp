@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kShortestPeriod = 0.7;  // of two steps of a walk [s]
 constexpr double kLongestPeriod = 2.1;   // of those who creep or drag themselves along [s]
+constexpr double kShortestRun = 0.45;    // period of a sprint [s]
+constexpr double kLongestFlight = 0.4;   // of a run; longer is a leap [s]
 
 // What walks like the most cyclic stretch; by trial on lab walks, whose steps differ by 5 %.
 constexpr double kSlowestWalk = 0.2;           // [m/s]
@@ -25,23 +27,6 @@ constexpr double kSameHeading = 0.1;           // but always [rad a cycle]
 constexpr double kSameClosure = 2.0;           // of the closure,
 constexpr double kWellClosed = 0.015;          // but always [m]
 constexpr double kLargestClosure = 0.10;       // rms over the joints: more is no cycle [m]
-
-// Middles of the double supports in which `leading` has just struck and the other foot is about to
-// leave.
-std::vector<double> doubleSupports(const GaitTrack& track, Side leading) {
-  std::vector<double> middles;
-  const Side trailing = other(leading);
-  for (const Plant& front : track.plants(leading)) {
-    for (const Plant& rear : track.plants(trailing)) {
-      if (rear.strike < front.strike && rear.lift_off > front.strike - 2.0 &&
-          rear.lift_off < front.lift_off) {
-        middles.push_back(0.5 * (front.strike + rear.lift_off));
-        break;
-      }
-    }
-  }
-  return middles;
-}
 
 double closureOf(const GaitTrack& track, double a, double b) {
   const std::vector<JointFrame> from = track.jointsAt(a);
@@ -60,22 +45,46 @@ Stretch stretchOf(const GaitTrack& track, double begin, double middle, double en
   return s;
 }
 
+std::vector<double> middles(const std::vector<FootChange>& changes) {
+  std::vector<double> found;
+  for (const FootChange& change : changes) found.push_back(change.middle());
+  return found;
+}
+
 bool within(const CycleOptions& options, double begin, double end) {
   return !options.frames || (begin >= options.frames->first && end <= options.frames->second);
 }
 
 }  // namespace
 
-std::vector<Stretch> wholeCycles(const GaitTrack& track, const CycleOptions& options) {
+std::vector<FootChange> footChanges(const GaitTrack& track, Side leading, Gait gait) {
+  std::vector<FootChange> changes;
+  const double longest = kLongestFlight / track.clip().frame_time;  // [frames]
+  for (const Plant& front : track.plants(leading)) {
+    for (const Plant& rear : track.plants(other(leading))) {
+      const double flight = front.strike - rear.lift_off;  // [frames]
+      const bool changes_so = gait == Gait::kWalk
+                                  ? rear.strike < front.strike && flight < 2.0
+                                  : rear.strike < front.strike && flight > 0.0 && flight < longest;
+      if (!changes_so || rear.lift_off >= front.lift_off) continue;
+      changes.push_back({front.strike, rear.lift_off});
+      break;
+    }
+  }
+  return changes;
+}
+
+std::vector<Stretch> wholeCycles(const GaitTrack& track, const CycleOptions& options, Gait gait) {
   std::vector<Stretch> found;
+  const double shortest = gait == Gait::kWalk ? kShortestPeriod : kShortestRun;
   for (const Side leading : {kLeft, kRight}) {
-    const auto own = doubleSupports(track, leading);
-    const auto others = doubleSupports(track, other(leading));
+    const std::vector<double> own = middles(footChanges(track, leading, gait));
+    const std::vector<double> others = middles(footChanges(track, other(leading), gait));
     for (size_t i = 0; i + 1 < own.size(); ++i) {
       const double begin = own[i], end = own[i + 1];
       const double period = (end - begin) * track.clip().frame_time;
       const auto middle = std::upper_bound(others.begin(), others.end(), begin);
-      if (period < kShortestPeriod || period > kLongestPeriod) continue;
+      if (period < shortest || period > kLongestPeriod) continue;
       if (middle == others.end() || *middle >= end || !within(options, begin, end)) continue;
       if (!hasSwing(track, kLeft, begin, end) || !hasSwing(track, kRight, begin, end)) continue;
       found.push_back(stretchOf(track, begin, *middle, end, leading));
@@ -114,10 +123,11 @@ bool walksLike(const Stretch& s, const Stretch& best, bool turning) {
 
 }  // namespace
 
-std::vector<Stretch> findStretches(const GaitTrack& track, const CycleOptions& options) {
-  std::vector<Stretch> found = wholeCycles(track, options);
+std::vector<Stretch> findStretches(const GaitTrack& track, const CycleOptions& options, Gait gait) {
+  std::vector<Stretch> found = wholeCycles(track, options, gait);
+  const std::string what = gait == Gait::kWalk ? "a walk" : "a run";
   if (found.empty()) {
-    throw InputError(options.clip, 0, "no whole cycle of a walk was found",
+    throw InputError(options.clip, 0, "no whole cycle of " + what + " was found",
                      "two steps in a row, each foot planted before and after");
   }
   std::erase_if(found, [](const Stretch& s) { return s.speed < kSlowestWalk; });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "animation/analysis/classify_clip.h"
 #include "animation/analysis/foot_plants.h"
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
@@ -13,6 +14,10 @@ namespace amble {
 namespace {
 
 constexpr double kMidStance = 0.45;  // of a stance: the sole is flat there
+// In a run a foot that is off the ground may be low and slow once more, and its plant goes on until
+// then: by half and more, where stances differ by a tenth. What is longer than the usual by this is
+// as long as the usual [1].
+constexpr double kLongStance = 1.25;
 
 }  // namespace
 
@@ -70,11 +75,15 @@ void GaitTrack::findPlants() {
     }
   }
   if (durations.empty()) return;
-  const double usual = upperMedian(durations);
+  const bool runs = classifyClip(found, clip_.frame_time).largest() == MotionType::kRun;
+  const double usual = runs ? quantile(durations, 0.5) : upperMedian(durations);
   for (const Side side : {kLeft, kRight}) {
     for (const FootPlant& p : found.plants[side]) {
       Plant plant{p.strike, p.lift_off};
       if (p.first == 0 && p.last == last) continue;
+      if (runs && p.first > 0 && plant.lift_off > plant.strike + kLongStance * usual) {
+        plant.lift_off = plant.strike + usual;
+      }
       if (p.first == 0) plant.strike = std::min(plant.strike, plant.lift_off - usual);
       if (p.last == last) plant.lift_off = std::max(plant.lift_off, plant.strike + usual);
       const double middle = plant.strike + kMidStance * (plant.lift_off - plant.strike);

@@ -65,16 +65,6 @@ void adoptSkeleton(MotionLibrary& library, const LevelCapture& capture, const st
                        " m; --unit says what the file's is");
 }
 
-// On a level floor, with toes, feet that are flat at rest and names as the library's BVH has them.
-LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadOptions& read) {
-  LevelCapture capture = readLevelCapture(file, read);
-  Clip& clip = capture.motion.clip;
-  addToes(clip, capture.motion.roles, file.string());
-  if (restFeetFlat(clip, capture.motion.roles)) clip = levelled(clip, capture.motion.roles);
-  clip.skeleton = withBvhNames(clip.skeleton);
-  return capture;
-}
-
 // The clip of another skeleton on the library's; larger people move slower (Froude).
 Clip carriedToLibrary(const MotionLibrary& library, const Clip& clip, const JointRoles& roles,
                       const ReferencePose& from, const ReferencePose& to) {
@@ -237,19 +227,34 @@ void preparePose(const MotionLibrary& library, const MotionRequest& request, con
 
 }  // namespace
 
+LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadOptions& read) {
+  LevelCapture capture = readLevelCapture(file, read);
+  Clip& clip = capture.motion.clip;
+  addToes(clip, capture.motion.roles, file.string());
+  if (restFeetFlat(clip, capture.motion.roles)) clip = levelled(clip, capture.motion.roles);
+  clip.skeleton = withBvhNames(clip.skeleton);
+  return capture;
+}
+
+Clip clipForLibrary(MotionLibrary& library, const LevelCapture& capture, const std::string& file,
+                    bool for_stand) {
+  if (library.skeleton.size() == 0) adoptSkeleton(library, capture, file);
+  if (!for_stand && library.find("stand") == nullptr) borrowStand(library, capture.motion.clip);
+  const bool own = for_stand && library.motions.empty();
+  Clip clip = own ? capture.motion.clip : onLibrarySkeleton(library, capture);
+  clip.skeleton = library.skeleton;
+  return clip;
+}
+
 void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   const std::string file = asked.file.string();
   if (library.find(asked.name) != nullptr) {
     throw InputError(file, 0, "the library has a motion " + asked.name, "another name");
   }
   MotionRequest request = asked;
-  LevelCapture capture = readForLibrary(request.file, request.read);
-  if (library.skeleton.size() == 0) adoptSkeleton(library, capture, file);
   const bool is_stand = request.name == "stand" && request.kind == MotionKind::kPosture;
-  if (!is_stand && library.find("stand") == nullptr) borrowStand(library, capture.motion.clip);
-  Clip clip = is_stand && library.motions.empty() ? capture.motion.clip
-                                                  : onLibrarySkeleton(library, capture);
-  clip.skeleton = library.skeleton;
+  const LevelCapture capture = readForLibrary(request.file, request.read);
+  Clip clip = clipForLibrary(library, capture, file, is_stand);
   const bool cyclic = request.kind == MotionKind::kWalk || request.kind == MotionKind::kMovement;
   if (request.source.mirrored && !cyclic) clip = mirrorClip(clip, library.roles);
   if (request.frames) {

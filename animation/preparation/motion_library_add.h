@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "animation/captures/motion_reader.h"
+#include "animation/clips/level_capture.h"
 #include "animation/library/motion_library.h"
 
 namespace amble {
@@ -24,6 +25,17 @@ struct MotionRequest {
   std::optional<std::pair<int, int>> frames;  ///< of the file: look only there
   int harmonics = 0;                          ///< of a cycle [1, 12]; 0: chosen by error
 };
+
+/// A capture as libraries take it: on a level floor, with toes, feet that are flat at rest and
+/// names as BVH has them. @throws InputError naming the file
+LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadOptions& read);
+
+/// Its clip on the library's skeleton. The first capture's becomes the library's; others are
+/// carried over to it. Where the library has no posture `stand`, that of the library `default` is
+/// carried over, unless the capture is the one of which it will be made.
+/// @param file  for messages @throws InputError
+Clip clipForLibrary(MotionLibrary& library, const LevelCapture& capture, const std::string& file,
+                    bool for_stand = false);
 
 /// Prepares the motion and appends it. The first capture's skeleton is the library's; others are
 /// carried over to it by role and leg length. Where there is no posture `stand` before the first

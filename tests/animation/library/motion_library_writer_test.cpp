@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "animation/library/library_parts_writer.h"
 #include "animation/library/motion_library_reader.h"
 #include "base/error.h"
 #include "test_paths.h"

@@ -1,4 +1,4 @@
-#include "animation/analysis/frequency_law.h"
+#include "animation/library/frequency_law.h"
 
 #include <cassert>
 #include <cmath>

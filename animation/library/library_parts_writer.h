@@ -1,0 +1,55 @@
+/// What the files of motion libraries and of speed engines have in common, written: numbers,
+/// joints, sources, postures, the skeleton beside.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "animation/library/motion_library.h"
+
+namespace YAML {
+class Emitter;
+}
+
+namespace amble {
+
+/// Numbers with seven digits after the point, and no zeros at their end.
+void put(YAML::Emitter& out, const char* key, double value);
+/// @param unit  that values are divided by, such as kDegree
+void putList(YAML::Emitter& out, std::span<const double> values, double unit = 1.0);
+void putList(YAML::Emitter& out, const char* key, std::span<const double> values,
+             double unit = 1.0);
+void putQuoted(YAML::Emitter& out, const char* key, const std::string& text);
+/// A list of its rows.
+void putMatrix(YAML::Emitter& out, const char* name, const Eigen::MatrixXd& matrix);
+
+/// Quaternions [w, x, y, z].
+void putRotations(YAML::Emitter& out, const char* name,
+                  const std::vector<Eigen::Quaterniond>& rotations);
+
+/// `posture:`, `source:`, `joints:`. Joints are called what the BVH beside the file calls them.
+void putPosture(YAML::Emitter& out, const Posture& posture);
+void putSource(YAML::Emitter& out, const MotionSource& source);
+void putRoles(YAML::Emitter& out, const Skeleton& skeleton, const JointRoles& roles);
+
+/// Writes a file and, beside it, the BVH of its skeleton; folders that are not there are made. A
+/// BVH that holds the skeleton already stays as it is: it may be the capture that the file names.
+/// @throws InputError where the BVH holds anything else but the skeleton of some library
+void writeWithSkeleton(const Skeleton& skeleton, const std::string& skeleton_file,
+                       const std::filesystem::path& file,
+                       const std::function<void(std::ostream&)>& write);
+
+/// Whether the file is the skeleton of some library, byte by byte as it is written here, and so may
+/// be written anew.
+bool isLibrarySkeleton(const std::filesystem::path& file);
+
+/// A name beside a file that nothing has but, at most, the skeleton of some library: captures often
+/// are called what is made of them.
+std::string skeletonNameBeside(const std::filesystem::path& file);
+
+}  // namespace amble

@@ -1,0 +1,432 @@
+#include "animation/preparation/speed_engine_fit.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "animation/analysis/classify_clip.h"
+#include "animation/analysis/foot_plants.h"
+#include "animation/body/rotation_mean.h"
+#include "animation/preparation/cycle_samples.h"
+#include "animation/preparation/motion_library_add.h"
+#include "animation/preparation/walk_cycle_fit.h"
+#include "base/error.h"
+#include "base/rotation.h"
+#include "base/text.h"
+
+namespace amble {
+namespace {
+
+// Legs that differ by more are another person's: marker sets of one person give the same to a few
+// millimetres [1].
+constexpr double kSameLegs = 0.02;
+constexpr double kHeldFor = 0.3;  // that a standing posture is the mean of [s]
+constexpr int kFewestClips = 3;   // to leave one out and fit a line to the others
+
+using Values = std::function<double(const EngineCycle&)>;
+
+bool speedsSpread(const std::vector<EngineCycle>& cycles) {
+  double mean = 0.0, square = 0.0;
+  const double n = static_cast<double>(cycles.size());
+  for (const EngineCycle& cycle : cycles) mean += std::log(cycle.speed) / n;
+  for (const EngineCycle& cycle : cycles) square += std::pow(std::log(cycle.speed) - mean, 2) / n;
+  return cycles.size() >= 2 && std::sqrt(square) >= kSpeedSpread;
+}
+
+// Least squares over the speeds (eq. 2); level where they do not spread.
+class LineFit {
+ public:
+  explicit LineFit(const std::vector<EngineCycle>& cycles) : spread_(speedsSpread(cycles)) {
+    const double n = static_cast<double>(cycles.size());
+    for (const EngineCycle& cycle : cycles) mean_ += cycle.speed / n;
+    double square = 0.0;
+    for (const EngineCycle& cycle : cycles) square += std::pow(cycle.speed - mean_, 2);
+    for (const EngineCycle& cycle : cycles) {
+      even_.push_back(1.0 / n);
+      rising_.push_back(spread_ ? (cycle.speed - mean_) / square : 0.0);
+    }
+  }
+
+  bool spread() const { return spread_; }
+  template <typename T>  // a number or a matrix
+  T slope(const std::vector<T>& values, T zero) const {
+    for (size_t i = 0; i < values.size(); ++i) zero += rising_[i] * values[i];
+    return zero;
+  }
+  template <typename T>
+  T atZero(const std::vector<T>& values, T zero) const {
+    for (size_t i = 0; i < values.size(); ++i) zero += (even_[i] - mean_ * rising_[i]) * values[i];
+    return zero;
+  }
+  SpeedLine line(const std::vector<double>& values) const {
+    return {atZero(values, 0.0), slope(values, 0.0)};
+  }
+
+ private:
+  bool spread_;
+  double mean_ = 0.0;
+  std::vector<double> even_, rising_;  // weights of the values in the mean and in the slope
+};
+
+std::vector<double> valuesOf(const std::vector<EngineCycle>& cycles, const Values& value) {
+  std::vector<double> values;
+  for (const EngineCycle& cycle : cycles) values.push_back(value(cycle));
+  return values;
+}
+
+// eq. 1: the components that keep `variance`, from the products of the cycles, which are few, not
+// of the channels, which are many.
+void findComponents(const std::vector<EngineCycle>& cycles, const LineFit& fit, double variance,
+                    GaitSpace& space) {
+  const auto n = static_cast<Eigen::Index>(cycles.size());
+  const Eigen::Index rows = space.mean.rows(), columns = space.mean.cols();
+  Eigen::MatrixXd off(rows * columns, n);  // rows: of the motion vector; columns: cycles
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::MatrixXd d = cycles[i].channels.bottomRows(rows) - space.mean;
+    off.col(i) = d.reshaped();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(off.transpose() * off);
+  const double all = solver.eigenvalues().sum();
+  for (Eigen::Index k = n - 1; k >= 0 && space.variance() < variance; --k) {
+    const Eigen::VectorXd direction = (off * solver.eigenvectors().col(k)).normalized();
+    PrincipalComponent component;
+    component.share = solver.eigenvalues()[k] / all;
+    component.direction = direction.reshaped(rows, columns);
+    std::vector<double> alphas;
+    for (Eigen::Index i = 0; i < n; ++i) alphas.push_back(direction.dot(off.col(i)));
+    component.coefficient = fit.line(alphas);
+    if (component.coefficient.slope < 0.0) {  // either sign is a component: that which speed raises
+      component.direction *= -1.0;
+      component.coefficient = {-component.coefficient.at_zero, -component.coefficient.slope};
+    }
+    space.components.push_back(std::move(component));
+  }
+}
+
+void fitFurtherChannels(const std::vector<EngineCycle>& cycles, const LineFit& fit,
+                        GaitSpace& space) {
+  std::vector<Eigen::MatrixXd> roots;
+  for (const EngineCycle& cycle : cycles) roots.emplace_back(cycle.channels.topRows(3));
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(3, roots.front().cols());
+  space.root.resize(6, zero.cols());
+  space.root << fit.atZero(roots, zero), fit.slope(roots, zero);
+  for (size_t i = 0; i < 2; ++i) {
+    space.support[i] =
+        fit.line(valuesOf(cycles, [i](const EngineCycle& c) { return c.support[i]; }));
+    space.toe_out[i] =
+        fit.line(valuesOf(cycles, [i](const EngineCycle& c) { return c.toe_out[i]; }));
+  }
+  space.step_width = fit.line(valuesOf(cycles, [](const auto& c) { return c.step_width; }));
+  space.foot_forward = fit.line(valuesOf(cycles, [](const auto& c) { return c.foot_forward; }));
+}
+
+}  // namespace
+
+GaitSpace fitGaitSpace(const std::vector<EngineCycle>& cycles, double leg, double variance) {
+  GaitSpace space;
+  const LineFit fit(cycles);
+  const Eigen::Index rows = cycles.front().channels.rows() - 3;
+  space.mean = Eigen::MatrixXd::Zero(rows, cycles.front().channels.cols());
+  std::vector<FrequencySample> samples;
+  for (const EngineCycle& cycle : cycles) {
+    space.mean += cycle.channels.bottomRows(rows) / static_cast<double>(cycles.size());
+    samples.push_back({cycle.speed / leg, 1.0 / cycle.period});
+  }
+  space.law = fitFrequencyLaw(samples);
+  if (fit.spread()) findComponents(cycles, fit, variance, space);
+  fitFurtherChannels(cycles, fit, space);
+  return space;
+}
+
+Eigen::MatrixXd motionVectorAt(const GaitSpace& space, double speed) {
+  Eigen::MatrixXd vector = space.mean;
+  for (const PrincipalComponent& component : space.components) {
+    vector += component.coefficient.at(speed) * component.direction;
+  }
+  return vector;
+}
+
+namespace {
+
+// Cycles of one gait, and the clips that they are from.
+struct Captured {
+  std::vector<EngineCycle> cycles;
+  std::vector<EngineClip> clips;
+};
+
+// `level` is on the engine's skeleton; its first frame is `first_frame` of the file.
+void takeCycles(const MotionLibrary& rig, const Clip& level, int first_frame,
+                const EngineCapture& from, Gait gait, Captured& out) {
+  const GaitTrack track(level, rig.roles, rig.feet());
+  const CycleOptions options{from.file.string(), false, 0, {}};
+  EngineClip clip;
+  clip.source = {from.clip, {first_frame + level.frames(), 0}, false, from.licence, from.credit};
+  for (const Stretch& stretch : findStretches(track, options, gait)) {
+    CycleSamples samples = sampleCycle(track, stretch, gait, rig.stand().rotations, kEnginePhases);
+    clip.speed += samples.speed;
+    clip.frequency += 1.0 / samples.period;
+    clip.cycles += 1;
+    auto& frames = clip.source.frames;
+    frames[0] = std::min(frames[0], first_frame + static_cast<int>(stretch.begin));
+    frames[1] = std::max(frames[1], first_frame + static_cast<int>(stretch.end));
+    out.cycles.push_back({static_cast<int>(out.clips.size()), samples.speed, samples.period,
+                          std::move(samples.channels), samples.support, samples.step_width,
+                          samples.foot_forward, samples.toe_out});
+  }
+  clip.speed /= clip.cycles;
+  clip.frequency /= clip.cycles;
+  out.clips.push_back(std::move(clip));
+}
+
+// The rotations of all cycles are mostly near their mean, which rotation vectors are against.
+std::vector<Eigen::Quaterniond> meanPosture(const std::array<Captured, 2>& gaits,
+                                            const std::vector<Eigen::Quaterniond>& reference) {
+  std::vector<RotationMean> sums(reference.size());
+  for (const Captured& gait : gaits) {
+    for (const EngineCycle& cycle : gait.cycles) {
+      for (size_t j = 0; j < reference.size(); ++j) {
+        const auto vectors = cycle.channels.middleRows<3>(3 + 3 * static_cast<Eigen::Index>(j));
+        for (Eigen::Index i = 0; i < vectors.cols(); ++i) {
+          sums[j].add(reference[j] * expRotation(vectors.col(i)));
+        }
+      }
+    }
+  }
+  std::vector<Eigen::Quaterniond> mean;
+  for (const RotationMean& sum : sums) mean.push_back(sum.mean());
+  return mean;
+}
+
+void rebase(const std::vector<Eigen::Quaterniond>& from, const std::vector<Eigen::Quaterniond>& to,
+            std::vector<EngineCycle>& cycles) {
+  for (EngineCycle& cycle : cycles) {
+    for (size_t j = 0; j < from.size(); ++j) {
+      const Eigen::Quaterniond turn = to[j].conjugate() * from[j];
+      auto vectors = cycle.channels.middleRows<3>(3 + 3 * static_cast<Eigen::Index>(j));
+      for (Eigen::Index i = 0; i < vectors.cols(); ++i) {
+        vectors.col(i) = logRotation(turn * expRotation(vectors.col(i)));
+      }
+    }
+  }
+}
+
+// Root mean square of the angles between the rotations of two motion vectors, over these joints.
+double angleBetween(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
+                    const std::vector<int>& joints) {
+  double squares = 0.0;
+  for (const int j : joints) {
+    for (Eigen::Index i = 0; i < a.cols(); ++i) {
+      const Eigen::Quaterniond p = expRotation(a.col(i).segment<3>(3 * j));
+      const Eigen::Quaterniond q = expRotation(b.col(i).segment<3>(3 * j));
+      squares += std::pow(p.angularDistance(q), 2);
+    }
+  }
+  return std::sqrt(squares / static_cast<double>(joints.size() * static_cast<size_t>(a.cols())));
+}
+
+struct JudgedJoints {
+  std::vector<int> all, legs;
+};
+
+JudgedJoints judgedJoints(const Skeleton& skeleton, const JointRoles& roles) {
+  const auto beyondWrist = [&](int joint) {
+    return std::any_of(roles.arms.begin(), roles.arms.end(), [&](const ArmJoints& arm) {
+      return arm.hand >= 0 && joint != arm.hand && skeleton.isAncestor(arm.hand, joint);
+    });
+  };
+  JudgedJoints joints;
+  for (int j = 0; j < skeleton.size(); ++j) {
+    if (!beyondWrist(j)) joints.all.push_back(j);
+  }
+  for (const LegJoints& leg : roles.legs) {
+    joints.legs.insert(joints.legs.end(), {leg.up_leg, leg.leg, leg.foot, leg.toe});
+  }
+  return joints;
+}
+
+Eigen::MatrixXd meanVector(const std::vector<EngineCycle>& cycles, int clip) {
+  Eigen::MatrixXd sum;
+  double count = 0.0;
+  for (const EngineCycle& cycle : cycles) {
+    if (cycle.clip != clip) continue;
+    const Eigen::MatrixXd vector = cycle.channels.bottomRows(cycle.channels.rows() - 3);
+    sum = count == 0.0 ? vector : Eigen::MatrixXd(sum + vector);
+    count += 1.0;
+  }
+  return sum / count;
+}
+
+// The other clip whose speed is nearest.
+int nearestClip(const std::vector<EngineClip>& clips, int to) {
+  int nearest = to == 0 ? 1 : 0;
+  for (int i = 0; i < static_cast<int>(clips.size()); ++i) {
+    const double away = std::abs(clips[i].speed - clips[to].speed);
+    if (i != to && away < std::abs(clips[nearest].speed - clips[to].speed)) nearest = i;
+  }
+  return nearest;
+}
+
+// A clip against the engine that has not seen it, and against the one next to it in speed.
+LeftOut leaveOut(const Captured& gait, int out, const JudgedJoints& joints, double leg,
+                 double variance) {
+  std::vector<EngineCycle> others;
+  double slowest = std::numeric_limits<double>::infinity(), fastest = 0.0;
+  for (const EngineCycle& cycle : gait.cycles) {
+    if (cycle.clip == out) continue;
+    others.push_back(cycle);
+    slowest = std::min(slowest, gait.clips[cycle.clip].speed);
+    fastest = std::max(fastest, gait.clips[cycle.clip].speed);
+  }
+  const double speed = gait.clips[out].speed;
+  const Eigen::MatrixXd captured = meanVector(gait.cycles, out);
+  const Eigen::MatrixXd fitted =
+      motionVectorAt(fitGaitSpace(others, leg, variance), std::clamp(speed, slowest, fastest));
+  const Eigen::MatrixXd beside = meanVector(gait.cycles, nearestClip(gait.clips, out));
+  return {speed > slowest && speed < fastest, angleBetween(captured, fitted, joints.all),
+          angleBetween(captured, fitted, joints.legs), angleBetween(captured, beside, joints.all),
+          angleBetween(captured, beside, joints.legs)};
+}
+
+// The space of a gait's cycles, its clips judged and sorted.
+GaitSpace spaceOf(const MotionLibrary& rig, double variance, Captured& gait) {
+  const double leg = rig.roles.meanLeg(rig.skeleton);
+  const JudgedJoints judged = judgedJoints(rig.skeleton, rig.roles);
+  const int clips = static_cast<int>(gait.clips.size());
+  for (int i = 0; clips >= kFewestClips && i < clips; ++i) {
+    gait.clips[i].left_out = leaveOut(gait, i, judged, leg, variance);
+  }
+  GaitSpace space = fitGaitSpace(gait.cycles, leg, variance);
+  space.clips = std::move(gait.clips);
+  std::stable_sort(space.clips.begin(), space.clips.end(),
+                   [](const EngineClip& a, const EngineClip& b) { return a.speed < b.speed; });
+  return space;
+}
+
+// A capture, and what is done in it.
+struct Seen {
+  const EngineCapture* from;
+  LevelCapture capture;
+  ClipClass kind;
+
+  const Clip& clip() const { return capture.motion.clip; }
+  std::string file() const { return from->file.string(); }
+};
+
+Seen see(const EngineCapture& from) {
+  LevelCapture capture = readForLibrary(from.file, from.read);
+  const FootPlants plants = detectPlants(capture.motion.clip, capture.motion.roles);
+  ClipClass kind = classifyClip(plants, capture.motion.clip.frame_time);
+  return {&from, std::move(capture), std::move(kind)};
+}
+
+// First frame of the kHeldFor in which joints turn least.
+int stillestFrame(const Clip& clip, int frames) {
+  std::vector<double> turned = {0.0};  // all joints, up to the frame [rad]
+  for (int i = 1; i < clip.frames(); ++i) {
+    double sum = turned.back();
+    for (int j = 0; j < clip.skeleton.size(); ++j) {
+      sum += clip.poses.rotations(i)[j].angularDistance(clip.poses.rotations(i - 1)[j]);
+    }
+    turned.push_back(sum);
+  }
+  int stillest = 0;
+  for (int i = 0; i + frames < clip.frames(); ++i) {
+    const double here = turned[i + frames] - turned[i];
+    if (here < turned[stillest + frames] - turned[stillest]) stillest = i;
+  }
+  return stillest;
+}
+
+// The standing posture: of the moment in which the capture stands stillest.
+void takeStand(const Seen& seen, MotionLibrary& rig) {
+  if (rig.find("stand") != nullptr) {
+    throw InputError(seen.file(), 0, "is a second capture of standing", "one");
+  }
+  const Clip clip = clipForLibrary(rig, seen.capture, seen.file(), true);
+  const int frames = std::min(
+      clip.frames() - 1, std::max(1, static_cast<int>(std::lround(kHeldFor / clip.frame_time))));
+  const int first = stillestFrame(clip, frames);
+  Motion stand;
+  stand.name = "stand";
+  stand.kind = MotionKind::kPosture;
+  stand.posture = preparePosture(clip, rig.roles, rig.feet(), first, first + frames);
+  rig.motions.push_back(std::move(stand));
+}
+
+Gait gaitOf(const Seen& seen) {
+  const double walks = seen.kind.shareOf(MotionType::kWalk);
+  const double runs = seen.kind.shareOf(MotionType::kRun);
+  if (walks > 0.0 || runs > 0.0) return walks >= runs ? Gait::kWalk : Gait::kRun;
+  throw InputError(seen.file(), 0, "neither walks, runs nor stands", "a walk, a run or standing");
+}
+
+using Warnings = std::vector<std::string>;
+
+// Cycles of every capture that moves, by Gait. One without a steady cycle is left out.
+std::array<Captured, 2> takeGaits(const std::vector<Seen>& all, MotionLibrary& rig,
+                                  Warnings& warnings) {
+  std::array<Captured, 2> gaits;
+  for (const Seen& seen : all) {
+    if (seen.kind.largest() == MotionType::kStand) continue;
+    const Clip clip = clipForLibrary(rig, seen.capture, seen.file());
+    const double ratio =
+        seen.capture.motion.roles.meanLeg(seen.clip().skeleton) / rig.roles.meanLeg(rig.skeleton);
+    if (std::abs(ratio - 1.0) > kSameLegs) {
+      warnings.push_back(seen.file() + ": is of another person, whose legs are " +
+                         shortNumber(ratio, 3) + " times as long; carried over");
+    }
+    try {
+      const Gait gait = gaitOf(seen);
+      takeCycles(rig, clip, seen.capture.first_frame, *seen.from, gait,
+                 gaits[static_cast<size_t>(gait)]);
+    } catch (const InputError& error) {
+      if (all.size() == 1) throw;
+      warnings.push_back(std::string(error.what()) + "; left out");
+    }
+  }
+  return gaits;
+}
+
+void warnOfSpeeds(const char* gait, const GaitSpace& space, Warnings& warnings) {
+  if (!space.components.empty()) return;
+  warnings.push_back(std::string("the ") + gait +
+                     " are too near each other in speed for lines over it: they differ by less "
+                     "than a tenth; their mean is taken");
+}
+
+}  // namespace
+
+EngineData fitSpeedEngine(const EngineRequest& request, std::vector<std::string>* warnings) {
+  Warnings said;
+  std::vector<Seen> all;
+  for (const EngineCapture& capture : request.captures) all.push_back(see(capture));
+  MotionLibrary rig;  // the engine's skeleton and posture
+  for (const Seen& seen : all) {
+    if (seen.kind.largest() == MotionType::kStand) takeStand(seen, rig);
+  }
+  std::array<Captured, 2> gaits = takeGaits(all, rig, said);
+  if (gaits[0].cycles.empty() && gaits[1].cycles.empty()) {
+    throw InputError(request.captures.front().file.string(), 0, "holds no cycle, nor do the others",
+                     "walks or runs");
+  }
+  EngineData data;
+  data.skeleton = rig.skeleton;
+  data.roles = rig.roles;
+  data.stature = rig.stature;
+  data.stand = rig.stand();
+  data.mean_posture = meanPosture(gaits, rig.stand().rotations);
+  for (const Gait gait : {Gait::kWalk, Gait::kRun}) {
+    Captured& captured = gaits[static_cast<size_t>(gait)];
+    if (captured.cycles.empty()) continue;
+    rebase(rig.stand().rotations, data.mean_posture, captured.cycles);
+    GaitSpace space = spaceOf(rig, request.variance, captured);
+    warnOfSpeeds(gait == Gait::kWalk ? "walks" : "runs", space, said);
+    (gait == Gait::kWalk ? data.walk : data.run) = std::move(space);
+  }
+  if (warnings != nullptr) *warnings = std::move(said);
+  return data;
+}
+
+}  // namespace amble
