@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kLimb = 3;          // joints of an arm or a leg, at least
 constexpr double kAlike = 0.1;    // bones of twins differ by no more than that share; by trial [1]
-constexpr int kSamples = 64;      // frames that are looked at, spread over the clip [1, >= 1]
+constexpr int kFramesSeen = 64;   // frames that are looked at, spread over the clip [1, >= 1]
 constexpr size_t kMaxTwins = 64;  // children of a joint that are compared: no body has more limbs
 
 /// A chain of joints, from the body outwards.
@@ -205,7 +205,7 @@ void TreeGuess::settleSides() {
     arms_left +=
         legs.dot(joints[roles_.arms[kLeft].arm].p_WJ - joints[roles_.arms[kRight].arm].p_WJ);
   };
-  const int step = std::max(1, clip_.frames() / kSamples);
+  const int step = std::max(1, clip_.frames() / kFramesSeen);
   for (int i = 0; i < clip_.frames(); i += step) {
     forwardKinematics(clip_, i, joints);
     add();

@@ -11,6 +11,7 @@
 #include "base/file_axes.h"
 #include "base/rotation.h"
 #include "base/strict_yaml.h"
+#include "base/text.h"
 #include "environments/scene/mesh_reader.h"
 #include "environments/scene/mesh_warnings.h"
 
@@ -39,12 +40,6 @@ struct PartRule {
   YamlNode node;
   bool used = false;
 };
-
-std::string shortNumber(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
 
 }  // namespace
 
@@ -290,11 +285,7 @@ class SceneReading::Reader {
   YamlNode widest_node_;
 };
 
-namespace {
-
-char lowerCase(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
-}  // namespace
+namespace {}  // namespace
 
 Eigen::AlignedBox3d Scene::bounds() const {
   Eigen::AlignedBox3d box;

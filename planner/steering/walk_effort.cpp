@@ -7,7 +7,7 @@ namespace {
 
 // Metres of level walking that cost as much as one of height.
 constexpr double kClimb = 19.6 / 2.5;
-constexpr double kLift = 6.3 / 2.5;
+constexpr double kRaise = 6.3 / 2.5;
 // Lifts differ by so much from step to step without anything to step over [m].
 constexpr double kUsualLift = 0.01;
 
@@ -18,7 +18,7 @@ double effortOf(const AnimationBuffer& walk, double captured_lift, double speed)
   for (const Footprint& print : walk.footprints) {
     metres += kClimb * std::max(0.0, print.gait.climb);
     const double lift = print.gait.lift - captured_lift;
-    if (lift > kUsualLift) metres += kLift * lift;
+    if (lift > kUsualLift) metres += kRaise * lift;
   }
   return metres / speed;
 }

@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::array<double, 3> kHandles = {
     0.3, 0.45, 0.6};  // of makeBezier, by trial: bends of every kind have one that suits
-constexpr double kSameHeading = 1e-9;  // a smaller turn is none [rad]
+constexpr double kNoTurn = 1e-9;  // a smaller turn is none [rad]
 // A curve that begins or ends further from the straight line's direction is a loop; turning on the
 // spot is shorter [rad].
 constexpr double kWidestCurve = 100 * kDegree;
 
 double turn(double from, double to) {
   const double angle = wrapAngle(to - from);
-  return std::abs(angle) < kSameHeading ? 0.0 : angle;
+  return std::abs(angle) < kNoTurn ? 0.0 : angle;
 }
 
 // Largest |curvature| of a curve, by parameter: near enough to tell curves apart, at a hundredth of
@@ -124,7 +124,7 @@ WalkEdge makeTurn(const Waypoint& from, const Waypoint& to) {
 bool isThere(const Waypoint& from, const Waypoint& to) {
   const WalkEdge edge = makeTurn(from, to);
   return isLevel(from, to) && !from.stance.standing && !to.stance.standing &&
-         std::abs(edge.turn_first) <= kSameHeading &&
+         std::abs(edge.turn_first) <= kNoTurn &&
          (to.any_leading || to.stance.leading == from.stance.leading);
 }
 

@@ -24,9 +24,9 @@ constexpr double kNearEnd = 0.5;       // so far around ends rooms are as those 
 constexpr double kFarthest = 10.0;     // from one corner to the next [m]
 constexpr double kRoomSought = 0.8;    // how far back from the farthest place seen [m]
 constexpr double kLevelNear = 0.3;     // somebody stands where it is level so far around [m]
-constexpr double kLevel = 0.02;        // [m]
+constexpr double kSameHeight = 0.02;   // [m]
 constexpr double kAcross = 0.3;        // to each side of a narrow place, for the way there [m]
-constexpr int kStopEvery = 1 << 12;    // places between looks at the clock
+constexpr int kPlacesEvery = 1 << 12;  // places between looks at the clock
 constexpr double kRoomInSight = 0.04;  // beside a straight line, where there is as much [m]
 
 constexpr std::array<std::array<int, 2>, 8> kAround = {
@@ -78,7 +78,7 @@ std::vector<int> WayFinder::cheapest() const {
   cost[from_] = 0.0f;
   open.emplace(least(from_), from_);
   for (long long i = 0; !open.empty(); ++i) {
-    if (i % kStopEvery == 0 && stopped_()) return {};
+    if (i % kPlacesEvery == 0 && stopped_()) return {};
     const auto [estimate, place] = open.top();
     open.pop();
     if (place == to_) break;
@@ -126,7 +126,7 @@ bool WayFinder::isLevel(int place) const {
   for (const auto& [dx, dy] : kAround) {
     int other = place;
     for (int i = 0; i < far && other >= 0; ++i) other = map_->beside(other, dx, dy);
-    if (other >= 0 && std::abs(map_->at(other).z() - height) > kLevel) return false;
+    if (other >= 0 && std::abs(map_->at(other).z() - height) > kSameHeight) return false;
   }
   return true;
 }
@@ -199,7 +199,7 @@ std::vector<int> WayFinder::widest() const {
   open.emplace(0.0f, from_);
   before[from_] = from_;
   for (long long i = 0; !open.empty() && before[to_] < 0; ++i) {
-    if (i % kStopEvery == 0 && stopped_()) return {};
+    if (i % kPlacesEvery == 0 && stopped_()) return {};
     const int place = open.top().second;
     open.pop();
     for (const auto& [dx, dy] : kAround) {

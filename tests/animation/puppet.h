@@ -132,4 +132,12 @@ inline FootPlants Puppet::plants() const {
   return plantsOf(planted);
 }
 
+inline Puppet onACircle() {
+  Puppet puppet;
+  puppet.speed = 1.0;
+  puppet.turn_rate = 0.6;
+  puppet.duration = 10.0;
+  return puppet;
+}
+
 }  // namespace amble

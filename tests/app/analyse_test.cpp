@@ -13,8 +13,8 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kCaptures = captureFolder();
-const std::string kCmuWalk = kCaptures + "cmu_mb2/07_01.bvh";
+const std::string kFolders = captureFolder();
+const std::string kCmuWalk = kFolders + "cmu_mb2/07_01.bvh";
 
 class Analyse : public Program {
  protected:
@@ -92,7 +92,7 @@ TEST_F(Analyse, SaysWhatThereIsInAClip) {
 }
 
 TEST_F(Analyse, ManyClipsGiveTheSameBytesAtAnyNumberOfThreads) {
-  const std::string folders = kCaptures + "accad_male1 " + kCaptures + "cmu_max ";
+  const std::string folders = kFolders + "accad_male1 " + kFolders + "cmu_max ";
   const Ran one = run("analyse --json --threads 1 --plants one/ " + folders);
   const Ran two = run("analyse --json --threads 2 --plants 'two/{stem}.csv' " + folders);
   ASSERT_EQ(one.status, 0) << one.err;
@@ -104,14 +104,14 @@ TEST_F(Analyse, ManyClipsGiveTheSameBytesAtAnyNumberOfThreads) {
 }
 
 TEST_F(Analyse, SeveralClipsAreATableAndALawOfTheirSubject) {
-  const Ran ran = run("analyse " + kCaptures + "cmu_mb2/07_0[1236].bvh");
+  const Ran ran = run("analyse " + kFolders + "cmu_mb2/07_0[1236].bvh");
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1 + 4 + 1) << ran.out;
   EXPECT_NE(ran.out.find("4 walks: f = "), std::string::npos) << ran.out;
 }
 
 TEST_F(Analyse, FindsClipsByHowMuchOfThemIsOfAType) {
-  const std::string some = kCmuWalk + " " + kCaptures + "cmu_mb2/09_01.bvh " + kCaptures +
+  const std::string some = kCmuWalk + " " + kFolders + "cmu_mb2/09_01.bvh " + kFolders +
                            "accad_female1/Female1_C05_WalkToRun.bvh ";
   const Ran walks = run("library find --type walk --at-least 75% --json " + some);
   ASSERT_EQ(walks.status, 0) << walks.err;

@@ -13,15 +13,15 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const std::string kWalk = captureFolder() + "accad_female1/Female1_B03_Walk1.bvh";
+const std::string kOneTake = captureFolder() + "accad_female1/Female1_B03_Walk1.bvh";
 const std::string kTwoTakes = std::string(AMBLE_SHARED) + "/cases/captures/g4_idle_and_walk.gltf";
 
 class CaptureOptions : public Options {
  protected:
   void SetUp() override {
     Options::SetUp();
-    if (!fs::exists(kWalk) || !fs::exists(kTwoTakes)) GTEST_SKIP() << "no " << AMBLE_SHARED;
-    fs::copy_file(kWalk, folder_ / "in/walk.bvh");
+    if (!fs::exists(kOneTake) || !fs::exists(kTwoTakes)) GTEST_SKIP() << "no " << AMBLE_SHARED;
+    fs::copy_file(kOneTake, folder_ / "in/walk.bvh");
     fs::copy_file(captureFolder() + "cmu_asfamc/07_05-walk.amc", folder_ / "in/trial.amc");
     write("in/roles.yaml", "hips: Hips\n");
     write("in/wrong.yaml", "left_foot: LeftFoof\n");

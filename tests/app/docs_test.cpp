@@ -14,14 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSource = AMBLE_SOURCE_DIR;
-
-std::string textOf(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 // Without the comments behind them.
 std::vector<std::string> commandsOf(const std::string& page) {
   std::vector<std::string> commands;
@@ -34,9 +26,9 @@ std::vector<std::string> commandsOf(const std::string& page) {
 // Those that tell anything to type, from the clone's folder.
 std::vector<std::string> pages() {
   std::vector<std::string> found = {"README.md"};
-  for (const auto& entry : fs::recursive_directory_iterator(kSource / "docs")) {
+  for (const auto& entry : fs::recursive_directory_iterator(sourceFolder() / "docs")) {
     if (entry.path().extension() == ".md" && !commandsOf(textOf(entry.path())).empty())
-      found.push_back(fs::relative(entry.path(), kSource).string());
+      found.push_back(fs::relative(entry.path(), sourceFolder()).string());
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -48,7 +40,7 @@ class Docs : public Program, public testing::WithParamInterface<std::string> {
     Program::SetUp();
     for (const char* folder :
          {"scenarios", "environments", "animation", "examples", "tests", "docs"})
-      fs::create_directory_symlink(kSource / folder, folder_ / folder);
+      fs::create_directory_symlink(sourceFolder() / folder, folder_ / folder);
   }
 
   // The yaml blocks whose first line names a file.
@@ -60,7 +52,7 @@ class Docs : public Program, public testing::WithParamInterface<std::string> {
 };
 
 TEST_P(Docs, CommandsWork) {
-  const std::string page = textOf(kSource / GetParam());
+  const std::string page = textOf(sourceFolder() / GetParam());
   writeExamples(page);
   for (const std::string& command : commandsOf(page)) {
     if (command == "amble check scenarios") continue;  // scripts/test does it

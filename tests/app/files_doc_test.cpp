@@ -17,19 +17,11 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using Keys = std::set<std::string>;  // "objects.box.size"
 
-const fs::path kSource = AMBLE_SOURCE_DIR;
-
 std::vector<std::string> linesOf(const std::string& text) {
   std::istringstream in(text);
   std::vector<std::string> lines;
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
-}
-
-std::string textOf(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
 }
 
 // The yaml blocks, by the file that their first line names.
@@ -47,7 +39,7 @@ Keys documentedKeys(const std::string& section) {
   Keys keys;
   bool inside = false;
   const std::regex quoted("`([a-z_0-9.]+)`");
-  for (const std::string& line : linesOf(textOf(kSource / "docs/files.md"))) {
+  for (const std::string& line : linesOf(textOf(sourceFolder() / "docs/files.md"))) {
     if (line.starts_with("## ")) inside = line == "## " + section;
     if (!inside || !line.starts_with("| `")) continue;
     const std::string first = line.substr(0, line.find('|', 1));
@@ -109,8 +101,8 @@ class FilesPage : public Program {
   void SetUp() override {
     Program::SetUp();
     for (const char* folder : {"scenarios", "environments", "animation"})
-      fs::create_directory_symlink(kSource / folder, folder_ / folder);
-    for (const auto& [name, text] : examplesOf(kSource / "docs/files.md")) write(name, text);
+      fs::create_directory_symlink(sourceFolder() / folder, folder_ / folder);
+    for (const auto& [name, text] : examplesOf(sourceFolder() / "docs/files.md")) write(name, text);
   }
 
   // What the readers say that they know, when a file has a key that they do not.
@@ -137,7 +129,7 @@ class FilesPage : public Program {
 
 TEST_F(FilesPage, ItsExamplesAndTheReadmesAreRight) {
   for (const char* page : {"docs/files.md", "README.md"}) {
-    const auto examples = examplesOf(kSource / page);
+    const auto examples = examplesOf(sourceFolder() / page);
     EXPECT_TRUE(examples.contains("room.yaml") && examples.contains("walk.yaml")) << page;
     for (const auto& [name, text] : examples) write(name, text);
     for (const auto& [name, text] : examples) {
@@ -150,8 +142,8 @@ TEST_F(FilesPage, ItsExamplesAndTheReadmesAreRight) {
 }
 
 TEST_F(FilesPage, ItSaysWhatIsMeasuredOfAWalk) {
-  run("plan " + (kSource / "scenarios/log.yaml").string() + " -o log --formats json");
-  const std::string page = textOf(kSource / "docs/files.md");
+  run("plan " + (sourceFolder() / "scenarios/log.yaml").string() + " -o log --formats json");
+  const std::string page = textOf(sourceFolder() / "docs/files.md");
   const nlohmann::json quality = nlohmann::json::parse(read("log/report.json"))["quality"];
   EXPECT_GE(quality.size(), 15u);
   for (const nlohmann::json& line : quality) {
@@ -176,7 +168,7 @@ TEST_F(FilesPage, ItHasTheKeysThatTheReadersKnow) {
 
 TEST_F(FilesPage, ItHasTheResultsWithTheirColumnsAndArrays) {
   ASSERT_EQ(run("plan walk.yaml -o walk --formats csv,npz,sdf,glb,svg,html,json").status, 0);
-  const std::string page = textOf(kSource / "docs/files.md");
+  const std::string page = textOf(sourceFolder() / "docs/files.md");
   for (const std::string file : {"path.csv", "steps.csv", "joints.csv"}) {
     const size_t from = page.find("- `" + file),
                  to = page.find(file == "joints.csv" ? "\n\n" : "\n-", from);

@@ -16,12 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string readAll(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 // As std::system does; and what memory it took [bytes].
 int runShell(const std::string& command, size_t& memory) {
   const pid_t shell = ::fork();
@@ -75,8 +69,8 @@ Program::Ran Program::shell(const std::string& commands, const std::string& befo
   Ran ran;
   const int status = runShell(command, ran.memory);
   ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  ran.out = readAll(folder_.string() + ".out");
-  ran.err = readAll(folder_.string() + ".err");
+  ran.out = textOf(folder_.string() + ".out");
+  ran.err = textOf(folder_.string() + ".err");
   return ran;
 }
 
@@ -85,7 +79,7 @@ void Program::write(const std::string& name, const std::string& text) const {
   std::ofstream(folder_ / name, std::ios::binary) << text;
 }
 
-std::string Program::read(const std::string& name) const { return readAll(folder_ / name); }
+std::string Program::read(const std::string& name) const { return textOf(folder_ / name); }
 
 std::set<std::string> Program::files() const {
   std::set<std::string> names;
@@ -135,6 +129,14 @@ void InRoom::wallOff() const {
 void InRoom::makeEndless() const {
   wallOff();
   write("in/scenario.yaml", kScenario + "planner: {max_failures: 1000000, time_limit: 600}\n");
+}
+
+fs::path sourceFolder() { return AMBLE_SOURCE_DIR; }
+
+std::string textOf(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
 }
 
 std::string captureFolder() { return std::string(AMBLE_SHARED) + "/mocap/"; }

@@ -60,6 +60,9 @@ class InRoom : public Program {
   void makeEndless() const;
 };
 
+std::filesystem::path sourceFolder();
+/// All that is in that file.
+std::string textOf(const std::filesystem::path& file);
 /// mocap/ of the shared folder, with a slash behind it.
 std::string captureFolder();
 

@@ -15,12 +15,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kCycles = 2;                   // of a walk that are played
-constexpr double kFrameTime = 1.0 / 60.0;    // [s]
-constexpr double kHeld = 1.0;                // for which a pose is shown [s]
-constexpr int kCurve = 96;                   // points of a cycle's curve
-constexpr int kOfAngles = 2, kOfMetres = 4;  // digits that can be seen
-constexpr double kSlowest = 0.3;             // that the law of steps is drawn from [m/s]
+constexpr int kCycles = 2;                    // of a walk that are played
+constexpr double kFrameTime = 1.0 / 60.0;     // [s]
+constexpr double kHeld = 1.0;                 // for which a pose is shown [s]
+constexpr int kCurve = 96;                    // points of a cycle's curve
+constexpr int kOfAngles = 2, kOfLengths = 4;  // digits that can be seen
+constexpr double kSlowest = 0.3;              // that the law of steps is drawn from [m/s]
 constexpr int kLawPoints = 60;
 
 bool isCycle(const Motion& motion) {
@@ -142,7 +142,7 @@ std::vector<double> curveOf(const FourierSeries& series, int channel, double uni
 
 Json channelJson(const BenchMotion& bench, int channel, const NumbersText& numbers) {
   const double unit = channel < 3 ? 1.0 : kDegree;
-  const int digits = channel < 3 ? kOfMetres : kOfAngles;
+  const int digits = channel < 3 ? kOfLengths : kOfAngles;
   const auto curve = [&](const FourierSeries& series) {
     return Json::parse(numbers(curveOf(series, channel, unit), digits));
   };
@@ -241,8 +241,8 @@ Json stepLawJson(const MotionLibrary& library, const NumbersText& numbers) {
     speeds.push_back(kSlowest + (1.25 * fastest - kSlowest) * i / kLawPoints);
     steps.push_back(blend.law().stepLength(speeds.back()));
   }
-  return {{"speeds", Json::parse(numbers(speeds, kOfMetres))},
-          {"steps", Json::parse(numbers(steps, kOfMetres))},
+  return {{"speeds", Json::parse(numbers(speeds, kOfLengths))},
+          {"steps", Json::parse(numbers(steps, kOfLengths))},
           {"points", std::move(points)},
           {"first_speed", blend.law().onset().first_speed},
           {"acceleration", blend.law().onset().acceleration},

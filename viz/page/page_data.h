@@ -2,12 +2,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "viz/page/page.h"
 #include "viz/page/page_bytes.h"
 
 namespace amble {
 
+/// x, y and z of one point after another.
+std::vector<float> flat(const std::vector<Eigen::Vector3d>& points);
 /// `text` as a JSON string; bytes that are no UTF-8 are replaced.
 std::string jsonString(const std::string& text);
 

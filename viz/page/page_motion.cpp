@@ -28,14 +28,6 @@ Json partJson(const BodyPart& part) {
           {"to", triple(part.to)}, {"radius", part.radius}, {"side", part.sole}};
 }
 
-std::vector<float> flat(const std::vector<Eigen::Vector3d>& points) {
-  std::vector<float> values;
-  values.reserve(points.size() * 3);
-  for (const Eigen::Vector3d& p : points)
-    for (int i = 0; i < 3; ++i) values.push_back(static_cast<float>(p[i]));
-  return values;
-}
-
 std::string dumped(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
@@ -118,6 +110,14 @@ Json figureJson(const Figure& figure, PageBytes& bytes) {
 }
 
 }  // namespace
+
+std::vector<float> flat(const std::vector<Eigen::Vector3d>& points) {
+  std::vector<float> values;
+  values.reserve(points.size() * 3);
+  for (const Eigen::Vector3d& p : points)
+    for (int i = 0; i < 3; ++i) values.push_back(static_cast<float>(p[i]));
+  return values;
+}
 
 std::string jsonString(const std::string& text) { return dumped(text); }
 

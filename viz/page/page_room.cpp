@@ -56,13 +56,13 @@ GridMesh onGrid(const TriangleMesh& mesh, const Eigen::Isometry3d& X_OW, const A
   return grid;
 }
 
-Json array(const std::string& reference) { return Json::parse(reference); }
+Json named(const std::string& reference) { return Json::parse(reference); }
 
 Json indicesOf(const GridMesh& mesh, PageBytes& bytes) {
   if (mesh.corners.size() / 3 > kGrid)
-    return array(bytes.add(std::span<const std::uint32_t>(mesh.triangles)));
+    return named(bytes.add(std::span<const std::uint32_t>(mesh.triangles)));
   const std::vector<std::uint16_t> few(mesh.triangles.begin(), mesh.triangles.end());
-  return array(bytes.add(std::span<const std::uint16_t>(few)));
+  return named(bytes.add(std::span<const std::uint16_t>(few)));
 }
 
 const char* kindName(RoomPart part) {
@@ -93,9 +93,9 @@ Json instancesJson(const std::vector<Instance>& instances, PageBytes& bytes) {
     objects.push_back(static_cast<std::uint32_t>(instance.surface->object));
     kinds.push_back(kindName(instance.surface->part));
   }
-  return {{"placings", array(bytes.add(std::span<const float>(placings)))},
-          {"colors", array(bytes.add(std::span<const std::uint8_t>(colors)))},
-          {"objects", array(bytes.add(std::span<const std::uint32_t>(objects)))},
+  return {{"placings", named(bytes.add(std::span<const float>(placings)))},
+          {"colors", named(bytes.add(std::span<const std::uint8_t>(colors)))},
+          {"objects", named(bytes.add(std::span<const std::uint32_t>(objects)))},
           {"kinds", std::move(kinds)}};
 }
 
@@ -144,7 +144,7 @@ std::string roomJson(const Scene& scene, double floor, PageBytes& bytes) {
     shown += used.triangles.size() / 3 * instances.size();
     if (used.triangles.empty()) continue;
     Json json = instancesJson(instances, bytes);
-    json["corners"] = array(bytes.add(std::span<const std::uint16_t>(used.corners)));
+    json["corners"] = named(bytes.add(std::span<const std::uint16_t>(used.corners)));
     json["triangles"] = indicesOf(used, bytes);
     meshes.push_back(std::move(json));
   }

@@ -60,13 +60,6 @@ Json roadmapJson(const PageSubject& subject, PageBytes& bytes) {
   return {{"nodes", std::move(nodes)}, {"edges", std::move(edges)}};
 }
 
-std::vector<float> flat(const std::vector<Eigen::Vector3d>& points) {
-  std::vector<float> values;
-  for (const Eigen::Vector3d& p : points)
-    for (int i = 0; i < 3; ++i) values.push_back(static_cast<float>(p[i]));
-  return values;
-}
-
 Json attemptsJson(const std::vector<PageAttempt>& attempts, PageBytes& bytes) {
   Json all = Json::array();
   for (const PageAttempt& attempt : attempts) {

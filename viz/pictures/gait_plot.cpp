@@ -23,7 +23,7 @@ constexpr double kLeastHeight = 0.05, kLeastSpeed = 0.5;  // top of an axis at l
 
 const Color kInk = rgb(40, 40, 44), kFaint = rgb(214, 214, 218), kPaper = rgb(250, 250, 250);
 
-const XmlAttributes kThin = {{"stroke-width", 0.7}};
+const XmlAttributes kHair = {{"stroke-width", 0.7}};
 const XmlAttributes kHeelStroke = {{"stroke-width", 1.6}};
 const XmlAttributes kToeStroke = {{"stroke-width", 1.3}, {"stroke-dasharray", "5 3"}};
 
@@ -126,7 +126,7 @@ class Plot {
     for (double t = 0.0; t <= seconds + first_ * analysis_.frame_time; t += step) {
       const double frame = t / analysis_.frame_time - first_;
       if (frame < -0.5 || frame > analysis_.frames() - 0.5) continue;
-      line(x(frame), top, x(frame), bottom, kFaint, kThin);
+      line(x(frame), top, x(frame), bottom, kFaint, kHair);
       text(x(frame), bottom + 13, xmlNumber(t) + " s", "middle");
       text(x(frame), bottom + 26, xmlNumber(std::round(t / analysis_.frame_time)), "middle", 9);
     }
@@ -138,7 +138,7 @@ class Plot {
   double panel(double top, double height, double most, const std::string& label,
                const std::array<const Eigen::VectorXd*, 2>& heel_toe, const Color& color) {
     const double bottom = top + height, per_unit = height / most;
-    line(kLeft0, bottom, kLeft0 + width_, bottom, kInk, kThin);
+    line(kLeft0, bottom, kLeft0 + width_, bottom, kInk, kHair);
     text(kLeft0 - 6, top + 9, xmlNumber(most), "end", 9);
     text(kLeft0 - 6, bottom, "0", "end", 9);
     text(kLeft0 - 24, top + 0.5 * height + 4, label, "end");

@@ -13,16 +13,17 @@ namespace {
 
 // "0 s [colours] 9.5 s" in the lower left corner.
 void drawTimeBar(Image& image, double duration) {
-  constexpr int kBar = 260, kThick = 14, kDot = 2, kIndent = 26;
+  constexpr int kRamp = 260, kThick = 14, kDot = 2, kIndent = 26;
   const int y = image.height - kIndent - kThick;
   const Color ink = rgb(70, 74, 82);
   const std::string end = fixedNumber(duration, 1) + " s";
-  const int plate = textWidth("0 s " + end, kDot) + kBar + 4 * kDot + 20;
+  const int plate = textWidth("0 s " + end, kDot) + kRamp + 4 * kDot + 20;
   fillRect(image, kIndent - 10, y - 8, plate, kThick + 16, rgb(246, 247, 249));
   drawText(image, kIndent, y, "0 s", kDot, ink);
   const int x = kIndent + textWidth("0 s ", kDot);
-  for (int i = 0; i < kBar; ++i) fillRect(image, x + i, y, 1, kThick, timeColor((i + 0.5) / kBar));
-  drawText(image, x + kBar + 4 * kDot, y, end, kDot, ink);
+  for (int i = 0; i < kRamp; ++i)
+    fillRect(image, x + i, y, 1, kThick, timeColor((i + 0.5) / kRamp));
+  drawText(image, x + kRamp + 4 * kDot, y, end, kDot, ink);
 }
 
 // What is said of a picture, in its lower left corner, in lines that fit.

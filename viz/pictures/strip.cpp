@@ -23,7 +23,7 @@ constexpr float kSinkTint = 0.75f;   // how red a body is drawn below the floor
 
 const Color kTrunk = rgb(176, 178, 184);
 const Color kEarth = rgb(222, 214, 200);
-const Color kInk = rgb(60, 62, 70);
+const Color kLineColor = rgb(60, 62, 70);
 
 std::vector<Color> limbColors(const Body& body) {
   std::vector<Color> colors;
@@ -139,7 +139,7 @@ void drawFloorLine(const std::vector<int>& rows, double floor, const Camera& cam
       const Color sunk = mix(rgb(old[0], old[1], old[2]), rgb(220, 20, 20), kSinkTint);
       fillRect(tile, x, y, 1, 1, body ? sunk : kEarth);
     }
-    fillRect(tile, x, rows[x], 1, 1, kInk);
+    fillRect(tile, x, rows[x], 1, 1, kLineColor);
   }
   const Vector3d on_floor(camera.eye.x(), camera.eye.y(), floor);
   const Vector3d right = rightOf(camera);
@@ -151,7 +151,7 @@ void drawFloorLine(const std::vector<int>& rows, double floor, const Camera& cam
     const int x =
         static_cast<int>(std::lround(camera.toPixel(camera.toView(mark.cast<float>())).x()));
     if (x >= 0 && x < tile.width && rows[x] >= 0)
-      fillRect(tile, x, rows[x], 1, i % 5 == 0 ? 12 : 5, kInk);
+      fillRect(tile, x, rows[x], 1, i % 5 == 0 ? 12 : 5, kLineColor);
   }
 }
 
@@ -170,7 +170,7 @@ void drawSection(const WalkView& view, int frame, const SceneSection& section, c
     for (int i = 0; i <= steps; ++i) {
       const Eigen::Vector2f at = a + static_cast<float>(i) / static_cast<float>(steps) * (b - a);
       fillRect(tile, static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y())),
-               1, 1, kInk);
+               1, 1, kLineColor);
     }
   }
 }
@@ -205,8 +205,8 @@ void addFloorAround(const WalkView& view, int frame, std::vector<DrawTriangle>& 
     const std::vector<Vector2d> across = {middle + Vector2d(d, -kHalf),
                                           middle + Vector2d(d, kHalf)};
     const std::vector<Vector2d> along = {middle + Vector2d(-kHalf, d), middle + Vector2d(kHalf, d)};
-    addRibbon(across, 0.004, level, mix(kEarth, kInk, 0.25f), triangles);
-    addRibbon(along, 0.004, level, mix(kEarth, kInk, 0.25f), triangles);
+    addRibbon(across, 0.004, level, mix(kEarth, kLineColor, 0.25f), triangles);
+    addRibbon(along, 0.004, level, mix(kEarth, kLineColor, 0.25f), triangles);
   }
   for (const Footprint& print : view.animation->footprints)
     if (frame >= print.first_frame && frame <= print.last_frame)
@@ -242,8 +242,8 @@ Image renderTile(const WalkView& view, int frame, const SceneSection& section,
     drawPlants(view, frame, small, tile);
   }
   const double time = frame * view.animation->frame_time;
-  drawText(tile, 6, 6, std::to_string(frame) + "  " + fixedNumber(time, 3) + " s", 2, kInk);
-  fillRect(tile, 0, 0, 1, tile.height, mix(kInk, light.background, 0.7f));
+  drawText(tile, 6, 6, std::to_string(frame) + "  " + fixedNumber(time, 3) + " s", 2, kLineColor);
+  fillRect(tile, 0, 0, 1, tile.height, mix(kLineColor, light.background, 0.7f));
   return tile;
 }
 

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr double kWholeRoom = 14.0;  // a scene no longer than this is shown whole [m]
-constexpr double kAround = 2.0;      // of a larger one so much is shown around the walk [m]
+constexpr double kAroundWalk = 2.0;  // of a larger one so much is shown around the walk [m]
 // What must fit into the picture above the floor, where it is there [m].
 constexpr double kHeadroom = 2.5;
 constexpr float kMargin = 28;          // about the room [pixels]
@@ -55,8 +55,8 @@ AlignedBox3d focusBox(const WalkView& view, const std::vector<Vector3d>& watched
   if (!watched.empty() && scene.sizes().head<2>().maxCoeff() > kWholeRoom) {
     AlignedBox3d around;
     for (const Vector3d& p : watched) around.extend(p);
-    around.min().array() -= kAround;
-    around.max().array() += kAround;
+    around.min().array() -= kAroundWalk;
+    around.max().array() += kAroundWalk;
     const AlignedBox3d common = around.intersection(scene);
     if (!common.isEmpty()) box = common;
   }
@@ -183,12 +183,12 @@ std::vector<ViewDirection> sideDirections(const Subject& subject) {
 
 Shot shootFromAbove(const WalkView& view, const Subject& subject, const RoomModel& room,
                     const ShotSettings& settings) {
-  constexpr float kHigh = 100.0f;  // above all that is shown [m]
+  constexpr float kAboveAll = 100.0f;  // above all that is shown [m]
   Shot shot;
   const Vector3f size = subject.focus.sizes().cast<float>();
   shot.camera.parallel = true;
   shot.camera.axes << 1, 0, 0, 0, -1, 0, 0, 0, -1;  // right, down, forward
-  shot.camera.eye = subject.focus.center().cast<float>() + kHigh * Vector3f::UnitZ();
+  shot.camera.eye = subject.focus.center().cast<float>() + kAboveAll * Vector3f::UnitZ();
   shot.camera.centre =
       Eigen::Vector2f(static_cast<float>(settings.width), static_cast<float>(settings.height)) / 2;
   shot.camera.scale = std::min((static_cast<float>(settings.width) - 2 * kMargin) / size.x(),

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/rotation.h"
 #include "tests/animation/captures.h"
+#include "tests/animation/captures/replaced.h"
 #include "tests/animation/random_clip.h"
 
 namespace amble {
@@ -79,12 +80,6 @@ std::string refusal(const std::string& asf, const std::string& amc) {
     return error.what();
   }
   return "read without an error";
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
 }
 
 std::string refusedAsf(const std::string& from, const std::string& to) {

@@ -128,7 +128,7 @@ Clip renamed(Clip clip, const std::vector<std::string>& names) {
 }
 
 // Largest distance of joints of the same index in the same frame [m].
-double farthest(const Clip& a, const Clip& b) {
+double farthestByIndex(const Clip& a, const Clip& b) {
   EXPECT_EQ(a.frames(), b.frames());
   EXPECT_EQ(a.skeleton.size(), b.skeleton.size());
   double worst = 0.0;
@@ -220,7 +220,7 @@ TEST_F(EveryRig, IsTheSameMotionInEveryUnit) {
       const CapturedMotion motion = readMotion(file);
       EXPECT_NEAR(motion.metres_per_unit.value * times, 1.0, 1e-9)
           << rig.path << ": " << motion.metres_per_unit.text;
-      EXPECT_LT(farthest(motion.clip, rig.clip), 1e-4) << rig.path;
+      EXPECT_LT(farthestByIndex(motion.clip, rig.clip), 1e-4) << rig.path;
       expectSameRoles(motion.roles, rig.roles, rig.path);
     }
   }
@@ -235,7 +235,7 @@ TEST_F(EveryRig, IsTheSameMotionWithEitherAxisUp) {
       const CapturedMotion motion = readMotion(file);
       EXPECT_EQ(motion.up.value, up) << rig.path << ": " << motion.up.text;
       EXPECT_TRUE(motion.up.sure) << rig.path << ": " << motion.up.text;
-      EXPECT_LT(farthest(motion.clip, rig.clip), 1e-4) << rig.path;
+      EXPECT_LT(farthestByIndex(motion.clip, rig.clip), 1e-4) << rig.path;
     }
   }
 }

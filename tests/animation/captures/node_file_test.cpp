@@ -5,6 +5,7 @@
 #include "animation/captures/motion_reader.h"
 #include "base/error.h"
 #include "tests/animation/captures.h"
+#include "tests/animation/captures/replaced.h"
 #include "tests/animation/node_files.h"
 #include "tests/animation/person.h"
 #include "tests/animation/random_clip.h"
@@ -67,12 +68,6 @@ TEST(NodeFile, WhatIsNoSuchFileIsRefusedWithTheLineWhereThereIsOne) {
     EXPECT_NE(error.find("cannot be read: "), std::string::npos) << error;
     EXPECT_EQ(error.find('\n'), std::string::npos) << error;
   }
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
 }
 
 TEST(NodeFile, NodesBelowThemselvesAreRefused) {

@@ -10,14 +10,6 @@
 namespace amble {
 namespace {
 
-Puppet onACircle() {
-  Puppet puppet;
-  puppet.speed = 1.0;
-  puppet.turn_rate = 0.6;
-  puppet.duration = 10.0;
-  return puppet;
-}
-
 TEST(FloorFit, ALevelFloorIsFoundLevelAtTheAnklesHeight) {
   const Rig rig;
   const FloorFit fit = fitFloor(rig.walk(onACircle()), rig.roles);

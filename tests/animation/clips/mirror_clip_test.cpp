@@ -9,14 +9,6 @@
 namespace amble {
 namespace {
 
-Puppet onACircle() {
-  Puppet puppet;
-  puppet.speed = 1.0;
-  puppet.turn_rate = 0.6;
-  puppet.duration = 10.0;
-  return puppet;
-}
-
 TEST(MirrorClip, AMirroredClipsJointsAreTheMirrorImageOfTheOtherSides) {
   const Rig rig;  // its legs are alike
   const Clip clip = rig.walk(onACircle()), mirrored = mirrorClip(clip, rig.roles);

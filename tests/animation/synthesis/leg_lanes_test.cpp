@@ -7,34 +7,30 @@
 
 #include "animation/library/motion_library_reader.h"
 #include "animation/steps/foot_target.h"
+#include "tests/animation/default_library.h"
 #include "tests/animation/random_clip.h"
 
 namespace amble {
 namespace {
-
-const MotionLibrary& library() {
-  static const MotionLibrary kLibrary = openMotionLibrary("default");
-  return kLibrary;
-}
 
 // The left leg alone, hung on the root: thigh, shank and foot of the library's.
 struct Leg {
   static constexpr int kJoints = 4;
   int joint[kJoints] = {0, 1, 2, 3}, parent[kJoints] = {-1, 0, 1, 2};
   double offset[3 * kJoints] = {};
-  FootShape shape = library().feet()[kLeft];
+  FootShape shape = defaultLibrary().feet()[kLeft];
   LaneLegs legs;
 
   Leg() {
-    const LegJoints& roles = library().roles.legs[kLeft];
+    const LegJoints& roles = defaultLibrary().roles.legs[kLeft];
     const int bones[] = {roles.up_leg, roles.leg, roles.foot};
     for (int i = 0; i < 3; ++i)
-      std::copy_n(library().skeleton.joint(bones[i]).offset.data(), 3, offset + 3 * (i + 1));
+      std::copy_n(defaultLibrary().skeleton.joint(bones[i]).offset.data(), 3, offset + 3 * (i + 1));
     LaneLeg leg = {};
     leg.up_leg = {1, 1, 0}, leg.leg = {2, 2, 1}, leg.foot = {3, 3, 2}, leg.toe = 4;
     leg.knee_axis[0] = 1.0;
     leg.longest = 0.9995;
-    leg.length = library().roles.legLength(library().skeleton, kLeft);
+    leg.length = defaultLibrary().roles.legLength(defaultLibrary().skeleton, kLeft);
     leg.radius = shape.radius, leg.ankle_height = shape.ankle_height;
     leg.ankle_x = shape.ankle_x, leg.heel_x = shape.heel_x, leg.ball_x = shape.ball_x;
     std::copy_n(shape.q_SF.coeffs().data(), 4, leg.q_SF);
@@ -54,7 +50,7 @@ struct Frames {
   LaneLegFrames frames{joints, {}};
 
   explicit Frames(Generator& generator) {
-    const FootCycle& cycle = library().motions[2].cycle.feet[kLeft];
+    const FootCycle& cycle = defaultLibrary().motions[2].cycle.feet[kLeft];
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 5; ++j)
         std::copy_n(randomRotation(generator).coeffs().data(), 4, rotations[i] + 4 * j);
@@ -92,7 +88,7 @@ struct Frames {
 TEST(LegLanes, AnklesAreAimedWhereFootTargetHasThem) {
   Generator generator(51);
   const Leg leg;
-  const FootCycle& cycle = library().motions[2].cycle.feet[kLeft];
+  const FootCycle& cycle = defaultLibrary().motions[2].cycle.feet[kLeft];
   for (int trial = 0; trial < 200; ++trial) {
     Frames four(generator);
     four.make(legKernel(), leg);

@@ -4,35 +4,31 @@
 
 #include "animation/library/motion_library_reader.h"
 #include "base/rotation.h"
+#include "tests/animation/default_library.h"
 #include "tests/animation/random_clip.h"
 
 namespace amble {
 namespace {
 
-const MotionLibrary& library() {
-  static const MotionLibrary kLibrary = openMotionLibrary("default");
-  return kLibrary;
-}
-
 const GaitBlend& blend() {
-  static const GaitBlend kBlend(library(), 1.0);
+  static const GaitBlend kBlend(defaultLibrary(), 1.0);
   return kBlend;
 }
 
 Eigen::VectorXd standChannels() {
-  Eigen::VectorXd channels = Eigen::VectorXd::Zero(3 + 3 * library().skeleton.size());
+  Eigen::VectorXd channels = Eigen::VectorXd::Zero(3 + 3 * defaultLibrary().skeleton.size());
   channels[2] = 0.93;
   return channels;
 }
 
 WalkController controllerOf(WalkController::Carriage carriage = {}) {
-  return {blend(), library().stand().rotations, standChannels(), std::move(carriage)};
+  return {blend(), defaultLibrary().stand().rotations, standChannels(), std::move(carriage)};
 }
 
 /// One frame, posed.
 Pose posed(const WalkController& controller, const FrameState& state) {
   AnimationBuffer buffer;
-  buffer.poses = PoseArray(library().skeleton.size());
+  buffer.poses = PoseArray(defaultLibrary().skeleton.size());
   buffer.poses.resize(1);
   buffer.states = {state};
   EXPECT_TRUE(controller.apply(buffer));
@@ -101,9 +97,9 @@ TEST(ProjectChannels, IsTheReferenceTurnedByRotationVectorsOnThePathsPointAndHea
 TEST(ProjectChannels, ZeroChannelsAreTheReferenceItself) {
   FrameState state;
   state.position = {1, 2, 3};
-  const std::vector<Eigen::Quaterniond>& reference = library().stand().rotations;
+  const std::vector<Eigen::Quaterniond>& reference = defaultLibrary().stand().rotations;
   const Pose pose =
-      projected(Eigen::VectorXd::Zero(3 + 3 * library().skeleton.size()), reference, state);
+      projected(Eigen::VectorXd::Zero(3 + 3 * defaultLibrary().skeleton.size()), reference, state);
   EXPECT_EQ(pose.p_WR, Eigen::Vector3d(1, 2, 3));
   for (size_t j = 0; j < reference.size(); ++j)
     EXPECT_EQ(pose.rotations[j].coeffs(), reference[j].coeffs());
@@ -114,7 +110,7 @@ TEST(WalkController, WalkingItIsTheBlendedCycleOnTheRootPath) {
   const Pose pose = posed(controllerOf(), state);
   Eigen::VectorXd channels;
   blend().evaluate(0.35, 0.3, 0.6, channels);
-  const Pose expected = projected(channels, library().stand().rotations, state);
+  const Pose expected = projected(channels, defaultLibrary().stand().rotations, state);
   EXPECT_EQ(pose.p_WR, expected.p_WR);
   for (size_t j = 0; j < pose.rotations.size(); ++j) {
     EXPECT_EQ(pose.rotations[j].coeffs(), expected.rotations[j].coeffs());

@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "planner/legs/planners.h"
+#include "tests/planner/disc_steering.h"
 #include "tests/planner/furnished_room.h"
 
 namespace amble {
@@ -15,13 +16,6 @@ Scene roomWithPassage(double width) {
   Scene scene = furnishedScene();
   scene.objects[5] = boxObject("wall", {0.1, 4.0 - width, 2.5}, {3, 0.5 * (4.0 - width), 1.25});
   return scene;
-}
-
-Waypoint standing(double x, double y, double heading) {
-  Waypoint at;
-  at.stance.position = {x, y, 0};
-  at.stance.heading = heading;
-  return at;
 }
 
 struct CylinderTest {

@@ -11,10 +11,10 @@ namespace amble {
 namespace {
 
 const ClearanceMap::Breadth kBreadth = {{{0.25, 1.75, 0.3}}, 0.15};
-const Eigen::Vector3d kWest(-3, -2, 0), kEast(3, -2, 0), kNowhere(0, 50, 0);
+const Eigen::Vector3d kWestEnd(-3, -2, 0), kEastEnd(3, -2, 0), kNowhere(0, 50, 0);
 
 // A room of 8 x 6 m about the origin, with a wall along x = 0 that has doors.
-std::vector<SceneObject> roomWith(const std::vector<std::pair<double, double>>& doors) {
+std::vector<SceneObject> roomWithDoors(const std::vector<std::pair<double, double>>& doors) {
   std::vector<SceneObject> objects = {makeObject("floor", Box{{8, 6, 0.1}}, {0, 0, -0.05})};
   double from = -3.0;
   const auto addWall = [&](double low, double high) {
@@ -32,7 +32,7 @@ std::vector<SceneObject> roomWith(const std::vector<std::pair<double, double>>& 
 struct Mapped {
   explicit Mapped(const std::vector<SceneObject>& objects) : scene(sceneOf(objects)) {}
   std::optional<ReachedRegion> reached(const Eigen::Vector3d& stopped_at = kNowhere) const {
-    return reachedRegion(map, kWest, kEast, stopped_at);
+    return reachedRegion(map, kWestEnd, kEastEnd, stopped_at);
   }
   Scene scene;
   SceneGround ground{scene};
@@ -50,7 +50,7 @@ bool holds(const ReachedRegion& region, double x, double y) {
 }
 
 TEST(ReachedRegion, EndsAtAWallThatHasNoDoor) {
-  const auto region = Mapped(roomWith({})).reached();
+  const auto region = Mapped(roomWithDoors({})).reached();
   ASSERT_TRUE(region.has_value());
   EXPECT_TRUE(holds(*region, -3, -2) && holds(*region, -3.5, 2.5));
   for (const ReachedRegion::Strip& strip : region->strips) EXPECT_LT(strip.to.x(), -0.3);
@@ -61,7 +61,7 @@ TEST(ReachedRegion, EndsAtAWallThatHasNoDoor) {
 }
 
 TEST(ReachedRegion, ComesNearestAtAGapThatIsTooNarrow) {
-  const auto region = Mapped(roomWith({{1.0, 1.4}})).reached();
+  const auto region = Mapped(roomWithDoors({{1.0, 1.4}})).reached();
   ASSERT_TRUE(region.has_value());
   EXPECT_FALSE(holds(*region, 3, -2));
   EXPECT_NEAR(region->near.y(), 1.2, 0.15);
@@ -70,14 +70,14 @@ TEST(ReachedRegion, ComesNearestAtAGapThatIsTooNarrow) {
 
 // All are shut that are no wider, else one would get round the one that is named.
 TEST(ReachedRegion, StopsAtEveryPlaceWithHardlyRoom) {
-  const auto region = Mapped(roomWith({{-1.6, -1.0}, {0.5, 1.1}})).reached();
+  const auto region = Mapped(roomWithDoors({{-1.6, -1.0}, {0.5, 1.1}})).reached();
   ASSERT_TRUE(region.has_value());
   EXPECT_FALSE(holds(*region, 3, -2));
   EXPECT_FALSE(holds(*region, 3, 2));
 }
 
 TEST(ReachedRegion, WhereThereIsRoomItEndsWhereAWalkWasStopped) {
-  const Mapped room(roomWith({{0.5, 1.5}}));
+  const Mapped room(roomWithDoors({{0.5, 1.5}}));
   EXPECT_FALSE(room.reached().has_value());  // stopped elsewhere, the goal is reached
   const auto region = room.reached(Eigen::Vector3d(0, 1, 1.2));
   ASSERT_TRUE(region.has_value());
@@ -88,13 +88,13 @@ TEST(ReachedRegion, WhereThereIsRoomItEndsWhereAWalkWasStopped) {
 }
 
 TEST(ReachedRegion, OfAStartOffTheMapThereIsNone) {
-  const Mapped room(roomWith({}));
-  EXPECT_FALSE(reachedRegion(room.map, {30, 0, 0}, kEast, kNowhere).has_value());
+  const Mapped room(roomWithDoors({}));
+  EXPECT_FALSE(reachedRegion(room.map, {30, 0, 0}, kEastEnd, kNowhere).has_value());
 }
 
 // Of the places of the map those that are joined to the start, by hand, are in one strip each.
 TEST(ReachedRegion, StripsHoldEveryPlaceOnce) {
-  std::vector<SceneObject> objects = roomWith({});
+  std::vector<SceneObject> objects = roomWithDoors({});
   objects.push_back(makeObject("table", Box{{0.8, 0.6, 0.7}}, {-2, 0.5, 0.35}));
   objects.push_back(makeObject("post", Box{{0.1, 0.1, 2.0}}, {-1.2, -1.5, 1.0}));
   const Mapped room(objects);

@@ -5,7 +5,7 @@
 namespace amble {
 namespace {
 
-AnimationBuffer walkOf(const std::vector<GaitParameters>& steps) {
+AnimationBuffer walkOfSteps(const std::vector<GaitParameters>& steps) {
   AnimationBuffer walk;
   for (const GaitParameters& gait : steps) {
     walk.footprints.emplace_back();
@@ -15,20 +15,20 @@ AnimationBuffer walkOf(const std::vector<GaitParameters>& steps) {
 }
 
 TEST(WalkEffort, OfALevelWalkIsNone) {
-  EXPECT_EQ(effortOf(walkOf({}), 0.05, 1.2), 0.0);
-  EXPECT_EQ(effortOf(walkOf({{0.65, 0.05, 0.0}, {0.65, 0.055, 0.0}}), 0.05, 1.2), 0.0);
+  EXPECT_EQ(effortOf(walkOfSteps({}), 0.05, 1.2), 0.0);
+  EXPECT_EQ(effortOf(walkOfSteps({{0.65, 0.05, 0.0}, {0.65, 0.055, 0.0}}), 0.05, 1.2), 0.0);
 }
 
 TEST(WalkEffort, AMetreWonCostsAsMuchAsEightOnTheLevel) {
-  const AnimationBuffer walk = walkOf({{0.3, 0.05, 0.5}, {0.3, 0.05, 0.5}});
+  const AnimationBuffer walk = walkOfSteps({{0.3, 0.05, 0.5}, {0.3, 0.05, 0.5}});
   EXPECT_NEAR(effortOf(walk, 0.05, 1.0), 19.6 / 2.5, 1e-12);
   EXPECT_NEAR(effortOf(walk, 0.05, 2.0), 9.8 / 2.5, 1e-12);
 }
 
 TEST(WalkEffort, GoingDownIsChargedNothingAndLiftingSomething) {
-  EXPECT_EQ(effortOf(walkOf({{0.3, 0.05, -0.2}}), 0.05, 1.2), 0.0);
-  const double low = effortOf(walkOf({{0.6, 0.15, 0.0}}), 0.05, 1.2);
-  const double high = effortOf(walkOf({{0.6, 0.25, 0.0}}), 0.05, 1.2);
+  EXPECT_EQ(effortOf(walkOfSteps({{0.3, 0.05, -0.2}}), 0.05, 1.2), 0.0);
+  const double low = effortOf(walkOfSteps({{0.6, 0.15, 0.0}}), 0.05, 1.2);
+  const double high = effortOf(walkOfSteps({{0.6, 0.25, 0.0}}), 0.05, 1.2);
   EXPECT_GT(low, 0.0);
   EXPECT_NEAR(high, 2.0 * low, 1e-12);
 }
@@ -36,11 +36,11 @@ TEST(WalkEffort, GoingDownIsChargedNothingAndLiftingSomething) {
 TEST(WalkEffort, OfStepsAddsUpAndGrowsWithEachMetre) {
   const std::vector<GaitParameters> steps = {{0.5, 0.1, 0.17}, {0.6, 0.2, 0.0}, {0.4, 0.05, -0.1}};
   double sum = 0.0;
-  for (const GaitParameters& step : steps) sum += effortOf(walkOf({step}), 0.05, 1.2);
-  EXPECT_NEAR(effortOf(walkOf(steps), 0.05, 1.2), sum, 1e-12);
+  for (const GaitParameters& step : steps) sum += effortOf(walkOfSteps({step}), 0.05, 1.2);
+  EXPECT_NEAR(effortOf(walkOfSteps(steps), 0.05, 1.2), sum, 1e-12);
   double before = -1.0;
   for (const double climb : {0.0, 0.05, 0.1, 0.2}) {
-    const double now = effortOf(walkOf({{0.5, 0.05, climb}}), 0.05, 1.2);
+    const double now = effortOf(walkOfSteps({{0.5, 0.05, climb}}), 0.05, 1.2);
     EXPECT_GT(now, before);
     before = now;
   }

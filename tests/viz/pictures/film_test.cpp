@@ -8,7 +8,7 @@
 namespace amble {
 namespace {
 
-constexpr FilmSettings kSmall{.width = 320, .height = 200, .rate = 10.0, .threads = 1};
+constexpr FilmSettings kSmallFilm{.width = 320, .height = 200, .rate = 10.0, .threads = 1};
 
 // The first row of the time in the corner.
 constexpr int kTimeRow = 200 - 26 - 14 - 8;
@@ -16,12 +16,12 @@ constexpr int kTimeRow = 200 - 26 - 14 - 8;
 // All of a picture drawn at once, from the nearer of room and body.
 Image drawnAtOnce(const WalkView& view, int frame) {
   RenderSettings settings;
-  settings.width = kSmall.width;
-  settings.height = kSmall.height;
+  settings.width = kSmallFilm.width;
+  settings.height = kSmallFilm.height;
   WalkShot shot = takeShot(view, settings.shot(bodyFrames(view, settings)));
   shot.light.shadow_size = WalkFilm::kShadowSize;
   const Camera large = shot.camera.enlarged(kSupersampling);
-  const int width = kSupersampling * kSmall.width, height = kSupersampling * kSmall.height;
+  const int width = kSupersampling * kSmallFilm.width, height = kSupersampling * kSmallFilm.height;
   SampleBuffer samples = rasterize(shot.triangles, large, width, height);
   const double share = static_cast<double>(frame) / (view.animation->size() - 1);
   std::vector<DrawTriangle> body;
@@ -39,7 +39,7 @@ Image drawnAtOnce(const WalkView& view, int frame) {
 
 TEST(WalkFilm, APictureIsWhatDrawingAllOfItGives) {
   const auto walk = makeTestWalk();
-  const WalkFilm film(walk->view, kSmall);
+  const WalkFilm film(walk->view, kSmallFilm);
   for (const int i : {0, 17, 40}) {
     const Image picture = film.picture(i), whole = drawnAtOnce(walk->view, 3 * i);
     int other = 0;
@@ -52,20 +52,20 @@ TEST(WalkFilm, APictureIsWhatDrawingAllOfItGives) {
 
 TEST(WalkFilm, LastsAsLongAsTheWalk) {
   const auto walk = makeTestWalk();
-  EXPECT_EQ(WalkFilm(walk->view, kSmall).pictures(), 41);  // 4 s
+  EXPECT_EQ(WalkFilm(walk->view, kSmallFilm).pictures(), 41);  // 4 s
 }
 
 TEST(WalkFilm, ShowsABodyThatMoves) {
   const auto walk = makeTestWalk();
-  const WalkFilm film(walk->view, kSmall);
+  const WalkFilm film(walk->view, kSmallFilm);
   EXPECT_NE(film.picture(3).rgb, film.picture(4).rgb);
 }
 
 TEST(WalkFilm, ThreadsChangeNoByte) {
   const auto walk = makeTestWalk();
-  FilmSettings two = kSmall;
+  FilmSettings two = kSmallFilm;
   two.threads = 2;
-  EXPECT_EQ(WalkFilm(walk->view, kSmall).picture(20).rgb,
+  EXPECT_EQ(WalkFilm(walk->view, kSmallFilm).picture(20).rgb,
             WalkFilm(walk->view, two).picture(20).rgb);
 }
 

@@ -16,15 +16,15 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kSize = 64;
+constexpr int kBufferSize = 64;
 
 // From above: pixel (x, y) sees World (x / 16 - 2, 2 - y / 16) from a height of 5 m.
-Camera fromAbove() {
+Camera fiveMetresAbove() {
   Camera camera;
   camera.parallel = true;
   camera.eye = {0, 0, 5};
   camera.axes << 1, 0, 0, 0, -1, 0, 0, 0, -1;
-  camera.centre = {kSize / 2.0f, kSize / 2.0f};
+  camera.centre = {kBufferSize / 2.0f, kBufferSize / 2.0f};
   camera.scale = 16;
   return camera;
 }
@@ -62,14 +62,14 @@ TEST(Rasterizer, NormalsAreKeptToATenthOfAMilliradian) {
 }
 
 TEST(Rasterizer, NothingIsSeenOfNothing) {
-  const SampleBuffer buffer = rasterize({}, fromAbove(), kSize, kSize);
+  const SampleBuffer buffer = rasterize({}, fiveMetresAbove(), kBufferSize, kBufferSize);
   for (const float depth : buffer.depth) EXPECT_EQ(depth, 0);
 }
 
 TEST(Rasterizer, TheNearerWinsInEitherOrder) {
   const DrawTriangle low = level(0, rgb(10, 20, 30)), high = level(1, rgb(200, 100, 50));
   for (const auto& triangles : {std::vector{low, high}, std::vector{high, low}}) {
-    const SampleBuffer buffer = rasterize(triangles, fromAbove(), kSize, kSize);
+    const SampleBuffer buffer = rasterize(triangles, fiveMetresAbove(), kBufferSize, kBufferSize);
     EXPECT_NEAR(buffer.at(32, 32).depth, 4, 1e-5);
     EXPECT_EQ(buffer.at(32, 32).color[0], 200);
   }
@@ -77,11 +77,14 @@ TEST(Rasterizer, TheNearerWinsInEitherOrder) {
 
 TEST(Rasterizer, BacksAreNotDrawnUnlessTwoSidedOrCut) {
   const DrawTriangle back = turnedOver(level(0, rgb(9, 9, 9)));
-  EXPECT_EQ(rasterize(std::vector{back}, fromAbove(), kSize, kSize).at(32, 32).depth, 0);
+  EXPECT_EQ(
+      rasterize(std::vector{back}, fiveMetresAbove(), kBufferSize, kBufferSize).at(32, 32).depth,
+      0);
   for (const uint8_t flag : {kTwoSided, kCut}) {
     DrawTriangle shown = back;
     shown.flags = flag;
-    const SampleBuffer buffer = rasterize(std::vector{shown}, fromAbove(), kSize, kSize);
+    const SampleBuffer buffer =
+        rasterize(std::vector{shown}, fiveMetresAbove(), kBufferSize, kBufferSize);
     EXPECT_GT(buffer.at(32, 32).depth, 0);
     EXPECT_GT(buffer.at(32, 32).normal().z(), 0.99f);
   }
@@ -89,7 +92,7 @@ TEST(Rasterizer, BacksAreNotDrawnUnlessTwoSidedOrCut) {
 
 TEST(Rasterizer, SeeThroughCoversAQuarter) {
   const auto triangles = std::vector{level(0, rgb(0, 0, 0)), level(1, rgb(255, 0, 0), kSeeThrough)};
-  const SampleBuffer buffer = rasterize(triangles, fromAbove(), kSize, kSize);
+  const SampleBuffer buffer = rasterize(triangles, fiveMetresAbove(), kBufferSize, kBufferSize);
   int red = 0;
   for (int y = 20; y < 40; ++y)
     for (int x = 20; x < 40; ++x) red += buffer.at(x, y).color[0] == 255;
@@ -98,21 +101,22 @@ TEST(Rasterizer, SeeThroughCoversAQuarter) {
 
 TEST(Rasterizer, DecalsLieOnWhatIsJustBeforeThem) {
   const auto triangles = std::vector{level(-0.01f, rgb(255, 0, 0), kDecal), level(0, rgb(0, 0, 0))};
-  EXPECT_EQ(rasterize(triangles, fromAbove(), kSize, kSize).at(32, 32).color[0], 255);
+  EXPECT_EQ(rasterize(triangles, fiveMetresAbove(), kBufferSize, kBufferSize).at(32, 32).color[0],
+            255);
   const auto deep = std::vector{level(-0.1f, rgb(255, 0, 0), kDecal), level(0, rgb(0, 0, 0))};
-  EXPECT_EQ(rasterize(deep, fromAbove(), kSize, kSize).at(32, 32).color[0], 0);
+  EXPECT_EQ(rasterize(deep, fiveMetresAbove(), kBufferSize, kBufferSize).at(32, 32).color[0], 0);
 }
 
 TEST(Rasterizer, CutsWhatReachesBehindTheEye) {
   Camera camera;  // at the origin, looking along +x
   camera.axes = viewAxes(Vector3f::UnitX());
-  camera.centre = {kSize / 2.0f, kSize / 2.0f};
+  camera.centre = {kBufferSize / 2.0f, kBufferSize / 2.0f};
   camera.scale = 32;
   DrawTriangle floor;
   floor.p = {Vector3f(-5, -9, -1), Vector3f(-5, 9, -1), Vector3f(60, 0, -1)};
   floor.normal.fill(Vector3f::UnitZ());
   floor.flags = kTwoSided;
-  const SampleBuffer buffer = rasterize(std::vector{floor}, camera, kSize, kSize);
+  const SampleBuffer buffer = rasterize(std::vector{floor}, camera, kBufferSize, kBufferSize);
   EXPECT_EQ(buffer.at(32, 20).depth, 0);  // above the horizon
   EXPECT_NEAR(buffer.at(32, 63).depth, 1.0159,
               0.02);  // 31.5 pixels below the middle: depth 32 / 31.5
@@ -121,10 +125,10 @@ TEST(Rasterizer, CutsWhatReachesBehindTheEye) {
 TEST(Rasterizer, AgreesWithItsDepthMap) {
   std::vector<DrawTriangle> triangles;
   addMesh(makeSphere(1, 24), rgb(90, 90, 90), 0, triangles);
-  const SampleBuffer buffer = rasterize(triangles, fromAbove(), kSize, kSize);
-  const DepthMap map = rasterizeDepth(triangles, fromAbove(), kSize, kSize, 0);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) EXPECT_EQ(buffer.at(x, y).depth, map.at(x, y));
+  const SampleBuffer buffer = rasterize(triangles, fiveMetresAbove(), kBufferSize, kBufferSize);
+  const DepthMap map = rasterizeDepth(triangles, fiveMetresAbove(), kBufferSize, kBufferSize, 0);
+  for (int y = 0; y < kBufferSize; ++y)
+    for (int x = 0; x < kBufferSize; ++x) EXPECT_EQ(buffer.at(x, y).depth, map.at(x, y));
   EXPECT_NEAR(map.at(32, 32), 4, 0.01);
 }
 
@@ -134,7 +138,8 @@ TEST(Rasterizer, WhatIsNearerHidesWhatIsFartherInAnyOrder) {
   for (int order = 0; order < 3; ++order) {
     std::rotate(triangles.begin(), triangles.begin() + 1, triangles.end());
     for (const int threads : {1, 4}) {
-      const SampleBuffer buffer = rasterize(triangles, fromAbove(), kSize, kSize, threads);
+      const SampleBuffer buffer =
+          rasterize(triangles, fiveMetresAbove(), kBufferSize, kBufferSize, threads);
       for (size_t i = 0; i < buffer.depth.size(); ++i)
         EXPECT_TRUE(buffer.depth[i] == 0 || buffer.look[i].color[0] == 2);
     }
@@ -159,9 +164,9 @@ TEST(Lighting, WhatLiesUnderAPlateIsInItsShadow) {
   LightSettings light;
   light.to_sun = {-1, 0, 1};  // the shadow falls half a metre towards +x
   light.shadowed = Eigen::AlignedBox3f(Vector3f(-2, -2, 0), Vector3f(2, 2, 1));
-  const Camera large = fromAbove().enlarged(kSupersampling);
+  const Camera large = fiveMetresAbove().enlarged(kSupersampling);
   const SampleBuffer samples =
-      rasterize(triangles, large, kSize * kSupersampling, kSize * kSupersampling);
+      rasterize(triangles, large, kBufferSize * kSupersampling, kBufferSize * kSupersampling);
   const Image image = lightSamples(samples, large, triangles, light);
   const int shade = image.pixel(32 + 12, 32)[0];  // (0.75, 0): shaded, and not hidden by the plate
   const int open = image.pixel(32 - 20, 32)[0];
@@ -182,11 +187,11 @@ TEST(Rasterizer, ASampleSeesTheNearestOfRandomTriangles) {
     t.flags = kTwoSided;
     triangles.push_back(t);
   }
-  const Camera camera = fromAbove();
-  const SampleBuffer buffer = rasterize(triangles, camera, kSize, kSize);
+  const Camera camera = fiveMetresAbove();
+  const SampleBuffer buffer = rasterize(triangles, camera, kBufferSize, kBufferSize);
   int seen = 0;
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
+  for (int y = 0; y < kBufferSize; ++y) {
+    for (int x = 0; x < kBufferSize; ++x) {
       const double px = (x + 0.5 - 32) / 16, py = (32 - y - 0.5) / 16;
       double highest = -1e9;
       bool doubtful = false;
@@ -251,12 +256,12 @@ TEST(Rasterizer, PerspectiveSamplesSeeWhatTheirRaysMeetFirst) {
   }
   Camera camera;  // at the origin, looking along +x
   camera.axes = viewAxes(Vector3f::UnitX());
-  camera.centre = {kSize / 2.0f, kSize / 2.0f};
+  camera.centre = {kBufferSize / 2.0f, kBufferSize / 2.0f};
   camera.scale = 40;
-  const SampleBuffer buffer = rasterize(triangles, camera, kSize, kSize);
+  const SampleBuffer buffer = rasterize(triangles, camera, kBufferSize, kBufferSize);
   int seen = 0;
-  for (int y = 0; y < kSize; y += 3) {
-    for (int x = 0; x < kSize; x += 3) {
+  for (int y = 0; y < kBufferSize; y += 3) {
+    for (int x = 0; x < kBufferSize; x += 3) {
       const Eigen::Vector2f middle(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
       const Eigen::Vector3d way = camera.toWorld(middle, 1.0f).cast<double>();
       double nearest = 1e9, second = 1e9;
@@ -281,9 +286,12 @@ TEST(Rasterizer, PerspectiveSamplesSeeWhatTheirRaysMeetFirst) {
 
 TEST(Rasterizer, WhatIsSkippedIsNotInTheDepths) {
   const auto triangles = std::vector{level(0, rgb(1, 1, 1)), level(1, rgb(2, 2, 2), kNoShadow)};
-  EXPECT_NEAR(rasterizeDepth(triangles, fromAbove(), kSize, kSize, 0).at(32, 32), 4, 1e-5);
-  EXPECT_NEAR(rasterizeDepth(triangles, fromAbove(), kSize, kSize, kNoShadow).at(32, 32), 5, 1e-5);
-  EXPECT_EQ(rasterizeDepth({}, fromAbove(), kSize, kSize, 0).at(32, 32), 0);
+  EXPECT_NEAR(rasterizeDepth(triangles, fiveMetresAbove(), kBufferSize, kBufferSize, 0).at(32, 32),
+              4, 1e-5);
+  EXPECT_NEAR(
+      rasterizeDepth(triangles, fiveMetresAbove(), kBufferSize, kBufferSize, kNoShadow).at(32, 32),
+      5, 1e-5);
+  EXPECT_EQ(rasterizeDepth({}, fiveMetresAbove(), kBufferSize, kBufferSize, 0).at(32, 32), 0);
 }
 
 }  // namespace
