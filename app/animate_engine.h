@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/motion_output.h"
-#include "app/ramp.h"
+#include "base/ramp.h"
 
 namespace amble {
 
