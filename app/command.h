@@ -25,6 +25,7 @@ void addConvert(CLI::App& app, Command& chosen);
 void addGraft(CLI::App& app, Command& chosen);
 void addInspect(CLI::App& app, Command& chosen);
 void addRoadmap(CLI::App& app, Command& chosen);
+void addGraph(CLI::App& app, Command& chosen);
 void addView(CLI::App& app, Command& chosen);
 void addHelp(CLI::App& app, Command& chosen);        ///< after those that it helps with
 void addCompletion(CLI::App& app, Command& chosen);  ///< after those that it completes

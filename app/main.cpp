@@ -48,6 +48,7 @@ void addCommands(CLI::App& app, Command& chosen) {
   addGraft(app, chosen);
   addInspect(app, chosen);
   addRoadmap(app, chosen);
+  addGraph(app, chosen);
   addView(app, chosen);
   addHelp(app, chosen);
   addCompletion(app, chosen);

@@ -1,0 +1,256 @@
+#include "app/graph_play.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "animation/body/joint_names.h"
+#include "animation/captures/bvh.h"
+#include "app/graph_words.h"
+#include "app/motion_output.h"
+#include "app/say.h"
+#include "base/error.h"
+#include "base/keep_inputs.h"
+#include "base/output_file.h"
+#include "base/parallel.h"
+#include "viz/exchange/glb.h"
+#include "viz/figure/captured_figure.h"
+
+namespace amble {
+namespace {
+
+struct PlayOptions {
+  std::string graph;
+  MotionOutput out;
+  double blend = kGraphBlend;  // [s]
+  double fps = 0.0;            // [1/s]; 0: the graph's
+};
+
+// The clips of these ranges, read again as they were for the graph, after the first clip, whose
+// skeleton they are on.
+GraphClips readAgain(const KeptGraph& kept, const PlayOptions& options,
+                     std::vector<NamedRange>& ranges) {
+  std::set<int> wanted = {0};
+  for (const NamedRange& range : ranges) wanted.insert(range.clip);
+  std::vector<std::filesystem::path> files;
+  for (const int clip : wanted) files.push_back(inputFile(options.graph, kept.inputs[clip][0]));
+  for (NamedRange& range : ranges)
+    range.clip = static_cast<int>(std::distance(wanted.begin(), wanted.find(range.clip)));
+  MotionReadOptions reading = kept.reading;
+  if (!reading.asf.empty()) reading.asf = inputFile(options.graph, {reading.asf.string(), ""});
+  if (!reading.roles.empty())
+    reading.roles = inputFile(options.graph, {reading.roles.string(), ""});
+  const double frame_time = options.fps > 0.0 ? 1.0 / options.fps : kept.graph.frame_time;
+  return readGraphClips(files, reading, frame_time, usualThreads());
+}
+
+std::vector<PlayedRange> inFrames(const GraphClips& clips, const std::vector<NamedRange>& ranges) {
+  std::vector<PlayedRange> frames;
+  for (const NamedRange& range : ranges) {
+    const GraphClip& clip = clips.about[range.clip];
+    // At a lower rate a clip may end before its last frame.
+    const auto frame = [&](int in_file) {
+      const int found = clip.fromFile(in_file);
+      return found < 0 ? clip.frames - 1 : found - clip.first;
+    };
+    frames.push_back({range.clip, frame(range.first), frame(range.last)});
+  }
+  return frames;
+}
+
+void write(const MotionOutput& out, Clip clip, const JointRoles& roles) {
+  const std::filesystem::path file = out.file;
+  if (!out.names.empty())
+    clip.skeleton = renamed(clip.skeleton, jointNames(clip.skeleton, roles, out.names));
+  if (!out.isGlb()) {
+    writeBvh(file, clip, {.metres_per_unit = out.bvhUnit()});
+    return;
+  }
+  const Figure figure = capturedFigure(clip, roles);
+  writeFile(file, [&](std::ostream& stream) { writeGlb(stream, clip, figure); });
+}
+
+constexpr const char* kCaseWords[] = {"", "as before", "as after", "as the nearer", "slips"};
+
+std::string feetText(const JoinReport& join) {
+  std::vector<std::string> parts;
+  for (const FootHold& foot : join.feet)
+    parts.push_back(fmt::format("{} {} {:.0f} mm", foot.side == kLeft ? "left" : "right",
+                                kCaseWords[static_cast<int>(foot.which)], 1000.0 * foot.slip));
+  return parts.empty() ? "no foot stands" : joined(parts);
+}
+
+// What each join did, and whether the graph takes its two frames for alike.
+void report(const PlayOptions& options, const ClusterGraph& graph, const JoinedClip& motion,
+            const std::vector<std::pair<int, int>>& meetings) {
+  std::FILE* const out = options.out.file == "-" ? stderr : stdout;
+  say(out, "{}: {} frames of {:.7g} s, {}\n", options.out.file, motion.clip.frames(),
+      motion.clip.frame_time, counted(static_cast<long long>(motion.joins.size()), "join"));
+  constexpr size_t kMostTold = 20;
+  for (size_t i = 0; i < std::min(kMostTold, motion.joins.size()); ++i) {
+    const JoinReport& join = motion.joins[i];
+    const auto& [leave, enter] = meetings[i];
+    say(out,
+        "  {} to {}  frames {} to {}, error {:.3f} m, root at most {:.2f} of its sources; {}\n",
+        frameName(graph, leave), frameName(graph, enter), join.first, join.last,
+        std::sqrt(graph.error(leave, enter)), join.glide, feetText(join));
+    if (graph.states[leave] != graph.states[enter])
+      say(stderr, "warning: {} stands {}, {} stands {}: feet will not fit\n",
+          frameName(graph, leave), kSupportNames[static_cast<int>(graph.states[leave])],
+          frameName(graph, enter), kSupportNames[static_cast<int>(graph.states[enter])]);
+  }
+  if (motion.joins.size() > kMostTold) say(out, "  {} more\n", motion.joins.size() - kMostTold);
+}
+
+int playRanges(const KeptGraph& kept, const PlayOptions& options, std::vector<NamedRange> ranges) {
+  const std::filesystem::path out = options.out.file;
+  if (out != "-" && out.extension() != ".bvh" && !options.out.isGlb())
+    throw InputError(out.string(), 0, "no format that is written", ".bvh or .glb");
+  std::vector<std::filesystem::path> inputs = {options.graph};
+  for (const auto& files : kept.inputs)
+    for (const GraphInput& input : files) inputs.push_back(inputFile(options.graph, input));
+  keepInputs(out, inputs);
+  std::vector<std::pair<int, int>> meetings;
+  for (size_t i = 1; i < ranges.size(); ++i) {
+    const auto frame = [&](int clip, int in_file) {
+      return kept.graph.clips[clip].fromFile(in_file);
+    };
+    meetings.emplace_back(frame(ranges[i - 1].clip, ranges[i - 1].last),
+                          frame(ranges[i].clip, ranges[i].first));
+  }
+  const GraphClips clips = readAgain(kept, options, ranges);
+  const int blend = static_cast<int>(std::lround(options.blend / clips.frame_time));
+  const JoinedClip motion = played(clips, inFrames(clips, ranges), blend);
+  write(options.out, motion.clip, clips.roles);
+  report(options, kept.graph, motion, meetings);
+  return kExitDone;
+}
+
+void addPlaying(CLI::App& command, PlayOptions& options) {
+  command.add_option("--blend", options.blend, "Time over which two clips are mixed at a join")
+      ->check(number(0, 10, "s"))
+      ->capture_default_str();
+  command.add_option("--fps", options.fps, "Frames a second; default: the graph's")
+      ->check(number(1, 1000, "1/s"));
+}
+
+struct LoopArguments {
+  PlayOptions play;
+  std::string clip;
+  int count = 2;
+  double error = kGraphError, shortest = 0.4;  // [m], [s]
+  int at = -1;                                 // frame of the file; -1: the most alike
+};
+
+int listLoops(const KeptGraph& kept, const std::vector<FrameLoop>& loops) {
+  constexpr size_t kMostTold = 20;
+  for (size_t i = 0; i < std::min(kMostTold, loops.size()); ++i) {
+    const FrameLoop& loop = loops[i];
+    say(stdout, "{} back to {}  {:.2f} s, error {:.3f} m\n", frameName(kept.graph, loop.leave),
+        frameName(kept.graph, loop.enter), (loop.leave - loop.enter) * kept.graph.frame_time,
+        std::sqrt(loop.error));
+  }
+  if (loops.size() > kMostTold) say(stdout, "{} more\n", loops.size() - kMostTold);
+  return kExitDone;
+}
+
+int loop(const LoopArguments& options) {
+  const KeptGraph kept = readFreshGraph(options.play.graph);
+  const int clip = clipNamed(kept, options.clip, "CLIP");
+  const int shortest =
+      std::max(1, static_cast<int>(std::lround(options.shortest / kept.graph.frame_time)));
+  std::vector<FrameLoop> loops =
+      loopsOf(kept.graph, cutAt(kept.graph, options.error), clip, shortest);
+  if (options.at >= 0) {
+    const int at =
+        frameNamed(kept, kept.graph.clips[clip].name + ":" + std::to_string(options.at), "--at");
+    std::stable_sort(loops.begin(), loops.end(), [&](const FrameLoop& a, const FrameLoop& b) {
+      return std::abs(a.leave - at) < std::abs(b.leave - at);
+    });
+  }
+  if (loops.empty()) {
+    say(stderr, "amble graph loop: {} comes to no place again at error {:g} m\n", options.clip,
+        options.error);
+    return kExitNone;
+  }
+  if (options.play.out.file.empty()) return listLoops(kept, loops);
+  std::vector<NamedRange> ranges;
+  for (const PlayedRange& range : rangesOf(kept.graph, loops[0], options.count)) {
+    const GraphClip& played = kept.graph.clips[range.clip];
+    ranges.push_back({range.clip, played.inFile(played.first + range.first),
+                      played.inFile(played.first + range.last)});
+  }
+  return playRanges(kept, options.play, ranges);
+}
+
+}  // namespace
+
+void addGraphLoop(CLI::App& graph, Command& chosen) {
+  const auto options = std::make_shared<LoopArguments>();
+  CLI::App* command = graph.add_subcommand(
+      "loop", "List the loops in a clip, or play it through one of them some times");
+  command->add_option("GRAPH", options->play.graph, "As `amble graph build` writes it")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("CLIP", options->clip, "A clip of the graph, as `amble graph show` lists it")
+      ->type_name("CLIP")
+      ->required();
+  addMotionOutput(*command, options->play.out);
+  command->get_option("--output")
+      ->required(false)
+      ->description(
+          "FILE.bvh, or FILE.glb with a body; - is a BVH on standard output; without, loops are "
+          "listed");
+  command->add_option("--count", options->count, "Times that the loop is gone through")
+      ->check(wholeNumber(1, 10000))
+      ->capture_default_str();
+  command
+      ->add_option("--at", options->at,
+                   "The loop that is left nearest to this frame; default: the smoothest")
+      ->check(wholeNumber(0, 1000000000))
+      ->type_name("FRAME");
+  command->add_option("--shortest", options->shortest, "Loops take at least so long")
+      ->check(number(0, 1000, "s"))
+      ->capture_default_str();
+  command->add_option("--error", options->error, "Frames that differ by less are alike")
+      ->check(number(0, 100, "m"))
+      ->capture_default_str();
+  addPlaying(*command, options->play);
+  addExamples(*command, {"amble graph loop walks.graph Walk1",
+                         "amble graph loop walks.graph Walk1 --count 8 -o long.bvh"});
+  addExitStatus(*command, "loops were listed or played", "the clip has none");
+  command->callback([options, &chosen] { chosen = [options] { return loop(*options); }; });
+}
+
+void addGraphPlay(CLI::App& graph, Command& chosen) {
+  struct Arguments {
+    PlayOptions play;
+    std::string ranges;
+  };
+  const auto options = std::make_shared<Arguments>();
+  CLI::App* command =
+      graph.add_subcommand("play", "Join parts of clips, one after another, into one motion");
+  command->add_option("GRAPH", options->play.graph, "As `amble graph build` writes it")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("RANGES", options->ranges,
+                   "CLIP:A-B,CLIP:C-D,...: frames of the clips' files; B meets C")
+      ->type_name("RANGES")
+      ->required();
+  addMotionOutput(*command, options->play.out);
+  addPlaying(*command, options->play);
+  addExamples(*command,
+              {"amble graph query walks.graph --from Walk1:60 --to WalkToRun:120",
+               "amble graph play walks.graph Walk1:60-147,WalkToRun:69-120 -o out/speedup.bvh"});
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      const KeptGraph kept = readFreshGraph(options->play.graph);
+      return playRanges(kept, options->play, rangesNamed(kept, options->ranges, "RANGES"));
+    };
+  });
+}
+
+}  // namespace amble
