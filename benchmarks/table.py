@@ -103,6 +103,13 @@ def synthesis(table):
     table.compare("poses of a walk made", ours, peer, "plain Eigen -O3, without steps and footholds", 15)
 
 
+def engine(table):
+    found = run.rows("engine")
+    cycle, pose = (found[row]["cpu_time"] * 1e-9 for row in ("engineCycle", "enginePose"))
+    table.within("a cycle of the speed engine at another speed (Glardon 2004: 0.8 ms)", cycle, 50e-6)
+    table.add("a pose of the speed engine at any speed and phase", duration(pose))
+
+
 def bvh(table):
     found = run.rows("bvh")
     for measure, row, peer, name, least in (
@@ -220,6 +227,7 @@ PARTS = {
     "collision": (collision, ["collision_benchmark"]),
     "decisions": (decisions, ["decisions_benchmark"]),
     "synthesis": (synthesis, ["synthesis_benchmark"]),
+    "engine": (engine, ["engine_benchmark"]),
     "bvh": (bvh, ["bvh_benchmark"]),
     "ground": (ground, ["ground_benchmark"]),
     "plants": (plants, ["plants_benchmark"]),

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/ease.h"
 #include "base/rotation.h"
 
 namespace amble {
@@ -80,23 +81,51 @@ bool SpeedEngine::isCaptured(double speed) const {
 double SpeedEngine::runShare(double speed) const {
   if (!data_.run) return 0.0;
   if (!data_.walk) return 1.0;
-  return std::clamp((clamped(speed) - walk_top_) / (run_bottom_ - walk_top_), 0.0, 1.0);
+  return smoothstep((clamped(speed) - walk_top_) / (run_bottom_ - walk_top_));
+}
+
+// By the law v / f = x^(1 - power); a parabola below kCrawl, with the same value and slope there.
+double SpeedEngine::strideShare(double x) const {
+  const double power = data_.walk->law.law.power;
+  if (x >= kCrawl) return std::pow(x, 1.0 - power);
+  return std::pow(kCrawl, -power) * x * (1.0 + power - power * x / kCrawl);
 }
 
 double SpeedEngine::frequency(double speed) const {
   const double v = clamped(speed), run = runShare(speed);
   double f = 0.0;
-  if (run > 0.0) f += run * data_.run->law.law(std::max(v, run_bottom_) / leg_);
+  if (run > 0.0) f += run * data_.run->law.law(std::max(v, run_bottom_) / leg_);  // eq. 6
   if (run < 1.0) {
-    const double walk = std::clamp(v, kCrawl * data_.walk->slowest(), walk_top_);
-    f += (1.0 - run) * data_.walk->law.law(walk / leg_);  // eq. 6
+    const double x = v / data_.walk->slowest();
+    // v / stride: below kCrawl the speed cancels out.
+    const double power = data_.walk->law.law.power;
+    const double crawl = data_.walk->law.law(kCrawl * data_.walk->slowest() / leg_);
+    f += (1.0 - run) * (x >= kCrawl ? data_.walk->law.law(std::min(v, walk_top_) / leg_)
+                                    : crawl / (1.0 + power - power * x / kCrawl));
   }
   return f;
 }
 
 double SpeedEngine::walkShare(double speed) const {
-  if (!data_.walk || speed >= data_.walk->slowest()) return 1.0;
-  return stepLength(speed) / stepLength(data_.walk->slowest());
+  if (!data_.walk) return 1.0;
+  const double x = clamped(speed) / data_.walk->slowest();
+  if (x >= 1.0 + kBend) return 1.0;
+  if (x <= 1.0 - kBend) return strideShare(x);
+  // From there a cubic to 1, with no slope at its end.
+  constexpr double kBegin = 1.0 - kBend, kWidth = 2.0 * kBend;
+  const double t = (x - kBegin) / kWidth, begin = strideShare(kBegin);
+  const double slope = (1.0 - data_.walk->law.law.power) * begin / kBegin * kWidth;
+  return begin + slope * t * (1.0 - t) * (1.0 - t) + (1.0 - begin) * t * t * (3.0 - 2.0 * t);
+}
+
+// The slowest walk's below it, then the speed itself; a parabola between.
+double SpeedEngine::walkSpeed(double speed) const {
+  const double slow = data_.walk->slowest();
+  const double x = clamped(speed) / slow;
+  if (x <= 1.0 - kBend) return slow;
+  const double beyond = x - 1.0 + kBend;
+  const double bent = x >= 1.0 + kBend ? x : 1.0 + beyond * beyond / (4.0 * kBend);
+  return std::min(slow * bent, std::max(slow, walk_top_));
 }
 
 SpeedEngine::Reading SpeedEngine::readingAt(double phase) {
@@ -114,9 +143,8 @@ SpeedEngine::Weights SpeedEngine::weigh(double speed) const {
   Weights weights;
   weights.stand = 1.0 - share;
   if (run < 1.0) {
-    const double s = std::clamp(v, data_.walk->slowest(), walk_top_);
     weights.arrays[0] = share * (1.0 - run);
-    weights.arrays[1] = weights.arrays[0] * s;
+    weights.arrays[1] = weights.arrays[0] * walkSpeed(speed);
   }
   if (run > 0.0) {
     weights.arrays[2] = run;
@@ -163,7 +191,7 @@ double SpeedEngine::mixed(double speed, const SpeedLine& walk, const SpeedLine& 
   const double v = clamped(speed), share = walkShare(speed), running = runShare(speed);
   double value = (1.0 - share) * stand;
   if (running < 1.0) {
-    value += share * (1.0 - running) * walk.at(std::clamp(v, data_.walk->slowest(), walk_top_));
+    value += share * (1.0 - running) * walk.at(walkSpeed(speed));
   }
   if (running > 0.0) value += running * run.at(std::max(v, run_bottom_));
   return value;

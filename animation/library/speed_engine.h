@@ -130,8 +130,9 @@ class SpeedEngine {
   double stepLength(double speed) const {
     return 0.5 * clamped(speed) / frequency(speed);
   }  ///< [m]
-  /// How much of the slowest captured walk is in a walk: 1 from its speed on, 0 standing. By the
-  /// lengths of the strides, v / f: the swing of the legs is then what the root goes on by.
+  /// How much of the slowest captured walk is in a walk: 1 from somewhat above its speed on, 0
+  /// standing. By the length of the stride, v / f: the swing of the legs is then what the root goes
+  /// on by.
   double walkShare(double speed) const;
   double runShare(double speed) const;  ///< 0 in walks, 1 in runs
   /// Share of the cycle with both feet down around phase 0 and 0.5; negative: with neither.
@@ -146,9 +147,12 @@ class SpeedEngine {
   /// The same as the libraries' cycles are.
   WalkCycle walkCycleAt(double speed) const;
 
-  /// Of the slowest captured walk: below it the cadence is held, that walking may begin from
-  /// standing; nobody walks so slowly [1].
+  /// Of the slowest captured walk. Below, strides grow from standing as a parabola, that walking
+  /// may begin and end there: by the law alone they would leap from 0. Nobody walks so slowly [1].
   static constexpr double kCrawl = 0.2;
+  /// Half of the range, of that walk's speed, over which the piece to standing bends into the
+  /// lines: by trial, joints jerk where it is narrower and the speed rises through it [1].
+  static constexpr double kBend = 0.15;
 
  private:
   // What is weighted: X(speed) = sum of weight * array.
@@ -163,6 +167,8 @@ class SpeedEngine {
   };
   static Reading readingAt(double phase);
   Weights weigh(double speed) const;
+  double strideShare(double x) const;    // of the slowest walk's stride at x times its speed
+  double walkSpeed(double speed) const;  // at which the lines of walks are read [m/s]
   Eigen::Vector3d threeAt(const Weights& weights, const Reading& reading, Eigen::Index row) const;
   double mixed(double speed, const SpeedLine& walk, const SpeedLine& run, double stand) const;
 

@@ -156,6 +156,19 @@ struct Captured {
   std::vector<EngineClip> clips;
 };
 
+// The samples of a cycle without what its capture shakes (kMaxHarmonics), nor the edge where its
+// ends are put together.
+Eigen::MatrixXd smoothed(const Eigen::MatrixXd& samples) {
+  std::vector<double> phases;
+  for (Eigen::Index i = 0; i < samples.cols(); ++i) {
+    phases.push_back(static_cast<double>(i) / static_cast<double>(samples.cols()));
+  }
+  const FourierSeries series = fitFourier(samples, phases, kMaxHarmonics);
+  Eigen::MatrixXd smooth(samples.rows(), samples.cols());
+  for (Eigen::Index i = 0; i < samples.cols(); ++i) smooth.col(i) = fourierAt(series, phases[i]);
+  return smooth;
+}
+
 // `level` is on the engine's skeleton; its first frame is `first_frame` of the file.
 void takeCycles(const MotionLibrary& rig, const Clip& level, int first_frame,
                 const EngineCapture& from, Gait gait, Captured& out) {
@@ -164,7 +177,8 @@ void takeCycles(const MotionLibrary& rig, const Clip& level, int first_frame,
   EngineClip clip;
   clip.source = {from.clip, {first_frame + level.frames(), 0}, false, from.licence, from.credit};
   for (const Stretch& stretch : findStretches(track, options, gait)) {
-    CycleSamples samples = sampleCycle(track, stretch, gait, rig.stand().rotations, kEnginePhases);
+    const CycleSamples samples =
+        sampleCycle(track, stretch, gait, rig.stand().rotations, kEnginePhases);
     clip.speed += samples.speed;
     clip.frequency += 1.0 / samples.period;
     clip.cycles += 1;
@@ -172,7 +186,7 @@ void takeCycles(const MotionLibrary& rig, const Clip& level, int first_frame,
     frames[0] = std::min(frames[0], first_frame + static_cast<int>(stretch.begin));
     frames[1] = std::max(frames[1], first_frame + static_cast<int>(stretch.end));
     out.cycles.push_back({static_cast<int>(out.clips.size()), samples.speed, samples.period,
-                          std::move(samples.channels), samples.support, samples.step_width,
+                          smoothed(samples.channels), samples.support, samples.step_width,
                           samples.foot_forward, samples.toe_out});
   }
   clip.speed /= clip.cycles;

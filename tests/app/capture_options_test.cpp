@@ -452,6 +452,47 @@ TEST_F(CaptureOptions, OfLibraryAdd) {
   expectEach("library add", uses);
 }
 
+TEST_F(CaptureOptions, OfLibraryEngine) {
+  const std::string build = "library engine build ";
+  Uses uses = reading([&](const std::string& clip) { return build + "'" + clip + "' -o n.yaml"; });
+  const auto made = [&](const std::string& option) {
+    good(build + "in/walk.bvh -o e.yaml " + option);
+    return printed("library engine show --json e.yaml")[0];
+  };
+  const json plain = made("");
+  const auto speedOf = [](const json& engine) { return engine["fastest"].get<double>(); };
+  uses["--unit"] = [&] { EXPECT_NEAR(speedOf(made("--unit 0.012")), 1.2 * speedOf(plain), 1e-3); };
+  uses["--up"] = [&] { EXPECT_EQ(made("--up y"), plain); };
+  uses["--facing"] = [&] { EXPECT_NEAR(speedOf(made("--facing 90")), speedOf(plain), 1e-5); };
+  uses["--roles"] = [&] { EXPECT_EQ(made("--roles in/roles.yaml"), plain); };
+  uses["--file-fps"] = [&] {
+    EXPECT_NEAR(speedOf(made("--file-fps 33")), 1.1 * speedOf(plain), 0.05);
+  };
+  uses["--output"] = [&] {
+    expectRefused(build + "in/walk.bvh", {"--output"});
+    expectRefused(build + "in/walk.bvh -o in/walk.bvh", {"walk.bvh: is no name of an engine"});
+    expectRefused(build + "in/walk.bvh -o in/room.yaml", {"room.yaml: is no speed engine"});
+  };
+  uses["--variance"] = [&] {
+    expectRefused(build + "in/walk.bvh -o e.yaml --variance 2", {"--variance", "0 to 1"});
+    const std::string some = captureFolder() + "cmu_mb2/07_0[135].bvh -o e.yaml --variance ";
+    const auto components = [&](const std::string& variance) {
+      good(build + some + variance);
+      return printed("library engine show --json e.yaml")[0]["walk"]["components"].size();
+    };
+    EXPECT_LT(components("0.5"), components("0.95"));
+  };
+  const auto source = [&](const char* key, const std::string& option) {
+    return made(option)["walk"]["clips"][0][key];
+  };
+  uses["--licence"] = [&] { EXPECT_EQ(source("licence", "--licence 'A B'"), "A B"); };
+  uses["--credit"] = [&] { EXPECT_EQ(source("credit", "--credit 'C D'"), "C D"); };
+  expectEach("library engine build", uses);
+  expectEach("library engine show",
+             {{"--json", [&] { EXPECT_EQ(plain["kind"], "speed engine"); }}});
+  EXPECT_NE(good("inspect e.yaml").out.find("speed engine"), std::string::npos);
+}
+
 TEST_F(CaptureOptions, OfLibraryFind) {
   const std::string find = "library find in/walk.bvh --type walk ";
   Uses uses = reading([](const std::string& clip) {

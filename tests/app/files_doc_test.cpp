@@ -166,6 +166,21 @@ TEST_F(FilesPage, ItHasTheKeysThatTheReadersKnow) {
   EXPECT_EQ(leavesOf(documentedKeys("Motion library")), leavesOf(library));
 }
 
+TEST_F(FilesPage, ItHasTheKeysOfASpeedEngine) {
+  for (const char* const speed : {"0.7", "1.1", "1.5"}) {
+    ASSERT_EQ(run(std::string("animate -o ") + speed + ".bvh --duration 6 --speed " + speed).status,
+              0);
+  }
+  ASSERT_EQ(run("library engine build 0.7.bvh 1.1.bvh 1.5.bvh -o engine.yaml").status, 0);
+  // Components are indented otherwise than clips: of items that begin alike only one is tried.
+  std::string text = read("engine.yaml");
+  const size_t components = text.find("\n", text.find("  components:"));
+  text.replace(components, text.npos,
+               std::regex_replace(text.substr(components), std::regex("\n +"), "$&  "));
+  write("engine.yaml", text);
+  EXPECT_EQ(leavesOf(documentedKeys("Speed engine")), leavesOf(knownKeys("engine.yaml")));
+}
+
 TEST_F(FilesPage, ItHasTheResultsWithTheirColumnsAndArrays) {
   ASSERT_EQ(run("plan walk.yaml -o walk --formats csv,npz,sdf,glb,svg,html,json").status, 0);
   const std::string page = textOf(sourceFolder() / "docs/files.md");

@@ -27,7 +27,8 @@ TEST_F(Options, EveryCommandIsTriedHere) {
                                       "help", "completion"}));
   EXPECT_EQ(listed("graft", "Subcommands:"), (std::vector<std::string>{"all"}));
   EXPECT_EQ(listed("library", "Subcommands:"),
-            (std::vector<std::string>{"build", "show", "add", "check", "find"}));
+            (std::vector<std::string>{"build", "show", "add", "check", "find", "engine"}));
+  EXPECT_EQ(listed("library engine", "Subcommands:"), (std::vector<std::string>{"build", "show"}));
   EXPECT_EQ(optionsOf("library"), std::set<std::string>{});
   EXPECT_EQ(optionsOf(""), std::set<std::string>{"--version"});
 }
@@ -370,7 +371,34 @@ class AnimateOptions : public Options {
   }
   Uses ofTheWalk() const;
   Uses ofTheClip() const;
+  void expectEngineWalks() const;
 };
+
+// Of an engine made of three walks of ours, the speed as it is asked for, and along a ramp.
+void AnimateOptions::expectEngineWalks() const {
+  for (const char* const speed : {"0.8", "1.1", "1.5"}) {
+    good(std::string("animate -o ") + speed + ".bvh --duration 6 --speed " + speed);
+  }
+  good("library engine build 0.8.bvh 1.1.bvh 1.5.bvh -o e.yaml");
+  const std::string engine = "--engine e.yaml --speed ";
+  EXPECT_NEAR(measured(engine + "0.95", "speed"), 0.95, 0.01);
+  const Clip ramp = clipOf(engine + "0.6..1.4");
+  EXPECT_NEAR(rise(ramp).x(), 4.0, 0.1);
+  const int second = static_cast<int>(std::lround(1.0 / ramp.frame_time));
+  const auto way = [&](int from) {
+    return (ramp.poses.p_WR(from + second) - ramp.poses.p_WR(from)).x();
+  };
+  EXPECT_GT(way(3 * second), 1.5 * way(0));
+  EXPECT_NE(good("animate -o a.bvh --duration 2 " + engine + "3").err.find("1.50 is taken"),
+            std::string::npos);
+  good("animate -o a.glb --duration 2 " + engine + "1");
+  for (const char* const also : {"--turn 5", "--stride 0.6", "--incline 3", "--lift 0.1",
+                                 "--stairs .1,.3", "--action carry", "--library default"}) {
+    expectRefused("animate -o a.bvh " + engine + "1 " + also, {"--engine"});
+  }
+  expectRefused("animate -o a.bvh --speed 0.6..1.4", {"--speed", "0.3 to 2 m/s", "--engine"});
+  expectRefused("animate -o a.bvh --engine in/room.yaml", {"in/room.yaml:"});
+}
 
 AnimateOptions::Uses AnimateOptions::ofTheWalk() const {
   return {
@@ -436,6 +464,7 @@ AnimateOptions::Uses AnimateOptions::ofTheClip() const {
              EXPECT_EQ(named.frames(), clipOf("").frames());
              expectRefused("animate -o a.bvh --library in/none.yaml", {"in/none.yaml: "});
            }},
+          {"--engine", [this] { expectEngineWalks(); }},
           {"--fps", [this] { EXPECT_NEAR(clipOf("--fps 30").frame_time, 1.0 / 30.0, 1e-6); }},
           {"--bvh-units",
            [this] {
