@@ -8,6 +8,7 @@
 
 #include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
+#include "animation/editing/foot_lock.h"
 #include "app/graph_words.h"
 #include "app/motion_output.h"
 #include "app/say.h"
@@ -26,6 +27,7 @@ struct PlayOptions {
   MotionOutput out;
   double blend = kGraphBlend;  // [s]
   double fps = 0.0;            // [1/s]; 0: the graph's
+  bool foot_lock = false;
 };
 
 // The clips of these ranges, read again as they were for the graph, after the first clip, whose
@@ -122,7 +124,8 @@ int playRanges(const KeptGraph& kept, const PlayOptions& options, std::vector<Na
   }
   const GraphClips clips = readAgain(kept, options, ranges);
   const int blend = static_cast<int>(std::lround(options.blend / clips.frame_time));
-  const JoinedClip motion = played(clips, inFrames(clips, ranges), blend);
+  JoinedClip motion = played(clips, inFrames(clips, ranges), blend);
+  if (options.foot_lock) motion.clip = lockFeet(motion.clip, clips.roles, plantsOf(motion.planted));
   write(options.out, motion.clip, clips.roles);
   report(options, kept.graph, motion, meetings);
   return kExitDone;
@@ -134,6 +137,8 @@ void addPlaying(CLI::App& command, PlayOptions& options) {
       ->capture_default_str();
   command.add_option("--fps", options.fps, "Frames a second; default: the graph's")
       ->check(number(1, 1000, "1/s"));
+  command.add_flag("--footlock", options.foot_lock,
+                   "Hold planted feet where they stand, what slips at joins too");
 }
 
 struct LoopArguments {

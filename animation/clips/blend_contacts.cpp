@@ -118,9 +118,9 @@ class LegSolver {
 };
 
 // Corrections of one foot over the frames that any of its holds reaches.
-class FootTrack {
+class CorrectionTrack {
  public:
-  FootTrack(const Clip& clip, const JointRoles& roles, Side side, const BlendFeet& blend)
+  CorrectionTrack(const Clip& clip, const JointRoles& roles, Side side, const BlendFeet& blend)
       : clip_(clip), roles_(roles), side_(side), blend_(blend) {}
 
   // Knots: a fade before the holds, one at each end of each, a fade behind the last.
@@ -165,7 +165,7 @@ class FootTrack {
   }
 
   Correction asked(const FootHold& hold, int i) const {
-    const JointFrame &a = blend_.before[i][side_], &b = blend_.after[i][side_];
+    const JointFrame &a = blend_.before[i][side_].joint, &b = blend_.after[i][side_].joint;
     return correctionOf(footAt(i), mixed(a, b, weightOf(hold, i)));
   }
 
@@ -205,19 +205,23 @@ void measureSlip(const Clip& clip, const JointRoles& roles, const BlendFeet& ble
   std::vector<JointFrame> joints(clip.skeleton.size());
   const int end = static_cast<int>(blend.before.size()) - 1;
   for (int i = hold.first; i <= hold.last; ++i) {
-    const Eigen::Vector3d &a = blend.before[i][hold.side].p_WJ, &b = blend.after[i][hold.side].p_WJ;
+    const Eigen::Vector3d &a = blend.before[i][hold.side].toe, &b = blend.after[i][hold.side].toe;
     Eigen::Vector3d off = b - a;
     if (hold.which != ContactCase::kSlips) {
       forwardKinematics(clip, blend.first + i, joints);
       const bool first = hold.which == ContactCase::kBefore ||
                          (hold.which == ContactCase::kWithin && hold.first + hold.last < end);
-      off = joints[roles.legs[hold.side].foot].p_WJ - (first ? a : b);
+      off = footFrame(joints, roles.legs[hold.side]).toe - (first ? a : b);
     }
     hold.slip = std::max(hold.slip, off.head<2>().norm());
   }
 }
 
 }  // namespace
+
+FootFrame footFrame(std::span<const JointFrame> joints, const LegJoints& leg) {
+  return {joints[leg.foot], joints[leg.toe >= 0 ? leg.toe : leg.foot].p_WJ};
+}
 
 std::vector<FootHold> contactsOf(Side side, const std::vector<bool>& before,
                                  const std::vector<bool>& after, int gap) {
@@ -254,7 +258,7 @@ void holdFeet(Clip& clip, const JointRoles& roles, const PlantedFrames& planted,
       if (hold.side == side) own.push_back(hold);
     if (own.empty()) continue;
     const std::vector<Correction> track =
-        FootTrack(clip, roles, side, blend).over(from, to, own, planted[side]);
+        CorrectionTrack(clip, roles, side, blend).over(from, to, own, planted[side]);
     const LegSolver solver(clip.skeleton, roles.legs[side], blend.knees[side]);
     for (int i = from; i <= to; ++i) {
       const Correction& c = track[i - from];

@@ -31,13 +31,20 @@ struct FootHold {
   Side side = kLeft;
   ContactCase which = ContactCase::kBefore;
   int first = 0, last = 0;  ///< frames; of the blend's, the first of which is 0, or of the motion's
-  /// How far off the way that it was to go the foot came to be at most, along the ground [m]; where
+  /// How far off the way that it was to go the toe came to be at most, along the ground [m]; where
   /// it slips, how far that takes it.
   double slip = 0.0;
 };
 
-/// Feet of a frame [World], by Side.
-using FootFrames = std::array<JointFrame, 2>;
+/// A foot at a frame [World].
+struct FootFrame {
+  JointFrame joint;
+  Eigen::Vector3d toe =
+      Eigen::Vector3d::Zero();  ///< its toe joint, or its joint where there is none
+};
+/// By Side.
+using FootFrames = std::array<FootFrame, 2>;
+FootFrame footFrame(std::span<const JointFrame> joints, const LegJoints& leg);
 
 /// The contacts of a foot over a blend of `before.size()` frames. @param before  whether it stands
 /// in the motion before, one value for each frame of the blend @param after  the same

@@ -73,7 +73,10 @@ std::vector<FootFrames> feetOf(const Clip& clip, const JointRoles& roles, int fi
   std::vector<FootFrames> feet(count);
   for (int i = 0; i < count; ++i) {
     forwardKinematics(clip, first + i, joints);
-    for (const Side side : {kLeft, kRight}) feet[i][side] = moved * joints[roles.legs[side].foot];
+    for (const Side side : {kLeft, kRight}) {
+      const FootFrame foot = footFrame(joints, roles.legs[side]);
+      feet[i][side] = {moved * foot.joint, moved * foot.toe};
+    }
   }
   return feet;
 }
@@ -130,7 +133,7 @@ std::vector<RootPlace> sparingFeet(const Window& w, const std::vector<RootPlace>
   for (const FootHold& foot : feet) {
     if (foot.which != ContactCase::kSlips) continue;
     for (size_t i = 0; i < before.size(); ++i, ++count)
-      slip += (after[i][foot.side].p_WJ - before[i][foot.side].p_WJ).head<2>();
+      slip += (after[i][foot.side].toe - before[i][foot.side].toe).head<2>();
   }
   if (count == 0 || w.frames == 0) return places;
   constexpr int kHalvings = 10;  // to a thousandth of the way
@@ -147,10 +150,11 @@ std::vector<bool> part(const std::vector<bool>& values, int first, int count) {
   return {values.begin() + first, values.begin() + first + count};
 }
 
+// What stands within a blend is what is held there; a cut has the first motion's last frame.
 void joinPlanted(std::vector<bool>& planted, const std::vector<bool>& next, const Window& w) {
-  const int half = w.frames / 2;
-  planted.resize(w.before + half);
-  planted.insert(planted.end(), next.begin() + w.after + half, next.end());
+  planted.resize(w.before + (w.frames == 0 ? 1 : 0));
+  if (w.frames > 0) planted.insert(planted.end(), w.frames + 1, false);
+  planted.insert(planted.end(), next.begin() + w.after + w.frames + 1, next.end());
 }
 
 }  // namespace

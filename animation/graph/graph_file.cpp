@@ -22,9 +22,10 @@ static_assert(std::endian::native == std::endian::little, "files are little-endi
 constexpr FileKind kGraphKind = {"a cluster graph (amble graph build)", kMaxGraphFile};
 constexpr std::string_view kTitle = "amble graph 1\n";
 constexpr std::string_view kAnyTitle = "amble graph ";
-constexpr size_t kDigest = 64;            // of SHA-256, in hexadecimal [bytes]
-constexpr double kLongestFrame = 10.0;    // [s]
-constexpr double kMostSteps = 1e5;        // frames of a file for one of the graph's
+constexpr size_t kDigest = 64;          // of SHA-256, in hexadecimal [bytes]
+constexpr double kLongestFrame = 10.0;  // [s]
+constexpr double kMostSteps = 1e5;      // frames of a file for one of the graph's
+constexpr double kMostFileFrames = 1e9;
 constexpr float kLargestFeature = 1e6f;   // [m]
 constexpr int kMostFrames = 100'000'000;  // so that sums of two stay whole numbers
 
@@ -85,7 +86,8 @@ const char* faultOf(const std::vector<GraphClip>& clips, int frames) {
   for (const GraphClip& clip : clips) {
     if (clip.first != first || clip.frames < 1 || clip.frames > frames - first ||
         clip.first_frame < 0 || clip.first_frame > kMostFrames ||
-        !(clip.step > 0.0 && clip.step <= kMostSteps))
+        !(clip.step > 0.0 && clip.step <= kMostSteps) ||
+        clip.first_frame + clip.step * clip.frames > kMostFileFrames)
       return "a clip of no frames";
     first += clip.frames;
   }
@@ -255,7 +257,7 @@ std::string whatChanged(const KeptGraph& kept, const fs::path& graph_file) {
       if (!seen.insert(input.path).second) continue;
       const fs::path file = inputFile(graph_file, input);
       std::error_code error;
-      if (!fs::exists(file, error))
+      if (!fs::is_regular_file(file, error))
         changed.push_back(input.path + " (missing)");
       else if (sha256OfFile(file) != input.sha256)
         changed.push_back(input.path);

@@ -195,6 +195,13 @@ TEST_F(GraphCommand, OptionsOfLoopAndPlay) {
                    good(command + "-o out.bvh --blend 1");
                    EXPECT_NE(read("out.bvh"), cut);
                  }},
+                {"--footlock",
+                 [this, command] {
+                   good(command + "-o out.bvh");
+                   const std::string free = read("out.bvh");
+                   good(command + "-o out.bvh --footlock");
+                   EXPECT_NE(read("out.bvh"), free);
+                 }},
                 {"--fps", [this, command] {
                    good(command + "-o out.bvh --fps 60");
                    EXPECT_NEAR(written().frame_time, 1.0 / 60.0, 1e-6);

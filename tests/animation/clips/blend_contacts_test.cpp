@@ -86,7 +86,7 @@ TEST(BlendContacts, HeldFeetKeepToTheirSourcesAndEveryCaseComesUp) {
       for (const FootHold& hold : report.feet) {
         ++seen[hold.which];
         std::vector<JointFrame> joints(walk.clip.skeleton.size());
-        const int foot = walk.roles.legs[hold.side].foot;
+        const int foot = walk.roles.legs[hold.side].toe;
         const auto at = [&](const Clip& clip, int frame) {
           forwardKinematics(clip, frame, joints);
           return joints[foot].p_WJ;
