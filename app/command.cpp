@@ -22,6 +22,13 @@ bool within(std::string_view text, double min, double max) {
   return value && *value >= min && *value <= max;
 }
 
+/// `1.2x`
+std::optional<double> factorOf(std::string_view text) {
+  if (text.empty() || text.back() != 'x') return std::nullopt;
+  const std::optional<double> value = numberOf(text.substr(0, text.size() - 1));
+  return value && *value > 0.0 && *value <= 100.0 ? value : std::nullopt;
+}
+
 double numberIn(std::string_view text) { return numberOf(text).value_or(0.0); }
 
 }  // namespace
@@ -39,6 +46,24 @@ CLI::Validator ramp(double min, double max, const std::string& unit) {
 Ramp readRamp(const std::string& text) {
   const auto [from, to] = sides(text, "..");
   return {numberIn(from), numberIn(to)};
+}
+
+CLI::Validator amount(double min, double max, const std::string& unit) {
+  const std::string wanted =
+      fmt::format("{0} to {1} {2}, a factor as 1.2x, or FROM..TO", min, max, unit);
+  const auto check = [=](const std::string& text) -> std::string {
+    const auto [from, to] = sides(text, "..");
+    if (within(from, min, max) && within(to, min, max)) return "";
+    if (factorOf(from) && factorOf(to)) return "";
+    return fmt::format("is '{}'; expected {}", text, wanted);
+  };
+  return CLI::Validator(check, fmt::format("[{}]", wanted));
+}
+
+std::pair<Ramp, bool> readAmount(const std::string& text) {
+  const auto [from, to] = sides(text, "..");
+  if (factorOf(from)) return {{*factorOf(from), factorOf(to).value_or(0.0)}, true};
+  return {readRamp(text), false};
 }
 
 CLI::Validator twoNumbers(const Ramp& first, const Ramp& second, const std::string& unit) {

@@ -21,6 +21,7 @@ void addValidate(CLI::App& app, Command& chosen);
 void addAnimate(CLI::App& app, Command& chosen);
 void addAnalyse(CLI::App& app, Command& chosen);
 void addLibrary(CLI::App& app, Command& chosen);
+void addEdit(CLI::App& app, Command& chosen);
 void addConvert(CLI::App& app, Command& chosen);
 void addGraft(CLI::App& app, Command& chosen);
 void addInspect(CLI::App& app, Command& chosen);
@@ -35,6 +36,10 @@ CLI::Validator number(double min, double max, const std::string& unit = "");
 /// Accepts a Ramp as text whose ends are within a range.
 CLI::Validator ramp(double min, double max, const std::string& unit);
 Ramp readRamp(const std::string& text);  ///< @pre ramp() has accepted it
+/// Accepts what ramp() does, and factors with an `x` behind each number.
+CLI::Validator amount(double min, double max, const std::string& unit);
+/// The numbers, and whether they are factors. @pre amount() has accepted it
+std::pair<Ramp, bool> readAmount(const std::string& text);
 /// Accepts two numbers with a comma between them, each within its range.
 CLI::Validator twoNumbers(const Ramp& first, const Ramp& second, const std::string& unit);
 std::pair<double, double> readTwoNumbers(const std::string& text);  ///< @pre accepted

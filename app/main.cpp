@@ -44,6 +44,7 @@ void addCommands(CLI::App& app, Command& chosen) {
   addAnimate(app, chosen);
   addAnalyse(app, chosen);
   addLibrary(app, chosen);
+  addEdit(app, chosen);
   addConvert(app, chosen);
   addGraft(app, chosen);
   addInspect(app, chosen);

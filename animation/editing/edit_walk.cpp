@@ -131,9 +131,11 @@ void walkOn(const CapturedWalk& walk, const EditRequest& request, double arrival
   }
   const Eigen::Vector2d way = path.at(path.frames() - 1) - path.at(0);
   const double length = std::max(1e-3, way.norm() * factor(0.5));
+  result.place.origin = path.at(0);
+  result.place.heading = std::atan2(way.y(), way.x());
   result.ground = std::make_unique<PlacedGround>(
-      std::make_unique<SlopeGround>(incline.from, incline.to, length, std::atan2(way.y(), way.x())),
-      path.at(0));
+      std::make_unique<SlopeGround>(incline.from, incline.to, length, result.place.heading),
+      result.place.origin);
   putOnGround(*result.ground, tracks);
 }
 
@@ -146,8 +148,10 @@ void climb(const CapturedWalk& walk, const StairSize& size, WalkTracks& tracks,
       walk, [&](int) { return factor; }, tracks);
   StairClimb stairs = climbStairs(walk, path, size, prints, tracks);
   result.refused = stairs.refused;
-  result.ground = std::move(stairs.ground);
-  result.treads = stairs.treads;
+  if (!result.refused.empty()) return;
+  result.place = {stairs.origin, stairs.stairs.heading, stairs.stairs};
+  result.ground =
+      std::make_unique<PlacedGround>(std::make_unique<StairGround>(stairs.stairs), stairs.origin);
 }
 
 void lift(const CapturedWalk& walk, const EditAmount& amount, WalkTracks& tracks) {

@@ -50,14 +50,21 @@ struct EditRequest {
   bool changesWalk() const { return stride || lift || incline || stairs || arrive; }
 };
 
+/// Where slope or stairs lie.
+struct EditedGround {
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< height 0, where the walk begins [m, World]
+  double heading = 0.0;                              ///< in which they go up or down [rad]
+  Stairs stairs{.count = 0};                         ///< from there; count 0: none
+};
+
 struct EditedWalk {
   std::string refused;  ///< why there is none, or ""; then the rest is of no use
   Clip clip;
   std::unique_ptr<Ground> ground;  ///< that it walks on
+  EditedGround place;
   TrackFit fit;
   double lock_moved = 0.0;  ///< how far a foot was moved at most to be held [m, >= 0]
   double stride = 1.0;      ///< factor that an arrival took [1, > 0]
-  int treads = 0;           ///< that stairs have
 };
 
 /// @pre whyNoWalk(walk) is "" where the request changes the walk; factors within EditLimits

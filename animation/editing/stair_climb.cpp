@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "animation/editing/stair_swing.h"
-#include "animation/ground/placed_ground.h"
 #include "base/cubic_spline.h"
 #include "base/rotation.h"
 
@@ -129,16 +128,16 @@ StairClimb climbStairs(const CapturedWalk& walk, const WalkPath& path, const Sta
     climb.refused = "no foot goes on by a step in it";
     return climb;
   }
-  climb.treads = static_cast<int>(all.back()->height);
+  const int treads = static_cast<int>(all.back()->height);
   placePrints(*flight, size, prints);
-  Stairs stairs;
+  Stairs& stairs = climb.stairs;
   stairs.rise = size.rise;
   stairs.going = size.going;
-  stairs.count = climb.treads + 2;  // for a foot that is on its way at the end
+  stairs.count = treads + 2;  // for a foot that is on its way at the end
   stairs.start = 0.5 * size.going + (size.rise > 0.0 ? kBackUp : -kAheadDown) - flight->begin;
   stairs.heading = std::atan2(flight->heading.y(), flight->heading.x());
   moveRoot(*flight, path, size, tracks);
-  climb.ground = std::make_unique<PlacedGround>(std::make_unique<StairGround>(stairs), line.origin);
+  climb.origin = line.origin;
   swingOver(walk, stairs, line.origin, prints, tracks);
   return climb;
 }

@@ -7,12 +7,11 @@
 /// smooth curve.
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "animation/editing/foot_prints.h"
 #include "animation/editing/walk_path.h"
-#include "animation/ground/ground.h"
+#include "animation/ground/stair_ground.h"
 
 namespace amble {
 
@@ -22,9 +21,9 @@ struct StairSize {
 };
 
 struct StairClimb {
-  std::string refused;             ///< why there is none, or ""
-  std::unique_ptr<Ground> ground;  ///< the stairs, of which no print lies outside
-  int treads = 0;                  ///< that are climbed
+  std::string refused;  ///< why there is none, or ""
+  Stairs stairs;        ///< as they lie from where the walk begins; no print is outside
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< where that is [m, World]
 };
 
 /// Moves root and feet: each step goes to the next tread, but one that puts a foot beside the

@@ -16,8 +16,12 @@ namespace {
 // captures.
 constexpr double kBehindAnkle = 0.055, kBeyondToe = 0.07;
 constexpr double kFlatAt = 0.4;       // of a plant: the heel is down, and not up again yet
-constexpr double kCurveWidth = 0.05;  // of what is added to clear the stairs [s]
+constexpr double kCurveWidth = 0.07;  // of what is added to clear the stairs [s]
+constexpr double kLeaves = 0.1;       // of a swing, at both ends, in which a foot leaves or lands
 constexpr double kEarly = 8.0;        // what it costs that a foot which stands would have to rise
+
+// What it costs to go later and rise faster; 0.5 of the time is as bad as 1.0 of the power [m].
+constexpr double kHurry = 0.02;
 
 /// When a foot goes ahead, and when it rises or falls.
 struct SwingTiming {
@@ -37,6 +41,11 @@ struct StairSwing {
   bool up() const { return stairs.rise > 0.0; }
   int begin() const { return from->last; }
   int end() const { return to->first; }
+  /// 0 when it begins, 1 when it ends.
+  double time(int frame) const {
+    const double length = std::max(1, end() - begin());
+    return std::clamp((frame - begin()) / length, 0.0, 1.0);
+  }
 };
 
 double treadHeight(const Stairs& stairs, double along) {
@@ -44,10 +53,10 @@ double treadHeight(const Stairs& stairs, double along) {
   return stairs.rise * std::clamp(risers, 0.0, static_cast<double>(stairs.count));
 }
 
-/// The highest ground within kAheadOfRiser.
-double highestAbout(const Stairs& stairs, double along) {
-  return std::max(treadHeight(stairs, along - kAheadOfRiser),
-                  treadHeight(stairs, along + kAheadOfRiser));
+/// The highest ground from one place to another and kAheadOfRiser beyond.
+double highestBetween(const Stairs& stairs, double a, double b) {
+  return std::max(treadHeight(stairs, std::min(a, b) - kAheadOfRiser),
+                  treadHeight(stairs, std::max(a, b) + kAheadOfRiser));
 }
 
 /// How far the foot is moved at a frame.
@@ -58,9 +67,7 @@ Eigen::Vector3d moveAt(const StairSwing& swing, const SwingTiming& timing, int f
   const double eased =
       swing.up() ? std::pow(inside, timing.power) : 1.0 - std::pow(1.0 - inside, timing.power);
   const Eigen::Vector2d way = to.toe + to.shift - from.toe - from.shift;
-  const double time = std::clamp(
-      static_cast<double>(frame - swing.begin()) / std::max(1, swing.end() - swing.begin()), 0.0,
-      1.0);
+  const double time = swing.time(frame);
   const double risen = swing.up() ? minimumJerk(time / timing.share)
                                   : 1.0 - minimumJerk((1.0 - time) / timing.share);
   Eigen::Vector3d move;
@@ -69,17 +76,42 @@ Eigen::Vector3d moveAt(const StairSwing& swing, const SwingTiming& timing, int f
   return move;
 }
 
-/// How much higher the foot has to be at each frame of the clip [m, >= 0]. Over the ground of a
-/// tread the sole need not be higher than it was captured over the floor, up to kOverNosing.
+/// How far a sole's point has to stay over the ground, whose height over the floor was captured.
+/// While the foot leaves and lands, what it was captured to do over the floor is enough.
+double wantedOver(double captured, double time) {
+  const double swings = smoothstep(std::min(time, 1.0 - time) / kLeaves);
+  return swings * kOverNosing + (1.0 - swings) * std::min(kOverNosing, captured);
+}
+
+/// Where a point of the sole is at a frame of the swing.
+struct SoleAt {
+  double along;     // the stairs [m]
+  double height;    // as it is moved [m]
+  double captured;  // over the floor [m]
+};
+
+SoleAt soleAt(const StairSwing& swing, const SwingTiming& timing, const Eigen::Vector3d& point,
+              int frame) {
+  const Eigen::Vector3d p = swing.foot.ankle[frame] + swing.foot.q_WF[frame] * point;
+  const Eigen::Vector3d moved = p + moveAt(swing, timing, frame);
+  return {(moved.head<2>() - swing.origin).dot(swing.heading), moved.z(), p.z()};
+}
+
+/// How much higher the foot has to be at each frame of the clip [m, >= 0]: over all that it passes
+/// from the frame before to the one behind.
 std::vector<double> missing(const StairSwing& swing, const SwingTiming& timing) {
   std::vector<double> missing(swing.foot.toe.size(), 0.0);
-  for (int i = swing.begin() + 1; i < swing.end(); ++i) {
-    const Eigen::Vector3d move = moveAt(swing, timing, i);
-    for (const Eigen::Vector3d& point : swing.sole) {
-      const Eigen::Vector3d p = swing.foot.ankle[i] + swing.foot.q_WF[i] * point;
-      const double along = (p.head<2>() + move.head<2>() - swing.origin).dot(swing.heading);
-      const double clear = std::max(0.0, p.z() - kOverNosing);
-      missing[i] = std::max(missing[i], highestAbout(swing.stairs, along) - move.z() - clear);
+  for (const Eigen::Vector3d& point : swing.sole) {
+    SoleAt before = soleAt(swing, timing, point, swing.begin());
+    SoleAt now = before;
+    for (int i = swing.begin() + 1; i < swing.end(); ++i) {
+      const SoleAt next = soleAt(swing, timing, point, i + 1);
+      if (i == swing.begin() + 1) now = soleAt(swing, timing, point, i);
+      const double ground = highestBetween(swing.stairs, before.along, next.along);
+      const double needed = ground + wantedOver(now.captured, swing.time(i)) - now.height;
+      missing[i] = std::max(missing[i], needed);
+      before = now;
+      now = next;
     }
   }
   return missing;
@@ -106,7 +138,8 @@ SwingTiming bestTiming(const StairSwing& swing) {
   double least = std::numeric_limits<double>::infinity();
   for (const double power : {1.0, 1.5, 2.0, 2.5, 3.0}) {
     for (const double share : {1.0, 0.8, 0.65, 0.5}) {
-      const double cost = added(swing, {power, share}).cost;
+      const double hurry = power - 1.0 + 1.0 / share - 1.0;
+      const double cost = added(swing, {power, share}).cost + kHurry * hurry;
       if (cost >= least - 1e-6) continue;
       least = cost;
       best = {power, share};
