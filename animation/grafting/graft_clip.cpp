@@ -48,14 +48,14 @@ class Passage {
         eases_in_(eases_in),
         eases_out_(eases_out) {}
 
-  int last() const { return first_ + upper_.size() - 1; }
   const PoseArray& upper() const { return upper_; }
 
-  // Frames [from, to] into `poses`, eased over so many frames.
-  void write(double ease, int from, int to, PoseArray& poses) const {
-    for (int i = std::max(from, first_); i <= std::min(to, last()); ++i) {
+  // The frames of the range into `poses`, eased over so many frames.
+  void write(double ease, PoseArray& poses) const {
+    const int last = first_ + upper_.size() - 1;
+    for (int i = first_; i <= last; ++i) {
       const double weight = (eases_in_ ? minimumJerk(share(i - first_, ease)) : 1.0) *
-                            (eases_out_ ? minimumJerk(share(last() - i, ease)) : 1.0);
+                            (eases_out_ ? minimumJerk(share(last - i, ease)) : 1.0);
       for (const int j : joints_) {
         const Eigen::Quaterniond& q = upper_.rotations(i - first_)[j];
         poses.rotations(i)[j] = weight == 1.0 ? q : base_.rotations(i)[j].slerp(weight, q);
@@ -107,7 +107,7 @@ double easeOf(const Passage& passage, const LocomotiveClip& base, const Graft& g
   double best = longest, least = std::numeric_limits<double>::infinity();
   for (int step = 0;; ++step) {
     const double ease = std::min(kShortestEase + step * kEaseStep, longest);
-    passage.write(ease / dt, graft.first, graft.last, poses);
+    passage.write(ease / dt, poses);
     const double excess = excessOf(jointPeaks(poses, dt, graft.joints, first, last), sources);
     if (excess < least) least = excess, best = ease;
     if (excess <= 1.0 || ease >= longest) return best;
@@ -198,7 +198,7 @@ Graft makeGraft(const LocomotiveClip& base, const LocomotiveClip& upper, const G
       sourcePeaks(base, plan.windows.base, passage.upper(), graft.joints);
   const double ease = wishes.ease ? std::min(*wishes.ease, 0.5 * (graft.last - graft.first) * dt)
                                   : easeOf(passage, base, graft, sources);
-  passage.write(ease / dt, graft.first, graft.last, graft.clip.poses);
+  passage.write(ease / dt, graft.clip.poses);
   graft.ease_in = eases_in ? ease : 0.0;
   graft.ease_out = eases_out ? ease : 0.0;
   graft.source_acceleration = largestAcceleration(sources);

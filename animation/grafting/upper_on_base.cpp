@@ -67,6 +67,8 @@ void followNamesake(const LocomotiveClip& upper, const ReferencePose& from, int 
 UpperOnBase upperOnBase(const LocomotiveClip& upper, const LocomotiveClip& base) {
   const Skeleton& skeleton = base.clip.skeleton;
   UpperOnBase result;
+  result.first = upper.first;
+  result.last = upper.last;
   if (sameRig(upper.clip.skeleton, skeleton)) {
     result.poses = upper.clip.poses;
     result.follows.assign(skeleton.size(), true);
@@ -93,10 +95,9 @@ UpperOnBase upperOnBase(const LocomotiveClip& upper, const LocomotiveClip& base)
 
 void UpperOnBase::at(double frame, const std::vector<int>& joints,
                      std::span<Eigen::Quaterniond> rotations) const {
-  const int last = poses.size() - 1;
-  const int i = std::clamp(static_cast<int>(std::floor(frame)), 0, last);
+  const int i = std::clamp(static_cast<int>(std::floor(frame)), first, last);
   const double t = std::clamp(frame - i, 0.0, 1.0);
-  const auto of = [&](int k) { return poses.rotations(std::clamp(k, 0, last)); };
+  const auto of = [&](int k) { return poses.rotations(std::clamp(k, first, last)); };
   for (const int j : joints) {
     const Eigen::Quaterniond& b = of(i)[j];
     if (t == 0.0 || i == last) {

@@ -12,9 +12,10 @@ struct UpperOnBase {
   /// that follow nothing mean nothing.
   PoseArray poses;
   std::vector<bool> follows;  ///< one value a joint of the base
+  int first = 0, last = 0;    ///< frames of the upper clip's motion: no others are looked at
 
   /// At a time between frames: a cubic through the four about it, at a frame that frame to the bit.
-  /// By slerp a clip of few frames a second would jerk at each. @param frame  [0, frames - 1]
+  /// By slerp a clip of few frames a second would jerk at each. @param frame  [first, last]
   void at(double frame, const std::vector<int>& joints,
           std::span<Eigen::Quaterniond> rotations) const;
 };

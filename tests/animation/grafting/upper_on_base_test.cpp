@@ -98,7 +98,7 @@ TEST(UpperOnBase, FingersFollowTheirNamesakesAndATailFollowsNothing) {
 
 // A turn at an even rate is one between frames as well, and smooth where they meet.
 TEST(UpperOnBase, BetweenFramesTurnsGoOnWithoutAJerk) {
-  UpperOnBase upper{PoseArray(1), {true}};
+  UpperOnBase upper{PoseArray(1), {true}, 0, 19};
   upper.poses.resize(20);
   for (int i = 0; i < 20; ++i) {
     const double t = 0.1 * i;
