@@ -10,6 +10,7 @@
 #include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
 #include "animation/ground/ground.h"
+#include "animation/library/library_style.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/quality/step_measures.h"
 #include "animation/quality/walk_quality.h"
@@ -32,13 +33,13 @@ namespace amble {
 namespace {
 
 struct AnimateArguments {
-  std::string speed = "1.2";  // as it was written [m/s]
-  std::string engine;         // file, or "": walks of the library
-  double turn_deg = 0.0;      // [degrees/s], left positive
-  double duration = 5.0;      // [s]
-  double height = 0.0;        // [m]; 0: the library's
+  std::string speed;      // as it was written [m/s]; empty: 1.2, or the style's own
+  std::string engine;     // file, or "": walks of the library
+  double turn_deg = 0.0;  // [degrees/s], left positive
+  double duration = 5.0;  // [s]
+  double height = 0.0;    // [m]; 0: the library's
   double fps = 60.0;
-  std::string library = "default";
+  std::string library = "default", style;
   MotionOutput out;
   std::string stride, lift, incline_deg, stairs;  // as they were written; empty: not asked
   std::vector<std::string> actions;
@@ -138,19 +139,20 @@ double speedOf(const AnimateArguments& options) {
 }
 
 int runEngine(const AnimateArguments& options) {
-  return animateEngine({options.engine, readRamp(options.speed), options.duration, options.height,
+  const std::string usual = options.speed.empty() ? "1.2" : options.speed;
+  return animateEngine({options.engine, readRamp(usual), options.duration, options.height,
                         options.fps, options.out});
 }
 
 int run(const AnimateArguments& options) {
-  const double speed = speedOf(options);
-  const MotionLibrary library = openMotionLibrary(options.library);
+  const MotionLibrary library = openMotionLibrary(options.library, {}, options.style);
   keepInputs(options.out.file, {library.file, library.file.parent_path() / library.skeleton_file});
   const DemoRequest request = requestOf(options);
-  const std::unique_ptr<Ground> ground = demoGround(request, speed);
   CharacterSettings settings;
   settings.height = options.height;
-  settings.speed = speed;
+  if (!options.style.empty()) settings.speed = ownSpeed(library, options.height);
+  if (!options.speed.empty()) settings.speed = speedOf(options);
+  const std::unique_ptr<Ground> ground = demoGround(request, settings.speed);
   settings.frame_time = 1.0 / options.fps;
   settings.actions = options.actions;
   for (const std::string& action : options.actions) {
@@ -195,12 +197,14 @@ void addAnimate(CLI::App& app, Command& chosen) {
       app.add_subcommand("animate", "Make a walk without a scene, from standing to standing");
   addMotionOutput(*command, options->out);
   command
-      ->add_option(
-          "--speed", options->speed,
-          "On the straight, 0.3 to 2; less in turns. Of an engine any, and a ramp over the "
-          "time of the walk")
-      ->check(ramp(0, kFastestRun, "m/s"))
-      ->capture_default_str();
+      ->add_option("--speed", options->speed,
+                   "On the straight, 0.3 to 2; less in turns; default: 1.2, or the --style's own. "
+                   "Of an engine any, and a ramp over the time of the walk")
+      ->check(ramp(0, kFastestRun, "m/s"));
+  command
+      ->add_option("--style", options->style,
+                   "In whose manner, of those that the library has (amble library show)")
+      ->type_name("NAME");
   command->add_option("--turn", options->turn_deg, "Turn rate at that speed, left positive")
       ->check(number(-180, 180, "degrees/s"))
       ->capture_default_str();

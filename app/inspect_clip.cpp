@@ -4,10 +4,12 @@
 
 #include <algorithm>
 
+#include "animation/library/library_style.h"
 #include "animation/library/motion_library_reader.h"
 #include "app/findings.h"
 #include "app/read_options.h"
 #include "base/rotation.h"
+#include "base/text.h"
 
 namespace amble {
 namespace {
@@ -137,6 +139,8 @@ Findings inspectLibrary(const std::filesystem::path& file) {
       text =
           fmt::format("walk, {:.3f} m/s, {:+.1f} degrees/s, period {:.3f} s, closure {:.1f} mm; ",
                       cycle.speed, cycle.turn_rate / kDegree, cycle.period, 1000.0 * cycle.closure);
+      if (!motion.style.empty()) text = "style " + motion.style + ", " + text;
+      entry["style"] = motion.style;
       entry["speed"] = cycle.speed;
       entry["turn_rate"] = cycle.turn_rate / kDegree;
       entry["period"] = cycle.period;
@@ -150,6 +154,9 @@ Findings inspectLibrary(const std::filesystem::path& file) {
     out.facts.emplace_back(motion.name, text + from);
     out.data["motions"].push_back(std::move(entry));
   }
+  const std::vector<std::string> styles = stylesOf(library);
+  out.data["styles"] = styles;
+  if (!styles.empty()) out.facts.emplace_back("styles", joined(styles));
   if (const MotionLack lack = whatItLacks(library); !lack.problem.empty()) {
     out.warnings.push_back(lack.problem + ": it cannot walk; expected " + lack.expected);
   }

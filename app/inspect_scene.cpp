@@ -120,6 +120,12 @@ std::string placeText(const Place& place) {
                                : ", any heading");
 }
 
+std::string paceText(const WalkSpec& walk) {
+  const std::string speed =
+      walk.own_speed ? "at its own speed" : fmt::format("{:g} m/s", walk.speed);
+  return walk.style.empty() ? speed : fmt::format("in the style {}, {}", walk.style, speed);
+}
+
 }  // namespace
 
 Findings inspectScene(const std::filesystem::path& file, const LoadLimits& limits) {
@@ -197,7 +203,7 @@ Findings inspectScenario(const ScenarioFile& file, const LoadLimits& limits) {
                                 who.library)},
       {"start", placeText(scenario.start)},
       {"goal", placeText(scenario.goal)},
-      {"walk", fmt::format("{:g} m/s, from {}, to {}", scenario.walk.speed,
+      {"walk", fmt::format("{}, from {}, to {}", paceText(scenario.walk),
                            scenario.walk.from_standing ? "standing" : "walking",
                            scenario.walk.to_standing ? "standing" : "walking")},
       {"planner",
@@ -212,7 +218,9 @@ Findings inspectScenario(const ScenarioFile& file, const LoadLimits& limits) {
               {"scene", scenario.scene.string()},
               {"planner", scenario.planner.name},
               {"seed", scenario.planner.seed},
+              {"style", scenario.walk.style},
               {"speed", scenario.walk.speed}};
+  if (scenario.walk.own_speed) out.data["speed"] = nullptr;
   out.warnings = sceneWarnings(scene, ground);
   const Eigen::AlignedBox3d box = scene.bounds();
   for (const auto* place : {&scenario.start, &scenario.goal}) {

@@ -25,10 +25,10 @@ namespace {
 struct LibraryAddArguments {
   std::string library;
   std::vector<std::string> clips;
-  std::string name, kind = "walk", turning, licence = "unknown", credit = "unknown";
+  std::string name, kind = "walk", turning, style, licence = "unknown", credit = "unknown";
   std::vector<std::string> chains;
   std::vector<int> frames;
-  bool no_mirror = false;
+  bool no_mirror = false, mirror = false;
   ReadOptions read;
 };
 
@@ -41,6 +41,7 @@ std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
   request.kind =
       static_cast<MotionKind>(std::find(kinds.begin(), kinds.end(), options.kind) - kinds.begin());
   if (!options.turning.empty()) request.turning = options.turning == "turn";
+  request.style = options.style;
   request.chains = options.chains;
   request.file = clip;
   request.read = options.read.forReader();
@@ -49,7 +50,9 @@ std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
   request.source.credit = options.credit.empty() ? "unknown" : options.credit;
   if (options.frames.size() == 2) request.frames = {options.frames[0], options.frames[1]};
   std::vector<MotionRequest> requests = {request};
-  if (request.kind == MotionKind::kWalk && !options.no_mirror) {
+  // A manner is its walker's own, lame on the left and not on the right.
+  const bool mirrors = options.style.empty() ? !options.no_mirror : options.mirror;
+  if (request.kind == MotionKind::kWalk && mirrors) {
     request.name += "-mirrored";
     request.source.mirrored = true;
     requests.push_back(request);
@@ -90,7 +93,19 @@ MotionLibrary libraryAt(const std::filesystem::path& file) {
   return library;
 }
 
+void requireStyle(const LibraryAddArguments& options) {
+  if (options.style.empty()) {
+    if (!options.mirror) return;
+    throw InputError("amble library add: --mirror", 0, "is of walks in a style",
+                     "--style NAME; walks without one have a mirror image anyway");
+  }
+  if (options.kind == "walk" || options.kind == "start" || options.kind == "stop") return;
+  throw InputError("amble library add: --style", 0, "is of no " + options.kind,
+                   "--kind walk, start or stop");
+}
+
 int run(const LibraryAddArguments& options) {
+  requireStyle(options);
   const std::filesystem::path file = options.library;
   MotionLibrary library = libraryAt(file);
   int added = 0;
@@ -166,6 +181,12 @@ void addLibraryAdd(CLI::App& library, Command& chosen) {
       ->check(choice(chainNames()));
   command->add_option("--frames", options->frames, "First and last frame to look at; default: all")
       ->expected(2);
+  command
+      ->add_option("--style", options->style,
+                   "In whose manner it walks: a person's name, or old-man; it is blended with none "
+                   "but its like")
+      ->type_name("NAME");
+  command->add_flag("--mirror", options->mirror, "Add the mirror image of a walk in a style too");
   command->add_flag("--no-mirror", options->no_mirror, "Leave out a walk's mirror image");
   command->add_option("--licence", options->licence, "Of the capture")->capture_default_str();
   command->add_option("--credit", options->credit, "Of the capture")->capture_default_str();

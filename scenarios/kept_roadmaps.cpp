@@ -41,6 +41,7 @@ RoadmapSource roadmapSource(const Problem& problem) {
                       {"max_climb", text(limits.max_climb)},
                       {"max_drop", text(limits.max_drop)}};
   source.settings = {{"speed", text(scenario.walk.speed)},
+                     {"style", scenario.walk.style},
                      {"comfort", text(scenario.walk.comfort)},
                      {"actions", joined(scenario.walk.actions)},
                      {"fps", text(1.0 / problem.synthesizer.settings().frame_time)},

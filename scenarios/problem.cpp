@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "animation/library/library_style.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/synthesis/action.h"
 #include "base/error.h"
 #include "base/rotation.h"
 #include "base/stopwatch.h"
+#include "base/text.h"
 #include "environments/ground/ground_warnings.h"
 #include "scenarios/walker_body.h"
 #include "scenarios/walker_ground.h"
@@ -42,6 +44,17 @@ void requireActions(const Scenario& scenario, const MotionLibrary& library) {
         "'" + action + "' is no movement or posture of the library that is always valid",
         "of" + listActions(library));
   }
+}
+
+void requireStyle(const Scenario& scenario) {
+  const std::string& style = scenario.walk.style;
+  if (style.empty()) return;
+  const std::vector<std::string> styles =
+      stylesOf(readMotionLibrary(motionLibraryFile(scenario.character.library)));
+  if (std::find(styles.begin(), styles.end(), style) != styles.end()) return;
+  scenario.source.fail(
+      "walk.style", "nobody in the library walks in the style '" + style + "'",
+      styles.empty() ? "no style: its walks have none" : "one of " + joined(styles));
 }
 
 CharacterSettings settingsOf(const Scenario& scenario, double frame_time) {
@@ -104,7 +117,8 @@ MotionLibrary loadLibrary(const Scenario& scenario) {
                          "the library '" + character.library + "' is not there",
                          "'default', or the path of a motion library, relative to this file");
   }
-  MotionLibrary library = openMotionLibrary(character.library);
+  requireStyle(scenario);
+  MotionLibrary library = openMotionLibrary(character.library, {}, scenario.walk.style);
   requireActions(scenario, library);
   return library;
 }
@@ -203,7 +217,13 @@ Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& l
                  Checker checker, const Stopwatch& begun, SceneReading reading)
     : keys(problem.queries.empty() ? "" : keysOf(0)),
       scenario(problem),
-      library(timed(times.library, [&] { return loadLibrary(scenario); })),
+      library(timed(times.library,
+                    [&] {
+                      MotionLibrary read = loadLibrary(scenario);
+                      if (scenario.walk.own_speed)
+                        scenario.walk.speed = ownSpeed(read, scenario.character.height);
+                      return read;
+                    })),
       scene([&] {
         Scene read = reading.finish();
         times.scene = begun.seconds() - times.library;

@@ -82,9 +82,11 @@ Bounds readBounds(const YamlNode& node) {
 }
 
 WalkSpec readWalk(const YamlNode& node) {
-  node.requireKeys({"speed", "from", "to", "comfort", "actions"});
+  node.requireKeys({"speed", "from", "to", "style", "comfort", "actions"});
   WalkSpec walk;
   if (const YamlNode n = node["speed"]) walk.speed = n.asDouble(0.3, 2.0, "speed [m/s]");
+  if (const YamlNode n = node["style"]) walk.style = n.asString();
+  walk.own_speed = !node.has("speed") && !walk.style.empty();
   if (const YamlNode n = node["from"]) {
     walk.from_standing = n.asEnum<bool>({{"stand", true}, {"walking", false}});
   }

@@ -31,6 +31,8 @@ struct CharacterSpec {
 
 struct WalkSpec {
   double speed = 1.2;         ///< on the straight [m/s, 0.3 to 2]
+  std::string style;          ///< in whose manner, of the library's (library_style.h), or ""
+  bool own_speed = false;     ///< no speed is said: of a style its own, once the library is read
   double comfort = 0.05;      ///< things nearer than this cost, but forbid nothing [m, 0 to 0.5]
   bool from_standing = true;  ///< `from: stand`; else the walk begins in mid-walk
   bool to_standing = true;

@@ -57,6 +57,7 @@ struct Motion {
   std::string name;
   MotionKind kind = MotionKind::kWalk;
   bool turning = false;  ///< of a walk
+  std::string style;     ///< whose manner it is (library_style.h); "": nobody's in particular
   Validity valid;
   std::vector<std::string> chains;  ///< of joints, by name (chainJoints); empty: all
   WalkCycle cycle;                  ///< of a walk or a movement

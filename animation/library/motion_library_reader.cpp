@@ -1,15 +1,18 @@
 #include "animation/library/motion_library_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "animation/captures/bvh.h"
 #include "animation/library/library_parts_reader.h"
+#include "animation/library/library_style.h"
 #include "animation/library/statures.h"
 #include "base/data_directory.h"
 #include "base/error.h"
 #include "base/rotation.h"
 #include "base/strict_yaml.h"
+#include "base/text.h"
 
 namespace amble {
 namespace {
@@ -93,11 +96,12 @@ void readTurning(const YamlNode& node, Motion& motion) {
 }
 
 Motion readLibraryMotion(const YamlNode& node, int joints) {
-  node.requireKeys(
-      {"name", "kind", "turning", "valid", "joints", "cycle", "posture", "transition", "source"});
+  node.requireKeys({"name", "kind", "turning", "style", "valid", "joints", "cycle", "posture",
+                    "transition", "source"});
   Motion motion;
   motion.name = node.at("name").asString();
   motion.kind = static_cast<MotionKind>(node.at("kind").indexIn(motionKindNames()));
+  if (const YamlNode style = node["style"]) motion.style = readStyle(style, motion.kind);
   if (const YamlNode valid = node["valid"]) motion.valid = readValidity(valid, motion.kind);
   if (const YamlNode which = node["joints"]) motion.chains = readChains(which);
   motion.source = readSource(node.at("source"));
@@ -144,6 +148,15 @@ Validity readValidity(const YamlNode& node, MotionKind kind) {
   return valid;
 }
 
+std::string readStyle(const YamlNode& node, MotionKind kind) {
+  const std::string style = node.asString();
+  if (style.empty()) node.fail("an empty style", "a name, or no style");
+  if (kind != MotionKind::kWalk && kind != MotionKind::kStart && kind != MotionKind::kStop) {
+    node.fail("a style of what nobody walks by", "one of a walk, a start or a stop");
+  }
+  return style;
+}
+
 std::vector<std::string> readChains(const YamlNode& node) {
   std::vector<std::string> chains;
   if (node.isScalar()) {
@@ -186,13 +199,20 @@ std::filesystem::path motionLibraryFile(const std::string& name,
   return relative_to / std::filesystem::path(name);
 }
 
-MotionLibrary openMotionLibrary(const std::string& name, const std::filesystem::path& relative_to) {
-  MotionLibrary library = readMotionLibrary(motionLibraryFile(name, relative_to));
-  const MotionLack lack = whatItLacks(library);
-  if (!lack.problem.empty()) {
-    throw InputError(library.file.string(), 0, lack.problem, lack.expected);
+MotionLibrary openMotionLibrary(const std::string& name, const std::filesystem::path& relative_to,
+                                const std::string& style) {
+  const MotionLibrary all = readMotionLibrary(motionLibraryFile(name, relative_to));
+  const std::vector<std::string> styles = stylesOf(all);
+  if (!style.empty() && std::find(styles.begin(), styles.end(), style) == styles.end()) {
+    throw InputError(all.file.string(), 0, "nobody in it walks in the style '" + style + "'",
+                     styles.empty() ? "no style: its walks have none" : "one of " + joined(styles));
   }
-  return library;
+  MotionLibrary library = inStyle(all, style);
+  const MotionLack lack = whatItLacks(library);
+  if (lack.problem.empty()) return library;
+  const bool styled = style.empty() && !styles.empty() && whatItLacks(all).problem.empty();
+  throw InputError(library.file.string(), 0, lack.problem,
+                   styled ? "a style to walk in, one of " + joined(styles) : lack.expected);
 }
 
 }  // namespace amble

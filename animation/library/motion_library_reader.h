@@ -15,10 +15,11 @@ class YamlNode;
 /// that is called straight and turns. Whether it can walk is another question: whyItCannotWalk.
 MotionLibrary readMotionLibrary(const std::filesystem::path& file);
 
-/// The library called `default`, or the one at a path (relative to `relative_to`), to walk with.
-/// @throws InputError, also where it cannot walk
+/// The library called `default`, or the one at a path (relative to `relative_to`), to walk with in
+/// a style (library_style.h). @throws InputError, also where it cannot walk, or not so
 MotionLibrary openMotionLibrary(const std::string& name,
-                                const std::filesystem::path& relative_to = {});
+                                const std::filesystem::path& relative_to = {},
+                                const std::string& style = "");
 /// The file of that library.
 std::filesystem::path motionLibraryFile(const std::string& name,
                                         const std::filesystem::path& relative_to = {});
@@ -27,6 +28,8 @@ std::filesystem::path motionLibraryFile(const std::string& name,
 /// their recipes; of a walk always, since every walk of a library is blended with the others.
 /// @throws InputError
 Validity readValidity(const YamlNode& node, MotionKind kind);
+/// `style:` a name, of libraries and their recipes; of walks, starts and stops. @throws InputError
+std::string readStyle(const YamlNode& node, MotionKind kind);
 /// `joints:` all, or a list of chains. @throws InputError for what is no chain, and for a leg: legs
 /// walk
 std::vector<std::string> readChains(const YamlNode& node);

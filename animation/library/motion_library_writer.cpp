@@ -104,6 +104,7 @@ void putMotion(YAML::Emitter& out, const Motion& motion) {
   if (motion.kind == MotionKind::kWalk) {
     out << Key << "turning" << Value << (motion.turning ? "turn" : "straight");
   }
+  if (!motion.style.empty()) putQuoted(out, "style", motion.style);
   putValidity(out, motion.valid);
   putChains(out, motion.chains);
   putSource(out, motion.source);

@@ -264,6 +264,7 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   Motion motion;
   motion.name = request.name;
   motion.kind = request.kind;
+  motion.style = request.style;
   motion.valid = request.valid;
   motion.chains = request.chains;
   motion.source = request.source;

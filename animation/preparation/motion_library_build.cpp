@@ -40,14 +40,15 @@ void readWhatToTake(const YamlNode& node, const YamlNode& root, MotionRequest& r
 // One line of a recipe's `motions`, and its mirror image where that is asked for.
 std::vector<MotionRequest> readRequests(const YamlNode& node, const YamlNode& root,
                                         const std::filesystem::path& captures) {
-  node.requireKeys({"name", "kind", "turning", "valid", "joints", "clip", "frames", "mirror",
-                    "harmonics", "unit", "licence", "credit"});
+  node.requireKeys({"name", "kind", "turning", "style", "valid", "joints", "clip", "frames",
+                    "mirror", "harmonics", "unit", "licence", "credit"});
   MotionRequest request;
   request.name = node.at("name").asString();
   request.kind = static_cast<MotionKind>(node.at("kind").indexIn(motionKindNames()));
   if (const YamlNode turning = node["turning"]) {
     request.turning = turning.asEnum<bool>({{"straight", false}, {"turn", true}});
   }
+  if (const YamlNode style = node["style"]) request.style = readStyle(style, request.kind);
   if (const YamlNode valid = node["valid"]) request.valid = readValidity(valid, request.kind);
   if (const YamlNode joints = node["joints"]) request.chains = readChains(joints);
   request.source.clip = node.at("clip").asString();

@@ -443,6 +443,17 @@ TEST_F(CaptureOptions, OfLibraryAdd) {
     EXPECT_LE(source["frames"][1], 120);
     EXPECT_GT(plain[0]["source"]["frames"][1], 120);
   };
+  uses["--style"] = [&] {
+    const json styled = made("--style old-man");
+    ASSERT_EQ(styled.size(), 1u) << "a manner is not mirrored unless that is asked for";
+    EXPECT_EQ(styled[0]["style"], "old-man");
+    EXPECT_EQ(printed("library show l.yaml --json")[0]["styles"], json({"old-man"}));
+    expectRefused(call("in/walk.bvh") + " --style x --kind posture", {"--style: ", "expected"});
+  };
+  uses["--mirror"] = [&] {
+    EXPECT_EQ(made("--style old-man --mirror").size(), 2u);
+    expectRefused(call("in/walk.bvh") + " --mirror", {"--mirror: ", "expected --style"});
+  };
   uses["--no-mirror"] = [&] {
     EXPECT_EQ(made("--no-mirror").size(), 1u);
     EXPECT_EQ(plain.size(), 2u);

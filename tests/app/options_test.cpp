@@ -403,6 +403,15 @@ void AnimateOptions::expectEngineWalks() const {
 AnimateOptions::Uses AnimateOptions::ofTheWalk() const {
   return {
       {"--speed", [this] { EXPECT_NEAR(measured("--speed 0.8", "speed"), 0.8, 0.01); }},
+      {"--style",
+       [this] {
+         good("animate --speed 0.8 --duration 8 -o calm.bvh");
+         good("library add in/mine.yaml calm.bvh --style calm");
+         EXPECT_NEAR(measured("--library in/mine.yaml --style calm", "speed"), 0.8, 0.02);
+         expectRefused("animate -o b.bvh --library in/mine.yaml --style bold",
+                       {"in/mine.yaml: ", "'bold'", "expected one of calm"});
+         expectRefused("animate -o b.bvh --style bold", {"default.yaml: ", "'bold'", "no style"});
+       }},
       {"--turn",
        [this] {
          EXPECT_NEAR(measured("--turn 20", "turn_rate"), 20.0, 0.5);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "animation/body/foot_shape.h"
+#include "animation/library/library_style.h"
 #include "animation/preparation/motion_library_add.h"
 #include "animation/synthesis/gait_blend.h"
 #include "base/error.h"
@@ -223,19 +224,20 @@ Json motionJson(const BenchMotion& bench, const NumbersText& numbers) {
   return json;
 }
 
-// Step length over speed, through the library's straight walks; nothing where there is none.
+// Step length over speed, through the straight walks of no style; nothing where there is none.
 Json stepLawJson(const MotionLibrary& library, const NumbersText& numbers) {
+  const MotionLibrary plain = inStyle(library, "");
+  if (!whatItLacks(plain).problem.empty()) return nullptr;
   Json points = Json::array();
   double fastest = 0.0;
-  for (const Motion& motion : library.motions) {
+  for (const Motion& motion : plain.motions) {
     if (motion.kind != MotionKind::kWalk || motion.turning) continue;
     points.push_back({{"name", motion.name},
                       {"speed", motion.cycle.speed},
                       {"step", motion.cycle.plantedStepLength()}});
     fastest = std::max(fastest, motion.cycle.speed);
   }
-  if (points.empty() || !whatItLacks(library).problem.empty()) return nullptr;
-  const GaitBlend blend(library, 1.0);
+  const GaitBlend blend(plain, 1.0);
   std::vector<double> speeds, steps;
   for (int i = 0; i <= kLawPoints; ++i) {
     speeds.push_back(kSlowest + (1.25 * fastest - kSlowest) * i / kLawPoints);

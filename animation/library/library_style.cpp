@@ -1,0 +1,53 @@
+#include "animation/library/library_style.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace amble {
+namespace {
+
+bool isOnset(const Motion& motion) {
+  return motion.kind == MotionKind::kStart || motion.kind == MotionKind::kStop;
+}
+
+}  // namespace
+
+std::vector<std::string> stylesOf(const MotionLibrary& library) {
+  std::set<std::string> styles;
+  for (const Motion& motion : library.motions) {
+    if (motion.kind == MotionKind::kWalk && !motion.turning) styles.insert(motion.style);
+  }
+  styles.erase("");
+  return {styles.begin(), styles.end()};
+}
+
+MotionLibrary inStyle(MotionLibrary library, const std::string& style) {
+  const auto hasOwn = [&](MotionKind kind) {
+    return std::any_of(library.motions.begin(), library.motions.end(), [&](const Motion& motion) {
+      return motion.kind == kind && motion.style == style;
+    });
+  };
+  const bool own_start = hasOwn(MotionKind::kStart), own_stop = hasOwn(MotionKind::kStop);
+  std::erase_if(library.motions, [&](const Motion& motion) {
+    if (motion.kind == MotionKind::kWalk) return motion.style != style;
+    if (!isOnset(motion)) return false;
+    const bool own = motion.kind == MotionKind::kStart ? own_start : own_stop;
+    return motion.style != (own ? style : "");
+  });
+  return library;
+}
+
+double ownSpeed(const MotionLibrary& library, double height) {
+  double sum = 0.0;
+  int count = 0;
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kWalk || motion.turning) continue;
+    sum += motion.cycle.speed;
+    ++count;
+  }
+  const double scale = height > 0.0 ? height / library.stature : 1.0;
+  return std::clamp(std::sqrt(scale) * sum / count, kSlowestWalk, kFastestWalk);
+}
+
+}  // namespace amble
