@@ -16,7 +16,7 @@ FootCycle meanFoot(const std::vector<FootCycle>& feet) {
     strike += share * (wrapped(foot.strike - feet.front().strike + 0.5) - 0.5);
     lift_off += share * (wrapped(foot.lift_off - feet.front().lift_off + 0.5) - 0.5);
     mean.slip += share * foot.slip;
-    for (int k = 0; k < 4; ++k) {
+    for (size_t k = 0; k < foot.progress.size(); ++k) {
       mean.progress[k] += share * foot.progress[k];
       mean.height[k] += share * foot.height[k];
       mean.sideways[k] += share * foot.sideways[k];
@@ -30,9 +30,11 @@ FootCycle meanFoot(const std::vector<FootCycle>& feet) {
   return mean;
 }
 
-double swingPolynomial(const std::array<double, 4>& c, double tau) {
+double swingPolynomial(const SwingTerms& c, double tau) {
   const double window = tau * tau * (1.0 - tau) * (1.0 - tau);
-  return window * (c[0] + tau * (c[1] + tau * (c[2] + tau * c[3])));
+  double sum = 0.0;
+  for (size_t k = c.size(); k-- > 0;) sum = sum * tau + c[k];
+  return window * sum;
 }
 
 double swingProgress(const FootCycle& foot, double tau) {

@@ -7,6 +7,9 @@
 
 namespace amble {
 
+/// Of a polynomial over a swing: coefficients of tau^0, tau^1, ...
+using SwingTerms = std::array<double, 6>;
+
 /// How one foot goes from a footprint to the next, and rolls. tau runs over the swing, 0 at
 /// lift-off and 1 at strike.
 ///
@@ -15,27 +18,26 @@ namespace amble {
 struct FootCycle {
   double strike = 0.0;    ///< captured phase at which the heel lands [cycles, 0 <= . < 1]
   double lift_off = 0.0;  ///< captured phase at which the toe leaves [cycles, 0 <= . < 1]
-  /// How far the captured sole moves on from its footprint between strike and lift-off, as it rolls
-  /// and slides [m, 0 to 1].
+  /// How far the captured sole slides on after it has landed [m, 0 to 1]. Ours lands halfway.
   double slip = 0.0;
   /// Progress from print to print beyond 3 tau^2 - 2 tau^3 [1]; height over the line between them
   /// [m]; straying to the left of that line [m]; roll and yaw of the sole against the heading that
   /// turns from print to print [rad]. Coefficients of tau^0, tau^1, ...
-  std::array<double, 4> progress = {}, height = {}, sideways = {}, roll = {}, yaw = {};
+  SwingTerms progress = {}, height = {}, sideways = {}, roll = {}, yaw = {};
   /// Pitch of the sole, toes down positive [rad], over one cycle of the foot: kStanceSamples from
   /// strike to lift-off, then kSwingSamples from lift-off to the next strike, where it begins anew.
   /// 0 while the foot is flat.
   std::vector<double> pitch;
 
-  static constexpr int kStanceSamples = 24;
-  static constexpr int kSwingSamples = 16;
+  static constexpr int kStanceSamples = 32;
+  static constexpr int kSwingSamples = 32;
 };
 
 /// Mean of the feet of several cycles; phases by the shorter way around the cycle. @pre one or more
 FootCycle meanFoot(const std::vector<FootCycle>& feet);
 
 /// Sum of coefficients[k] tau^k, times tau^2 (1 - tau)^2. @param tau  [0, 1]
-double swingPolynomial(const std::array<double, 4>& coefficients, double tau);
+double swingPolynomial(const SwingTerms& coefficients, double tau);
 /// Share of the way from print to print that is done at tau [0, 1].
 double swingProgress(const FootCycle& foot, double tau);
 /// Pitch at x: 0 to 1 is the stance from strike to lift-off, 1 to 2 the swing [rad]. Smooth, with

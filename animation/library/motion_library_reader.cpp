@@ -17,9 +17,11 @@
 namespace amble {
 namespace {
 
-std::array<double, 4> coefficients(const YamlNode& node) {
-  const Eigen::VectorXd v = node.asVec(4, "coefficients");
-  return {v[0], v[1], v[2], v[3]};
+SwingTerms coefficients(const YamlNode& node) {
+  SwingTerms terms;
+  const Eigen::VectorXd v = node.asVec(static_cast<int>(terms.size()), "coefficients");
+  std::copy(v.begin(), v.end(), terms.begin());
+  return terms;
 }
 
 FootCycle readFoot(const YamlNode& node) {
@@ -65,7 +67,8 @@ WalkCycle readCycle(const YamlNode& node, int joints) {
   cycle.residual = node.at("residual").asDouble(0.0, 360.0, "residual [degrees]") * kDegree;
   cycle.slide = node.at("slide").asDouble(0.0, 10.0, "slide [m]");
   cycle.step_width = node.at("step_width").asDouble(-0.5, 1.0, "step width [m]");
-  cycle.foot_forward = node.at("foot_forward").asDouble(-1.0, 1.0, "distance [m]");
+  const Eigen::VectorXd forward = node.at("foot_forward").asVec(2, "distances [m]", -1.0, 1.0);
+  cycle.foot_forward = {forward[kLeft], forward[kRight]};
   cycle.toe_out = degreePair(node.at("toe_out"));
   cycle.feet = {readFoot(node.at("left")), readFoot(node.at("right"))};
   const int harmonics = node.at("harmonics").asInt(1, kMaxHarmonics, "harmonics");

@@ -52,7 +52,7 @@ void putCycle(YAML::Emitter& out, const WalkCycle& cycle) {
   put(out, "residual", cycle.residual / kDegree);
   put(out, "slide", cycle.slide);
   put(out, "step_width", cycle.step_width);
-  put(out, "foot_forward", cycle.foot_forward);
+  putList(out, "foot_forward", cycle.foot_forward);
   putList(out, "toe_out", cycle.toe_out, kDegree);
   putCapture(out, cycle.capture);
   putFoot(out, "left", cycle.feet[kLeft]);

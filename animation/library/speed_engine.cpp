@@ -238,7 +238,7 @@ WalkCycle SpeedEngine::walkCycleAt(double speed) const {
         mixed(speed, walk.toe_out[side], run.toe_out[side], data_.stand.toe_out[side]);
   }
   cycle.step_width = mixed(speed, walk.step_width, run.step_width, data_.stand.step_width);
-  cycle.foot_forward = mixed(speed, walk.foot_forward, run.foot_forward, 0.0);
+  cycle.foot_forward.fill(mixed(speed, walk.foot_forward, run.foot_forward, 0.0));
   return cycle;
 }
 

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,16 +50,22 @@ struct WalkCycle {
   FourierSeries series;
   std::array<FootCycle, 2> feet;  ///< by Side
   double step_width = 0.0;        ///< between the lines of left and right footprints [m]
-  double foot_forward = 0.0;  ///< mean of the two footprints of phase 0 before the path's point [m]
+  /// Of the footprints of phase 0 before the path's point, by Side, less half of a step for the
+  /// front one and more for the rear one: different where steps of left and right are [m].
+  std::array<double, 2> foot_forward = {0, 0};
   /// Heading of the footprint against the path, left positive, by Side [rad].
   std::array<double, 2> toe_out = {0, 0};
 
   /// Of the capture (the papers' "stride") [m, > 0].
   double stepLength() const { return 0.5 * speed * period; }
-  /// The step that the same swing of the legs makes on feet that are held where they are: a slip
-  /// shorter. Cadence makes up for it.
-  double plantedStepLength() const {
-    return stepLength() - 0.25 * (feet[kLeft].slip + feet[kRight].slip);
+  /// Share of the cycle in which both feet are planted [0, 1].
+  double doubleSupport() const {
+    double share = 0.0;
+    for (const Side side : {kLeft, kRight}) {
+      const double both = feet[other(side)].lift_off - feet[side].strike;
+      share += both - std::floor(both);
+    }
+    return share;
   }
 };
 

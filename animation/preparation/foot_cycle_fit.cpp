@@ -15,10 +15,18 @@ namespace {
 // A pitch below this is how a flat foot wobbles in a capture, not a rise of the heel; by trial
 // [rad].
 constexpr double kFlatPitch = 5.0 * kDegree;
-// How far any point of the sole stays above the ground in the middle half of a swing: walkers clear
-// it by 10 to 20 mm [m].
-constexpr double kSwingClearance = 0.015;
+// How far any point of the sole stays above the ground in the middle of a swing, and less towards
+// its ends, where captured heels come down to 2 mm [m].
+constexpr double kSwingClearance = 0.012;
+constexpr int kPitchPasses = 2;   // of a mean of neighbours: captures shake
 constexpr int kSwingPoints = 33;  // at which a swing is fitted
+// Coefficients that a captured swing is fitted with: along and up, where feet go quickly at first;
+// and beside that.
+constexpr int kProgressTerms = 4, kHeightTerms = 5, kStrayTerms = 3;
+
+// Captured soles slide before they rest and before they leave, which detectors count to a plant,
+// and ours do not: they rest so much later and leave so much earlier [cycles].
+constexpr double kSlides = 0.01;
 
 // The swing's two plants: the one it leaves and the one it comes to.
 struct Swing {
@@ -27,14 +35,19 @@ struct Swing {
 
 std::optional<Swing> swingWithin(const GaitTrack& track, Side side, double begin, double end) {
   const std::vector<Plant>& plants = track.plants(side);
+  const double slides = kSlides * (end - begin);
+  const auto between = [&](Plant from, Plant to) {
+    for (Plant* plant : {&from, &to}) plant->strike += slides, plant->lift_off -= slides;
+    return Swing{from, to};
+  };
   for (size_t i = 0; i + 1 < plants.size(); ++i) {
     if (plants[i].lift_off >= begin && plants[i].lift_off < end)
-      return {{plants[i], plants[i + 1]}};
+      return between(plants[i], plants[i + 1]);
   }
   // Its lift-off lies a little before the cycle: take the swing that ends within.
   for (size_t i = 0; i + 1 < plants.size(); ++i) {
     if (plants[i + 1].strike >= begin && plants[i + 1].strike < end) {
-      return {{plants[i], plants[i + 1]}};
+      return between(plants[i], plants[i + 1]);
     }
   }
   return std::nullopt;
@@ -95,7 +108,7 @@ class SwingView {
 
 // Least squares of tau^2 (1 - tau)^2 (c0 + c1 tau + ...) to values at even tau, with `terms`
 // coefficients.
-std::array<double, 4> fitSwing(const std::vector<double>& values, int terms) {
+SwingTerms fitSwing(const std::vector<double>& values, int terms) {
   const int n = static_cast<int>(values.size());
   Eigen::MatrixXd basis(n, terms);
   Eigen::VectorXd target(n);
@@ -106,7 +119,7 @@ std::array<double, 4> fitSwing(const std::vector<double>& values, int terms) {
     target[i] = values[i];
   }
   const Eigen::VectorXd solved = basis.colPivHouseholderQr().solve(target);
-  std::array<double, 4> coefficients = {};
+  SwingTerms coefficients = {};
   for (int k = 0; k < terms; ++k) coefficients[k] = solved[k];
   return coefficients;
 }
@@ -133,8 +146,10 @@ std::vector<double> pitchSamples(const SwingView& view) {
   }
   const int n = static_cast<int>(raw.size());
   std::vector<double> smooth(n);
-  for (int i = 0; i < n; ++i) {
-    smooth[i] = 0.25 * raw[(i + n - 1) % n] + 0.5 * raw[i] + 0.25 * raw[(i + 1) % n];
+  for (int pass = 0; pass < kPitchPasses; ++pass) {
+    for (int i = 0; i < n; ++i)
+      smooth[i] = 0.25 * raw[(i + n - 1) % n] + 0.5 * raw[i] + 0.25 * raw[(i + 1) % n];
+    raw = smooth;
   }
   for (int i = 0; i < kStance; ++i) {  // flat is flat: the heel lifts after mid-stance only
     const double x = static_cast<double>(i) / kStance;
@@ -152,18 +167,23 @@ double soleClearance(const FootShape& shape, double pitch, double height) {
   return height + std::min(heel, ball);
 }
 
-// Lifts the swing until it clears the ground: low-pass and marker noise let toes dip.
-void clearGround(const FootShape& shape, FootCycle& foot) {
-  double missing = 0.0;
-  for (int i = 0; i < kSwingPoints; ++i) {
-    const double tau = static_cast<double>(i) / (kSwingPoints - 1);
-    const double window = tau * tau * (1.0 - tau) * (1.0 - tau);
-    const double wanted = kSwingClearance * std::min(1.0, 16.0 * window);
-    const double have =
-        soleClearance(shape, footPitch(foot, 1.0 + tau), swingPolynomial(foot.height, tau));
-    if (window > 1e-6) missing = std::max(missing, (wanted - have) / window);
+// The height over a swing that the captured one comes nearest to and that clears the ground:
+// low-pass and marker noise let toes dip.
+SwingTerms fitHeight(const FootShape& shape, const FootCycle& foot, std::vector<double> height) {
+  constexpr int kRounds = 20;  // of raising what dips; by then a tenth of a millimetre is missing
+  SwingTerms fitted = fitSwing(height, kHeightTerms);
+  for (int round = 0; round < kRounds; ++round) {
+    for (int i = 0; i < kSwingPoints; ++i) {
+      const double tau = static_cast<double>(i) / (kSwingPoints - 1);
+      const double window = tau * tau * (1.0 - tau) * (1.0 - tau);
+      const double wanted = kSwingClearance * 256.0 * window * window;
+      const double have =
+          soleClearance(shape, footPitch(foot, 1.0 + tau), swingPolynomial(fitted, tau));
+      height[i] += std::max(0.0, wanted - have);
+    }
+    fitted = fitSwing(height, kHeightTerms);
   }
-  foot.height[0] += missing;
+  return fitted;
 }
 
 }  // namespace
@@ -178,21 +198,21 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
   }
   const Swing& swing = *found;
   const SwingView view(track, side, shape, swing);
-  // A swing begins and ends where the captured foot is by then: its slip belongs to the stance,
-  // which ours does not have.
-  const SwingSample first = view.at(0.0), last = view.at(1.0);
+  FootCycle foot;
+  const SwingSample last = view.at(1.0);
+  foot.slip = std::max(0.0, (1.0 - last.progress) * last.length);
+  // Captured feet slip before they leave and after they land, ours stay: the fit, which is at rest
+  // on the prints, catches up with the captured foot as soon as it can.
   std::vector<double> progress, height, sideways, roll, yaw;
   for (int i = 0; i < kSwingPoints; ++i) {
     const double tau = static_cast<double>(i) / (kSwingPoints - 1);
     const SwingSample sample = view.at(tau);
-    progress.push_back((sample.progress - first.progress) / (last.progress - first.progress) -
-                       smoothstep(tau));
-    height.push_back(sample.height - first.height - tau * (last.height - first.height));
-    sideways.push_back(sample.sideways - first.sideways - tau * (last.sideways - first.sideways));
+    progress.push_back(sample.progress + 0.5 * foot.slip / sample.length - smoothstep(tau));
+    height.push_back(sample.height);
+    sideways.push_back(sample.sideways);
     yaw.push_back(sample.yaw_pitch_roll[0]);
     roll.push_back(sample.yaw_pitch_roll[2]);
   }
-  FootCycle foot;
   const double period = end - begin;
   const auto phase = [&](double frame) {
     const double p = (frame - begin) / period;
@@ -200,14 +220,12 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
   };
   foot.strike = phase(swing.to.strike);
   foot.lift_off = phase(swing.from.lift_off);
-  foot.slip = std::max(0.0, (first.progress + 1.0 - last.progress) * first.length);
-  foot.progress = fitSwing(progress, 3);
-  foot.height = fitSwing(height, 4);
-  foot.sideways = fitSwing(sideways, 2);
-  foot.roll = fitSwing(roll, 2);
-  foot.yaw = fitSwing(yaw, 2);
   foot.pitch = pitchSamples(view);
-  clearGround(shape, foot);
+  foot.progress = fitSwing(progress, kProgressTerms);
+  foot.height = fitHeight(shape, foot, height);
+  foot.sideways = fitSwing(sideways, kStrayTerms);
+  foot.roll = fitSwing(roll, kStrayTerms);
+  foot.yaw = fitSwing(yaw, kStrayTerms);
   return foot;
 }
 
@@ -219,11 +237,13 @@ FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Ve
                            double path_heading, Side leading) {
   FootPlacing placing;
   std::array<Eigen::Vector2d, 2> print;  // in the path's frame
+  std::array<double, 2> height = {0.0, 0.0};
   for (const Side side : {kLeft, kRight}) {
     for (const Plant& plant : track.plants(side)) {
       if (plant.strike > begin + (side == leading ? 1.0 : 0.0) || plant.lift_off < begin - 1.0)
         continue;
       const GaitTrack::FlatFoot flat = track.flatFoot(side, plant);
+      height[side] = flat.print.z();
       const Eigen::Vector2d d = flat.print.head<2>() - path_point;
       print[side] = {std::cos(path_heading) * d.x() + std::sin(path_heading) * d.y(),
                      -std::sin(path_heading) * d.x() + std::cos(path_heading) * d.y()};
@@ -237,7 +257,8 @@ FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Ve
     }
   }
   placing.width = print[kLeft].y() - print[kRight].y();
-  placing.forward = 0.5 * (print[kLeft].x() + print[kRight].x());
+  placing.height = 0.5 * (height[kLeft] + height[kRight]);
+  placing.forward = {print[kLeft].x(), print[kRight].x()};
   return placing;
 }
 

@@ -22,8 +22,9 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
 
 /// Where a walk puts its feet.
 struct FootPlacing {
-  double width = 0.0;    ///< between the lines of left and right footprints [m]
-  double forward = 0.0;  ///< mean of front and rear footprint before the path's point [m]
+  double width = 0.0;                      ///< between the lines of left and right footprints [m]
+  double height = 0.0;                     ///< mean of the two footprints over the floor [m]
+  std::array<double, 2> forward = {0, 0};  ///< before the path's point, by Side [m]
   std::array<double, 2> toe_out = {0, 0};  ///< by Side, left positive [rad]
   /// Largest distance of a standing ankle from its mean, in the middle half of its stance [m, >=
   /// 0].

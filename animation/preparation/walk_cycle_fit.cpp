@@ -160,18 +160,28 @@ void fitFeet(const GaitTrack& track, const std::vector<Stretch>& stretches,
   }
 }
 
-void fitPlacing(const GaitTrack& track, const std::vector<Stretch>& stretches,
-                const std::vector<FittedPath>& paths, WalkCycle& cycle) {
+// @return height of the footprints [m]
+double fitPlacing(const GaitTrack& track, const std::vector<Stretch>& stretches,
+                  const std::vector<FittedPath>& paths, WalkCycle& cycle) {
   const double share = 1.0 / static_cast<double>(stretches.size());
+  double height = 0.0;
   for (size_t k = 0; k < stretches.size(); ++k) {
     const Stretch& s = stretches[k];
     const FootPlacing placing =
         measurePlacing(track, s.begin, paths[k].start, paths[k].heading, s.leading);
     cycle.step_width += share * placing.width;
-    cycle.foot_forward += share * placing.forward;
-    for (int side = 0; side < 2; ++side) cycle.toe_out[side] += share * placing.toe_out[side];
+    height += share * placing.height;
+    for (const Side side : {kLeft, kRight}) {
+      const double half_step = (side == s.leading ? 0.5 : -0.5) * cycle.stepLength();
+      cycle.foot_forward[side] += share * (placing.forward[side] - half_step);
+      cycle.toe_out[side] += share * placing.toe_out[side];
+    }
     cycle.slide = std::max(cycle.slide, placing.slide);
   }
+  // Halfway to where the captured feet are as they land: neither then nor later do legs have to be
+  // much longer than captured.
+  for (const Side side : {kLeft, kRight}) cycle.foot_forward[side] -= 0.5 * cycle.feet[side].slip;
+  return height;
 }
 
 CaptureQuality measureCapture(const Clip& level, const JointRoles& roles) {
@@ -205,10 +215,14 @@ WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
   cycle.turn_rate = turn / cycle.period;
   const std::vector<Eigen::MatrixXd> samples = cycleSamples(track, stretches, paths, reference);
   fitSeries(meanOf(samples), options.harmonics, cycle);
-  for (size_t k = 0; captured != nullptr && k < samples.size(); ++k)
-    captured->push_back(fitFourier(samples[k], evenPhases(), kAllHarmonics));
   fitFeet(track, stretches, feet, options.clip, cycle);
-  fitPlacing(track, stretches, paths, cycle);
+  const double floor = fitPlacing(track, stretches, paths, cycle);
+  // Heights are over the soles' ground, which a levelled floor is within some millimetres of.
+  cycle.series.alpha(2, 0) -= floor;
+  for (size_t k = 0; captured != nullptr && k < samples.size(); ++k) {
+    captured->push_back(fitFourier(samples[k], evenPhases(), kAllHarmonics));
+    captured->back().alpha(2, 0) -= floor;
+  }
   cycle.capture = measureCapture(level, roles);
   if (used_frames != nullptr) {
     *used_frames = {static_cast<int>(std::lround(first)), static_cast<int>(std::lround(last))};

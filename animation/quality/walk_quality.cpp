@@ -6,7 +6,9 @@
 
 #include "animation/analysis/gait_measures.h"
 #include "animation/analysis/motion_measures.h"
+#include "animation/body/pelvis.h"
 #include "animation/quality/step_measures.h"
+#include "animation/steps/stride_law.h"
 #include "base/rotation.h"
 
 namespace amble {
@@ -76,11 +78,13 @@ Asked askedOver(const AnimationBuffer& walk, const GaitMeasures& gait) {
 struct Support {
   double share = 0.0;  // [0, 1]
   double speed = 0.0;  // mean [m/s]
+  int first = 0;       // frame of a strike
   int frames = 0;      // over which that was; 0 where there is no whole stride at pace
 };
 
 Support supportOver(const AnimationBuffer& walk, int first, int end) {
   Support support;
+  support.first = first;
   support.frames = end - first;
   for (int i = first; i < end; ++i) {
     const FrameState& state = walk.states[i];
@@ -107,23 +111,20 @@ Support supportAtPace(const AnimationBuffer& walk) {
   return longest;
 }
 
-}  // namespace
-
-double doubleSupportNorm(double speed, double leg) {
-  // Middles of the classes very slow, slow, free, fast and very fast; the outer ranges are taken as
-  // wide as the others.
-  constexpr std::array<double, 5> kSpeed = {0.159, 0.295, 0.432, 0.568, 0.704};
-  constexpr std::array<double, 5> kShare = {0.36, 0.24, 0.19, 0.16, 0.14};
-  constexpr double kGravity = 9.81;  // [m/s²]
-  const double v = speed / std::sqrt(kGravity * leg);
-  if (v <= kSpeed.front()) return kShare.front();
-  for (size_t i = 1; i < kSpeed.size(); ++i) {
-    if (v > kSpeed[i]) continue;
-    const double t = (v - kSpeed[i - 1]) / (kSpeed[i] - kSpeed[i - 1]);
-    return kShare[i - 1] + t * (kShare[i] - kShare[i - 1]);
-  }
-  return kShare.back();
+// How far the pelvis turned over whole strides at pace: at their ends it is as much aside of the
+// path, where it is not as a walk begins and ends.
+double turnMiss(const Clip& clip, const JointRoles& roles, const AnimationBuffer& walk,
+                const Support& strides) {
+  const std::vector<double> headings = pelvisHeadings(clip, roles);
+  const int last = strides.first + strides.frames;
+  double asked = 0.0;
+  for (int i = strides.first; i < last; ++i)
+    asked += wrapAngle(walk.states[i + 1].heading - walk.states[i].heading);
+  if (std::abs(asked) <= kTurns * strides.frames * walk.frame_time) return 0.0;
+  return std::abs((headings[last] - headings[strides.first]) / asked - 1.0);
 }
+
+}  // namespace
 
 QualityAnchors anchorsOf(const MotionLibrary& library, double scale, double speed) {
   QualityAnchors anchors;
@@ -173,11 +174,11 @@ std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
   if (asked.speed <= 0.0) return lines;  // turned on the spot, or stood
   lines.push_back(
       {"speed, achieved against asked", std::abs(gait.speed / asked.speed - 1.0), kAchieved, "1"});
-  if (std::abs(asked.turn_rate) > kTurns) {
-    lines.push_back({"turn rate, achieved against asked",
-                     std::abs(gait.turn_rate / asked.turn_rate - 1.0), kAchieved, "1"});
-  }
   if (const Support support = supportAtPace(walk); support.frames > 0) {
+    if (std::abs(asked.turn_rate) > kTurns) {
+      lines.push_back({"turn rate, achieved against asked", turnMiss(clip, roles, walk, support),
+                       kAchieved, "1"});
+    }
     const double leg =
         0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
     lines.push_back({"double support, from its norm",

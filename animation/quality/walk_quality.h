@@ -40,11 +40,6 @@ struct QualityLine {
   bool holds() const { return value <= bar; }
 };
 
-/// Share of time with both feet planted at a speed: Schwartz et al. (J. Biomech. 41, 2008), double
-/// support of five classes of speed, linear between the middles of their ranges of v / sqrt(g leg).
-/// @param speed, leg  [m/s], [m, > 0]
-double doubleSupportNorm(double speed, double leg);
-
 /// @param clip  the walk as it is exported: its frames are the buffer's. @pre walk.size() > 0
 std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
                                    const AnimationBuffer& walk, const Ground& ground,

@@ -86,7 +86,7 @@ Sole soleOf(const FootState& state, const FootCycle& cycle) {
 }
 
 double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector3d& hip,
-                   double distance, double longest, double heel_share) {
+                   double distance, double longest) {
   if (distance < longest - kHeelRests) return sole.pitch;
   const double over = (distance - longest) / HeelRise::kSoftReach;
   const Eigen::Quaterniond q_WS = soleFrame(sole.place.heading, sole.place.normal);
@@ -98,17 +98,17 @@ double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector
   if (freedom == 0.0) return sole.pitch;  // as of every foot that strikes
   // A smooth minimum of what it is and what it may be.
   const double wanted = distance - HeelRise::kSoftReach * std::log1p(std::exp(over));
-  const double most = sole.pitch + heel_share * HeelRise::kMost * freedom;
+  const double most = sole.pitch + HeelRise::kMost * freedom;
   return pitchAtDistance(shape, q_WS.conjugate() * (hip - position), wanted, sole.pitch, most);
 }
 
 FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
-                      const Eigen::Vector3d& hip, double longest, double heel_share) {
+                      const Eigen::Vector3d& hip, double longest) {
   Sole sole = soleOf(state, cycle);
   const FootTarget target = targetOf(shape, sole);
   const double distance = (target.ankle - hip).norm();
   if (distance < longest - kHeelRests) return target;
-  sole.pitch = raisedPitch(sole, shape, hip, distance, longest, heel_share);
+  sole.pitch = raisedPitch(sole, shape, hip, distance, longest);
   return targetOf(shape, sole);
 }
 

@@ -18,7 +18,7 @@ struct HeelRise {
   static constexpr double kMost = 35.0 * kDegree;
   /// A ball of the foot so far behind the hip lets its heel rise freely, one under the hip not at
   /// all: a standing leg would be lifted by its toes [m].
-  static constexpr double kBehind = 0.12;
+  static constexpr double kBehind = 0.16;
   /// A heel rises until its ankle is nearest to the hip but for so much: from there on a degree
   /// gives hardly a millimetre, and the foot would turn over in a frame. By trial [rad].
   static constexpr double kLeastYield = 25.0 * kDegree;
@@ -44,7 +44,7 @@ Sole soleOf(const FootState& state, const FootCycle& cycle);
 /// The pitch of a sole whose ankle is so far from `hip` and should be `longest` away at most
 /// (HeelRise) [rad].
 double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector3d& hip,
-                   double distance, double longest, double heel_share);
+                   double distance, double longest);
 /// Nearer by so much than `longest`, and the pitch is the sole's own: raisedPitch need not be asked
 /// [m].
 inline constexpr double kHeelRests = 6.0 * HeelRise::kSoftReach;
@@ -52,9 +52,8 @@ inline constexpr double kHeelRests = 6.0 * HeelRise::kSoftReach;
 /// Where the foot is to be in a frame, as FootController has it of many at once. Behind the walker,
 /// where the leg from `hip` [World] would be longer than `longest` [m], the heel rises farther than
 /// captured (HeelRise).
-/// @param heel_share  of the rise that there is for a heel beyond the captured one [0, 1]
 FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
-                      const Eigen::Vector3d& hip, double longest, double heel_share = 1.0);
+                      const Eigen::Vector3d& hip, double longest);
 
 /// Whether a swing goes from one print to another on one level.
 bool isLevelSwing(const FootState& state);

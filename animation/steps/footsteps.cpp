@@ -15,12 +15,17 @@ GroundPoint ahead(const Stance& stance, double forward) {
           stance.heading};
 }
 
+double staggerOf(const FootPlacement& p, Side side) {
+  return side == kLeft ? p.stagger : -p.stagger;
+}
+
 FootPlace stancePlace(const FootPlacement& p, const Stance& stance, Side side) {
   if (stance.standing) {
     return footBeside(ahead(stance, p.forward), side, p.stand_width, p.stand_toe_out);
   }
   const double step = side == stance.leading ? 0.5 * p.step_length : -0.5 * p.step_length;
-  return footBeside(ahead(stance, p.forward + step), side, p.walk_width, p.walk_toe_out);
+  return footBeside(ahead(stance, p.forward + step + staggerOf(p, side)), side, p.walk_width,
+                    p.walk_toe_out);
 }
 
 }  // namespace
@@ -55,8 +60,10 @@ Side Footsteps::side(int placing) const { return placing % 2 != 0 ? first_ : oth
 
 void Footsteps::place(const std::function<GroundPoint(int)>& path_at) {
   for (int i = 1; i + 1 < steps_; ++i) {
-    places_[i + 1] =
-        footBeside(path_at(i), side(i), placement_.walk_width, placement_.walk_toe_out);
+    GroundPoint point = path_at(i);
+    point.position += staggerOf(placement_, side(i)) *
+                      Eigen::Vector3d(std::cos(point.heading), std::sin(point.heading), 0.0);
+    places_[i + 1] = footBeside(point, side(i), placement_.walk_width, placement_.walk_toe_out);
   }
 }
 

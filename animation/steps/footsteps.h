@@ -20,6 +20,9 @@ struct FootPlacement {
   double walk_width = 0.1;    ///< between left and right footprints while walking [m]
   double stand_width = 0.15;  ///< the same while standing [m]
   double forward = 0.0;       ///< middle of front and rear footprint before the path's point [m]
+  /// So much farther forward are left prints while walking, and right ones back, than even steps
+  /// would have them [m].
+  double stagger = 0.0;
   double step_length = 0.65;  ///< of the straight walk at the plan's speed [m, > 0]
   /// Of the left foot, left positive; the right's is its mirror image [rad].
   double walk_toe_out = 0.0;

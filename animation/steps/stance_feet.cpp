@@ -43,7 +43,7 @@ FootPlacement placementAt(const StepSettings& settings, const FootholdFinder& ho
   if (pace < 1.0) {
     const double speed = settings.limits.speed * pace;
     placement.step_length = settings.limits.law.stepLength(speed);
-    placement.half_support = 0.5 * doubleSupport(speed, settings.leg_length);
+    placement.half_support = 0.5 * settings.limits.law.doubleSupport(speed);
   }
   return placement;
 }

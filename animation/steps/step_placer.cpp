@@ -89,7 +89,7 @@ std::vector<double> halfSupports(const WalkSteps& walk, const StepSettings& sett
     const bool climbs = std::abs(stepHeight(places[node], places[node + 1])) > Unevenness::kNatural;
     const double speed =
         climbs ? std::max(at.speed, cadence * settings.placement.step_length) : at.speed;
-    halves[node++] = 0.5 * doubleSupport(speed, settings.leg_length);
+    halves[node++] = 0.5 * settings.limits.law.doubleSupport(speed);
   }
   if (!walk.from.standing) halves[0] = halves[1] = walk.from_feet.placement.half_support;
   if (!walk.end.standing) {

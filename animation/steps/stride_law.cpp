@@ -1,5 +1,6 @@
 #include "animation/steps/stride_law.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -16,22 +17,39 @@ double StrideLaw::speed(double step_length) const {
   return speed_ * (ratio >= slow ? std::pow(ratio, 1.0 / power_) : ratio * kSlowestCadence);
 }
 
-double doubleSupport(double speed, double leg_length) {
-  struct Norm {
-    double speed, share;
-  };
-  // Middles of the classes very slow, slow, free, fast, very fast.
-  constexpr std::array<Norm, 5> kNorms = {
-      {{0.16, 0.36}, {0.295, 0.24}, {0.4315, 0.19}, {0.568, 0.16}, {0.70, 0.14}}};
+void StrideLaw::setSupports(const std::vector<Support>& captured, double leg_length) {
+  leg_length_ = leg_length;
+  supports_ = captured;
+  for (Support& at : supports_) at.share /= doubleSupportNorm(at.speed, leg_length);
+}
+
+double StrideLaw::doubleSupport(double speed) const {
+  const double norm = doubleSupportNorm(speed, leg_length_);
+  if (supports_.empty()) return norm;
+  const auto next = std::upper_bound(supports_.begin(), supports_.end(), speed,
+                                     [](double v, const Support& at) { return v < at.speed; });
+  const Support& above = next == supports_.end() ? supports_.back() : *next;
+  const Support& below = next == supports_.begin() ? above : *(next - 1);
+  const double span = above.speed - below.speed;
+  const double t = span > 0.0 ? (speed - below.speed) / span : 0.0;
+  const double share = norm * (below.share + t * (above.share - below.share));
+  return std::clamp(share, norm - kSupportOff, norm + kSupportOff);
+}
+
+double doubleSupportNorm(double speed, double leg_length) {
+  // Middles of the classes very slow, slow, free, fast and very fast; the outer ranges are taken as
+  // wide as the others.
+  constexpr std::array<double, 5> kSpeed = {0.159, 0.295, 0.432, 0.568, 0.704};
+  constexpr std::array<double, 5> kShare = {0.36, 0.24, 0.19, 0.16, 0.14};
   constexpr double kGravity = 9.81;  // [m/s^2]
   const double v = speed / std::sqrt(kGravity * leg_length);
-  if (v <= kNorms.front().speed) return kNorms.front().share;
-  for (size_t i = 1; i < kNorms.size(); ++i) {
-    if (v > kNorms[i].speed) continue;
-    const double t = (v - kNorms[i - 1].speed) / (kNorms[i].speed - kNorms[i - 1].speed);
-    return kNorms[i - 1].share + t * (kNorms[i].share - kNorms[i - 1].share);
+  if (v <= kSpeed.front()) return kShare.front();
+  for (size_t i = 1; i < kSpeed.size(); ++i) {
+    if (v > kSpeed[i]) continue;
+    const double t = (v - kSpeed[i - 1]) / (kSpeed[i] - kSpeed[i - 1]);
+    return kShare[i - 1] + t * (kShare[i] - kShare[i - 1]);
   }
-  return kNorms.back().share;
+  return kShare.back();
 }
 
 }  // namespace amble

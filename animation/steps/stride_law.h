@@ -1,7 +1,8 @@
-/// How step length and cadence go with speed.
+/// How step length, cadence and double support go with speed.
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 namespace amble {
 
@@ -37,6 +38,20 @@ class StrideLaw {
   const Onset& onset() const { return onset_; }
   void setOnset(const Onset& onset) { onset_ = onset; }
 
+  /// Share of time with both feet planted, of a captured walk.
+  struct Support {
+    double speed = 1.0;  ///< [m/s, > 0]
+    double share = 0.2;  ///< [0 to 0.9]
+  };
+  /// Of the walks that were captured, by growing speed, of a subject with legs so long [m, > 0].
+  void setSupports(const std::vector<Support>& captured, double leg_length);
+  /// Share of time with both feet planted at a speed [m/s]: the captured one at captured speeds; at
+  /// others the norm's (doubleSupportNorm), times what the walks next to it have of theirs. No
+  /// farther from the norm than kSupportOff.
+  double doubleSupport(double speed) const;
+  /// Detectors of plants in captures err by as much: beyond, the norm is the better witness [1].
+  static constexpr double kSupportOff = 0.022;
+
   double capturedStep() const { return step_; }  ///< [m]
   double stepLength(double speed) const;         ///< [m]; inverse of speed()
   double speed(double step_length) const;        ///< [m/s]
@@ -48,10 +63,13 @@ class StrideLaw {
   // Share of the captured speed below which the cadence is the slowest [1].
   double slow_ = std::pow(kSlowestCadence, 1.0 / (1.0 - kStepPower));
   Onset onset_;
+  std::vector<Support> supports_;  // shares of the norm's
+  double leg_length_ = 0.8;
 };
 
-/// Share of time with both feet planted, at a speed, for a leg length [m]: norms of Schwartz,
-/// Rozumalski & Trost (2008), by dimensionless speed v / sqrt(g leg); linear between their classes.
-double doubleSupport(double speed, double leg_length);
+/// Share of time with both feet planted, at a speed [m/s], for a leg length [m, > 0]: norms of
+/// Schwartz, Rozumalski & Trost (J. Biomech. 41, 2008), linear between the middles of their five
+/// classes of v / sqrt(g leg).
+double doubleSupportNorm(double speed, double leg_length);
 
 }  // namespace amble

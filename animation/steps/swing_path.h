@@ -72,7 +72,7 @@ class SwingClearance {
   struct Strip;
   struct Ramps;
   Strip strip(const FootPlace& from, const FootPlace& to, Side side) const;
-  static constexpr int kSamples = 32;  // of a swing
+  static constexpr int kSamples = 40;  // of a swing
   using Needs = std::array<double, kSamples>;
   struct Moment;
   static Moment momentAt(const Strip& strip, const FootCycle& cycle, const SwingShape& shape,

@@ -26,7 +26,6 @@ struct FrameState {
   double step_length = 0.0;       ///< to which the cycles are warped here [m, >= 0]
   double standing = 0.0;          ///< share of the standing posture, 1 at standing stances [0, 1]
   double lean = 0.0;              ///< of pelvis and trunk, forwards, beside the cycle's [rad]
-  double crouch = 0.0;            ///< of the root below its height on the level [m, >= 0]
   double sway = 0.0;              ///< weight shift to the left beside that of the walk cycle [m]
   std::array<FootState, 2> feet;  ///< by Side
   std::array<bool, 2> planted = {true, true};  ///< by Side: the foot's sole is on the ground

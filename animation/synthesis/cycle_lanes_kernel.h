@@ -23,8 +23,8 @@ inline void basisOf(const Lanes& phase, int harmonics, Lanes* basis) {
   }
 }
 
-// Adds `pace` to the channels: its mean times the weights, its amplitudes warped too, that of the
-// root's height once more. Three channels at a time: a rotation vector, or the root's.
+// Adds `pace` to the channels: its mean times the weights, its amplitudes warped too. Three
+// channels at a time: a rotation vector, or the root's.
 inline void addPace(const LanePace& pace, int channels, const Lanes& weight, const Lanes& warp,
                     const Lanes* basis, double* values) {
   const int terms = 2 * pace.harmonics, columns = terms + 1;
@@ -38,7 +38,6 @@ inline void addPace(const LanePace& pace, int channels, const Lanes& weight, con
       sum.y += y[1 + k] * amplitudes[k];
       sum.z += z[1 + k] * amplitudes[k];
     }
-    if (row == 0) sum.z *= warp;
     double* value = values + 4 * row;
     store(value, loaded(value) + (weight * x[0] + sum.x));
     store(value + 4, loaded(value + 4) + (weight * y[0] + sum.y));

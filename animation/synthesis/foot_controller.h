@@ -24,48 +24,31 @@ class FootController : public SubController {
                  const std::array<FootShape, 2>& shapes, const GaitBlend& blend,
                  const std::array<Eigen::Vector3d, 2>& knee_axes);
 
+  /// Lowers the root where a leg would be longer than it may (LegReach), at stances by what is
+  /// missing there and between them by the least smooth curve over what is missing, then turns the
+  /// legs. False where hips would have to be lowered too far, or a leg does not reach.
   bool apply(AnimationBuffer& buffer) const override;
-  /// The same where feet stand at different heights and legs are bent and stretched more: the hips
-  /// dip deeper, in longer curves.
-  bool applyUneven(AnimationBuffer& buffer) const;
-
-  /// How much lower the root has to be in each frame for no leg to reach farther than `share` [m,
-  /// >= 0].
-  std::vector<double> missingHeights(const AnimationBuffer& buffer, double share,
-                                     double heel_share = 1.0) const;
 
  private:
-  // How hips give way where legs are too short: see HipDip.
-  struct Manner {
-    double reach;       // of a leg, as a share of its length, beyond which they do
-    double deepest;     // [m]
-    double heel_share;  // of footTarget
-    // How far the root is lowered at each frame, by how much is missing there [m].
-    std::vector<double> (*lowering)(const std::vector<double>& missing, double frame_time);
-  };
   using Four = std::array<int, 4>;  // frames that are made side by side
 
   static Four fourFrom(int first, int last);
   LaneLeg laneLeg(Side side, const Eigen::Vector3d& knee_axis) const;
   LaneLegs view() const;
-  void aim(const AnimationBuffer& buffer, const Four& frames, double heel_share,
-           LaneLegFrames& legs) const;
-  double risenPitch(const Sole& sole, double at, double heel_share, Side side, int lane,
+  void aim(const AnimationBuffer& buffer, const Four& frames, LaneLegFrames& legs) const;
+  double risenPitch(const Sole& sole, double at, Side side, int lane,
                     const LaneLegFrames& legs) const;
   void turn(const Four& frames, const LaneLegFrames& legs, AnimationBuffer& buffer,
             bool reached[4]) const;
-  static double heelReach(double at);
-  static std::vector<double> dips(const std::vector<double>& missing, double frame_time);
-  static std::vector<double> sinks(const std::vector<double>& missing, double frame_time);
+  static double heelReach(double at, double captured, double longest);
   // Legs under hips that are where they were.
   struct Trial {
     std::vector<Eigen::Quaterniond> captured;  // [frame][chain_], as they were
-    std::vector<double> missing;               // that much too short is a leg at each frame [m]
+    std::vector<double> height;                // of the root, as it was [m]
+    std::vector<double> missing;               // by so much has it to be lower at each frame [m]
     std::vector<char> reached;                 // whether both reach their targets
   };
-  bool place(AnimationBuffer& buffer, const Manner& manner) const;
-  bool tryLegs(AnimationBuffer& buffer, const Manner& manner, LaneLegFrames& legs,
-               Trial& trial) const;
+  bool tryLegs(AnimationBuffer& buffer, LaneLegFrames& legs, Trial& trial) const;
 
   JointRoles roles_;
   std::array<FootShape, 2> shapes_;

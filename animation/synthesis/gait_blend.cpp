@@ -65,11 +65,10 @@ void addWeight(LaneBlend& blend, const LanePace& pace, int frame, double weight)
   blend.paces[i].weight[frame] = weight;
 }
 
-// Amplitudes times `warp`; that of the root's height once more.
+// Amplitudes times `warp`.
 Eigen::MatrixXd warped(Eigen::MatrixXd coefficients, double warp) {
   const Eigen::Index amplitudes = coefficients.cols() - 2;
   coefficients.rightCols(amplitudes) *= warp;
-  coefficients.row(2).rightCols(amplitudes) *= warp;
   return coefficients;
 }
 
@@ -83,7 +82,7 @@ FootCycle scaledFoot(FootCycle foot, double scale) {
 FootCycle mixed(const FootCycle& a, const FootCycle& b, double share) {
   FootCycle foot = a;
   const auto mix = [&](double& x, double y) { x += share * (y - x); };
-  for (int k = 0; k < 4; ++k) {
+  for (size_t k = 0; k < foot.progress.size(); ++k) {
     mix(foot.progress[k], b.progress[k]);
     mix(foot.height[k], b.height[k]);
     mix(foot.sideways[k], b.sideways[k]);
@@ -111,7 +110,7 @@ GaitBlend::GaitBlend(const MotionLibrary& library, double scale, double speed) {
   const auto groups = grouped(straight, [](const WalkCycle& c) { return c.speed; });
   std::vector<Pace> paces;
   for (const Cycles& cycles : groups) paces.push_back(meanPace(cycles, harmonics, scale));
-  fitLaw(paces);
+  fitLaw(paces, scale * library.roles.legLength(library.skeleton, kLeft));
   takeOnset(library, scale);
   mixStraight(paces, groups, scale, speed);
   for (const Cycles& side : turns) {
@@ -135,13 +134,14 @@ GaitBlend::Pace GaitBlend::meanPace(const Cycles& cycles, int harmonics, double 
     pace.coefficients += share * one;
     pace.speed += share * cycle->speed * std::sqrt(scale);
     pace.turn_rate += share * cycle->turn_rate / std::sqrt(scale);
-    pace.step += share * cycle->plantedStepLength() * scale;
+    pace.step += share * cycle->stepLength() * scale;
+    pace.support += share * cycle->doubleSupport();
   }
   return pace;
 }
 
 // Least squares of log step over log speed; through the slowest walk's speed.
-void GaitBlend::fitLaw(const std::vector<Pace>& paces) {
+void GaitBlend::fitLaw(const std::vector<Pace>& paces, double leg_length) {
   const double n = static_cast<double>(paces.size());
   double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   for (const Pace& pace : paces) {
@@ -156,6 +156,9 @@ void GaitBlend::fitLaw(const std::vector<Pace>& paces) {
   }
   const double slowest = paces.front().speed;
   law_ = StrideLaw(slowest, std::exp(y + power * (std::log(slowest) - x)), power);
+  std::vector<StrideLaw::Support> supports;
+  for (const Pace& pace : paces) supports.push_back({pace.speed, pace.support});
+  law_.setSupports(supports, leg_length);
 }
 
 // How walks begin and end: the mean of the library's starts and stops.
@@ -189,7 +192,9 @@ void GaitBlend::mixStraight(const std::vector<Pace>& paces, const std::vector<Cy
     const double each = share / static_cast<double>(cycles[index].size());
     for (const WalkCycle* cycle : cycles[index]) {
       step_width_ += each * cycle->step_width * scale;
-      foot_forward_ += each * cycle->foot_forward * scale;
+      const auto& [left, right] = cycle->foot_forward;
+      foot_forward_ += each * 0.5 * (left + right) * scale;
+      stagger_ += each * 0.5 * (left - right) * scale;
       toe_out_ += each * 0.5 * (cycle->toe_out[kLeft] - cycle->toe_out[kRight]);
     }
   }

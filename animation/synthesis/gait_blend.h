@@ -37,15 +37,17 @@ class GaitBlend {
   double maxTurnRate() const { return max_turn_rate_; }
   static constexpr double kNoTurns = 0.5;           ///< that a straight walk may be bent to [rad/s]
   double stepWidth() const { return step_width_; }  ///< of the straight walk [m]
-  double footForward() const { return foot_forward_; }  ///< [m]
-  double toeOut() const { return toe_out_; }            ///< of the left foot, left positive [rad]
+  /// Of WalkCycle::foot_forward the mean, and half of what left is before right [m].
+  double footForward() const { return foot_forward_; }
+  double stagger() const { return stagger_; }
+  double toeOut() const { return toe_out_; }  ///< of the left foot, left positive [rad]
   const FootCycle& foot(Side side) const { return feet_[side]; }
   const std::array<FootCycle, 2>& feet() const { return feet_; }  ///< by Side
 
   /// Channels of WalkCycle::series at a phase [cycles], blended for a turn rate [rad/s] and warped
-  /// to a step length [m]. Amplitudes are proportional to step length, that of the root's height to
-  /// its square as an inverted pendulum's; means stay. Allocates nothing once `channels` has its
-  /// size.
+  /// to a step length [m]. Amplitudes are proportional to step length, means stay. (The root's
+  /// height would go with its square, were it an inverted pendulum's; people's rises less.)
+  /// Allocates nothing once `channels` has its size.
   void evaluate(double phase, double turn_rate, double step_length,
                 Eigen::VectorXd& channels) const;
   /// The same at four frames at once, into values[4 * channel + frame].
@@ -85,12 +87,13 @@ class GaitBlend {
     Eigen::MatrixXd coefficients;  ///< rows: channels; columns: alpha_0, beta_0 = 0, alpha_1, ...
     double speed = 0.0;            ///< [m/s]
     double turn_rate = 0.0;        ///< [rad/s]
-    double step = 0.0;             ///< planted [m]
+    double step = 0.0;             ///< [m]
+    double support = 0.0;          ///< share of time with both feet planted [0, 1]
   };
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   static Pace meanPace(const Cycles& cycles, int harmonics, double scale);
-  void fitLaw(const std::vector<Pace>& paces);
+  void fitLaw(const std::vector<Pace>& paces, double leg_length);
   void takeOnset(const MotionLibrary& library, double scale);
   void mixStraight(const std::vector<Pace>& paces, const std::vector<Cycles>& cycles, double scale,
                    double speed);
@@ -103,7 +106,8 @@ class GaitBlend {
   std::array<std::vector<Pace>, 2> turns_;  // left, right, by rate: what they add to the straight
   std::vector<RowMajor> rows_;   // of the straight walk, then of the turns: as LanePace has them
   std::vector<LanePace> paces_;  // the same
-  double max_turn_rate_ = 0.0, step_width_ = 0.0, foot_forward_ = 0.0, toe_out_ = 0.0;
+  double max_turn_rate_ = 0.0, step_width_ = 0.0, foot_forward_ = 0.0, stagger_ = 0.0,
+         toe_out_ = 0.0;
   std::array<FootCycle, 2> feet_;
 };
 

@@ -49,6 +49,8 @@ struct LaneLegFrames {
   struct Target {
     double ankle[12], q_WF[16], toe[8];  ///< FootTarget; of half the toes' bend sine and cosine
     double distance[4];                  ///< of the ankle from the hip [m]
+    double captured[4];                  ///< the same before the leg is turned to the target [m]
+    double longest[4];                   ///< that the leg may be [m]; the caller's
   } targets[2];                          ///< by Side
 
   double hip(const LaneLeg& leg, int axis, int frame) const {
@@ -62,8 +64,8 @@ struct LegKernel {
                      const double* const rotations[4], LaneLegFrames& frames);
   /// Targets of one foot, from its soles.
   void (*aim)(const LaneLeg& leg, const LaneSoles& soles, LaneLegFrames& frames);
-  /// How much lower the root has to be for no leg to reach farther than `share` of its length [m].
-  void (*lower)(const LaneLegs& legs, const LaneLegFrames& frames, double share, double missing[4]);
+  /// How much lower the root has to be for no leg to be longer than it may [m].
+  void (*lower)(const LaneLegs& legs, const LaneLegFrames& frames, double missing[4]);
   /// Turns the joints of both legs in `rotations` to their targets; whether both reach there.
   void (*reach)(const LaneLegs& legs, const LaneLegFrames& frames, double* const rotations[4],
                 bool reached[4]);

@@ -78,6 +78,7 @@ inline void aimLanes(const LaneLeg& leg, const LaneSoles& soles, LaneLegFrames& 
   store(target.toe, toes_up ? Lanes{} : half.sine);
   store(target.toe + 4, toes_up ? Lanes{} + 1.0 : half.cosine);
   store(target.distance, length(ankle - hip));
+  store(target.captured, length(pointAt(jointAt(frames, leg.foot.chain) + 16) - hip));
 }
 
 // Turns one leg to its target. Joints between (twist joints of some rigs) turn with the link above
@@ -106,13 +107,12 @@ inline LaneBits turnLeg(const LaneLeg& leg, const LaneLegFrames& frames,
   return turns.solved & (loaded(target.distance) <= longest);
 }
 
-inline void lowerLanes(const LaneLegs& legs, const LaneLegFrames& frames, double share,
-                       double missing[4]) {
+inline void lowerLanes(const LaneLegs& legs, const LaneLegFrames& frames, double missing[4]) {
   Lanes most = {};
   for (const LaneLeg& leg : legs.legs) {
     const Point hip = pointAt(jointAt(frames, leg.up_leg.chain) + 16);
     const Point d = hip - pointAt(frames.targets[leg.side].ankle);
-    const double longest = share * leg.length;
+    const Lanes longest = loaded(frames.targets[leg.side].longest);
     const Lanes room = longest * longest - (d.x * d.x + d.y * d.y);
     most = larger(most, d.z - root(larger(room, Lanes{})));
   }

@@ -5,51 +5,38 @@
 namespace amble {
 
 /// Distances from hip to ankle, as shares of the leg's length [1]. The knee's angle goes with the
-/// square root of what is missing to 1: at 0.9975 it is bent by 8 degrees, at 0.99 by 16, so the
-/// last thousandths turn the knee fastest. In order:
-///   kUneven < kStanding < kStraight < kHeel < kDip < kLongest.
+/// square root of what is missing to 1: at 0.998 it is bent by 7 degrees, at 0.9998 by 2.
 struct LegReach {
-  /// Of a leg on uneven ground, where legs are bent and stretched more from frame to frame: higher,
-  /// and knees snap at the foot of a step; lower, and people walk over rubble crouching. By trial.
-  static constexpr double kUneven = 0.992;
-  /// Of both legs while standing: captured people stand on straight legs, which have no room to
-  /// turn on the spot or to step off from.
-  static constexpr double kStanding = 0.995;
-  /// Of the straight walk, which is lowered until its legs reach no farther: a knee bent by 8
-  /// degrees. Captured walkers reach 0.999, where the knee would turn by 5 degrees for every
-  /// millimetre of the hip.
-  static constexpr double kStraight = 0.9975;
-  /// Of a leg behind: its heel rises instead. Higher, and the knee locks before the heel lifts.
-  static constexpr double kHeel = 0.998;
-  /// So much less than kHeel around lift-off: the knee flexes before the toe leaves (pre-swing).
-  /// Without it the leg leaves the ground straight.
-  static constexpr double kPreSwing = 0.03;
-  /// Where pre-swing begins and ends (FootState::at: 0.75 of the stance, half of the swing).
-  static constexpr double kPreSwingFrom = 0.75, kPreSwingTo = 1.5;
-  /// Where a leg on level ground would stretch farther the hips dip.
-  static constexpr double kDip = 0.999;
-  /// A leg stretched farther is refused (WalkRule::kReach): the knee would snap.
+  /// A leg may be as long as the captured one is at that moment, and as this. Higher, and knees
+  /// snap where steps and slopes stretch them; lower, and people walk over rubble crouching. By
+  /// trial.
+  static constexpr double kStraight = 0.998;
+  /// No leg is longer: captured ones are straight at times, but over a straight knee the hip does
+  /// not move without the foot.
   static constexpr double kLongest = 0.9995;
+  /// A leg stretched farther is refused (WalkRule::kReach).
+  static constexpr double kRefused = 0.9999;
+  /// From so late in its stance to so late in its swing (FootState::at) a leg behind is shortened
+  /// towards the captured one, whose knee flexes before the toe leaves (pre-swing), by such a share
+  /// of the difference: its heel rises. By trial: with all of it feet go up on their toes' tips,
+  /// since captured ones slide on by then.
+  static constexpr double kPreSwing = 0.3;
+  static constexpr double kPreSwingFrom = 0.75, kPreSwingTo = 1.5;
 };
 
-/// How hips dip where a leg would be too short. All by trial.
+/// How hips give way where a leg would be longer than it may. By trial.
 struct HipDip {
-  /// On level ground a dip is spread over so long before and after: shorter shows as a jolt, longer
-  /// lowers steps that need it not [s].
-  static constexpr double kTime = 0.3;
-  static constexpr double kDeepest = 0.04;  ///< deeper is refused: it looks like a stumble [m]
-  /// A dip near a stance, which stays as it is, fades so fast at most [m/s] and in no less than
-  /// kShortestFade [s].
-  static constexpr double kSpeed = 0.03;
-  static constexpr double kShortestFade = 0.03;
-
-  /// The same on uneven ground, where dips are deeper, in longer curves [s, m, m/s].
-  static constexpr double kUnevenTime = 0.16;
-  static constexpr double kUnevenDeepest = 0.15;
-  static constexpr double kUnevenSpeed = 0.25;
-  /// So much of a heel's further rise (HeelRise) is used there: a foot that stands behind for
-  /// longer than on the level would go up on its toes' tips [0 to 1].
-  static constexpr double kUnevenHeel = 0.4;
+  /// What is missing at a frame lowers the hips so long before and after: shorter shows as a jolt,
+  /// longer lowers steps that need it not [s].
+  static constexpr double kTime = 0.25;
+  static constexpr double kDeepest = 0.15;  ///< deeper is refused: it looks like a stumble [m]
+  /// Between a stance, which stays as it is, and a dip beside it hips sink and rise so fast at most
+  /// [m/s], and in no less than kShortestFade [s].
+  static constexpr double kSpeed = 0.4;
+  static constexpr double kShortestFade = 0.015;
+  static constexpr double kAtOnce = 0.004;  ///< beside a stance, more in a frame is a jolt [m]
+  /// Hips that are lower at a stance come back within so long [s].
+  static constexpr double kRecovery = 0.6;
 };
 
 }  // namespace amble

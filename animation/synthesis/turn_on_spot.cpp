@@ -31,6 +31,12 @@ SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, 
     if (turn.refused != WalkRule::kNone) return turn;
   }
   const FootPlacement& placement = placer.placement();
+  std::vector<double> nodes, done;
+  for (int i = 0; i <= turn.steps; ++i) {
+    nodes.push_back(i);
+    done.push_back(static_cast<double>(i) / turn.steps);
+  }
+  turn.done = CubicSpline(std::move(nodes), std::move(done), 0.0, 0.0);
   turn.feet.emplace(placement, at, turn.end, turn.steps, turn.first);
   for (int i = 1; i <= turn.steps; ++i) {
     Stance turned = at;
@@ -47,13 +53,12 @@ SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, 
 FrameState spotTurnState(const SpotTurn& turn, const FrameState& standing, int frame) {
   const double share = static_cast<double>(frame) / turn.frames, progress = turn.steps * share;
   FrameState state = standing;
-  state.position.head<2>() += minimumJerk(share) * turn.shift.head<2>();
+  const double done = turn.done.at(progress);
+  state.position.head<2>() += done * turn.shift.head<2>();
   state.position.z() += smoothstep(share) * (turn.end_feet.height - turn.from_feet.height);
-  state.arc = minimumJerk(share) * turn.shift.head<2>().norm();
-  state.heading = turn.from.heading + turn.angle * minimumJerk(share);
-  // The slope of minimum jerk: 30 t^2 (1 - t)^2.
-  state.turn_rate =
-      turn.angle * 30.0 * std::pow(share * (1.0 - share), 2) / (turn.steps * turn.step_time);
+  state.arc = done * turn.shift.head<2>().norm();
+  state.heading = turn.from.heading + turn.angle * done;
+  state.turn_rate = turn.angle * turn.done.slope(progress) / turn.step_time;
   state.feet = turn.feet->at(progress);
   for (FootState& foot : state.feet) {
     foot.strike_roll = foot.lift_roll = 0.0;  // small steps are put down flat

@@ -6,6 +6,7 @@
 
 #include "animation/steps/step_placer.h"
 #include "animation/synthesis/animation_buffer.h"
+#include "base/cubic_spline.h"
 
 namespace amble {
 
@@ -35,6 +36,10 @@ struct SpotTurn {
   int frames = 0;                                   ///< intervals; there is one frame more
   double scale = 1.0;                               ///< of the character to the captured subject
   std::optional<Footsteps> feet;
+  /// Share of the turn that the pelvis has done at a progress [steps]: halfway between the feet as
+  /// each is put down, so that neither is twisted against it by more than half of a pair and its
+  /// toe out.
+  CubicSpline done;
 };
 
 /// @param angle  [rad, left positive, |angle| <= 2 pi]; @param scale  of the character to the

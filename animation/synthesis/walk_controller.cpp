@@ -26,39 +26,13 @@ void projectChannels(std::span<const double> channels,
 
 WalkController::WalkController(const GaitBlend& blend,
                                const std::vector<Eigen::Quaterniond>& reference,
-                               const Eigen::VectorXd& stand_channels, Carriage carriage)
-    : blend_(blend),
-      reference_(reference),
-      stand_(stand_channels),
-      carriage_(std::move(carriage)) {}
-
-double WalkController::lowering(double step_length) const {
-  const std::vector<double>& table = carriage_.lowering;
-  if (table.size() < 2) return 0.0;
-  const double at =
-      std::clamp(step_length / carriage_.longest, 0.0, 1.0) * static_cast<double>(table.size() - 1);
-  const size_t i = std::min(static_cast<size_t>(at), table.size() - 2);
-  const double t = at - static_cast<double>(i);
-  return table[i] + t * (table[i + 1] - table[i]);
-}
-
-double WalkController::height(double phase, double step_length) const {
-  Eigen::VectorXd channels(stand_.size());
-  blend_.evaluate(phase, 0.0, step_length, channels);
-  return channels[2] - lowering(step_length) * loweringShare(phase);
-}
-
-double WalkController::loweringShare(double phase) {
-  return kLeastLowering + (1.0 - kLeastLowering) * 0.5 * (1.0 + std::cos(4.0 * kPi * phase));
-}
+                               const Eigen::VectorXd& stand_channels, double lead)
+    : blend_(blend), reference_(reference), stand_(stand_channels), lead_(lead) {}
 
 // Of a frame beside three others: what walking and standing add to its cycle.
 void WalkController::carry(const FrameState& state, int frame, std::span<double> channels) const {
   const auto channel = [&](Eigen::Index i) -> double& { return channels[4 * i + frame]; };
-  if (state.standing < 1.0) {
-    channel(0) += carriage_.lead;
-    channel(2) -= lowering(state.step_length) * loweringShare(state.phase);
-  }
+  channel(0) += lead_;
   if (state.standing > 0.0) {
     for (Eigen::Index i = 0; i < stand_.size(); ++i) {
       double& value = channel(i);
@@ -66,7 +40,6 @@ void WalkController::carry(const FrameState& state, int frame, std::span<double>
     }
   }
   channel(1) += state.sway;
-  channel(2) -= state.crouch;
 }
 
 // Four frames at a time; the last ones fewer, of which one stands for what is missing.

@@ -10,7 +10,6 @@
 #include "animation/steps/start_and_stop.h"
 #include "animation/steps/step_placer.h"
 #include "animation/synthesis/action.h"
-#include "animation/synthesis/carriage_fit.h"
 #include "animation/synthesis/foot_controller.h"
 #include "animation/synthesis/gait_blend.h"
 #include "animation/synthesis/turn_on_spot.h"
@@ -54,21 +53,28 @@ struct WalkSynthesizer::Impl {
         blend(library, scale, the_settings.speed),
         feet(skeleton, roles, shapes, blend,
              kneeAxes(roles, referenceOf(skeleton, roles, library.stand().rotations))),
-        body{blend, reference, feet, placementOf(library.stand()), scale},
-        fit(fitCarriage(body, library.stand().root_height * scale)),
-        walk(blend, reference, fit.stand_channels, fit.carriage),
+        placement(placementOf(library.stand())),
+        walk(blend, reference, standChannels(library.stand().root_height * scale),
+             placement.forward - blend.footForward()),
         placer(ground, shapes, blend.feet(), stepSettings()) {}
 
   FootPlacement placementOf(const Posture& stand) const {
-    FootPlacement placement;
-    placement.walk_width = blend.stepWidth();
-    placement.stand_width = stand.step_width * scale;
-    placement.forward = -stand.root_forward * scale;
-    placement.step_length = blend.law().stepLength(settings.speed);
-    placement.walk_toe_out = blend.toeOut();
-    placement.stand_toe_out = 0.5 * (stand.toe_out[kLeft] - stand.toe_out[kRight]);
-    placement.half_support = 0.5 * doubleSupport(settings.speed, roles.legLength(skeleton, kLeft));
-    return placement;
+    FootPlacement placed;
+    placed.walk_width = blend.stepWidth();
+    placed.stand_width = stand.step_width * scale;
+    placed.forward = -stand.root_forward * scale;
+    placed.stagger = blend.stagger();
+    placed.step_length = blend.law().stepLength(settings.speed);
+    placed.walk_toe_out = blend.toeOut();
+    placed.stand_toe_out = 0.5 * (stand.toe_out[kLeft] - stand.toe_out[kRight]);
+    placed.half_support = 0.5 * blend.law().doubleSupport(settings.speed);
+    return placed;
+  }
+
+  Eigen::VectorXd standChannels(double height) const {
+    Eigen::VectorXd channels = Eigen::VectorXd::Zero(3 + 3 * skeleton.size());
+    channels[2] = height;
+    return channels;
   }
 
   // Of a swing over a step of the captured length on the level.
@@ -80,7 +86,7 @@ struct WalkSynthesizer::Impl {
 
   StepSettings stepSettings() const {
     StepSettings steps;
-    steps.placement = body.placement;
+    steps.placement = placement;
     steps.limits.law = blend.law();
     steps.limits.speed = settings.speed;
     steps.limits.max_turn_rate = blend.maxTurnRate();
@@ -101,7 +107,7 @@ struct WalkSynthesizer::Impl {
     state.standing = stance.standing ? 1.0 : 0.0;
     state.speed = stance.standing ? 0.0 : settings.speed * stance.pace;
     state.phase = stance.standing || stance.leading == kLeft ? 0.0 : 0.5;
-    state.step_length = body.placement.step_length;
+    state.step_length = placement.step_length;
     if (!stance.standing) {
       state.step_length = stood.placement.step_length;
       state.lean = slopeLean(stood.rise / state.step_length);
@@ -112,7 +118,6 @@ struct WalkSynthesizer::Impl {
       foot.from = foot.to = stood.feet[side];
       if (!stance.standing) foot.strike_roll = slopeStrike(foot.from);
     }
-    if (!stood.level) state.crouch = stanceCrouch(body, walk, stance, stood, state);
     return state;
   }
 
@@ -122,7 +127,7 @@ struct WalkSynthesizer::Impl {
     buffer.poses = PoseArray(skeleton.size());
     buffer.states.resize(1);
     buffer.states[0].standing = 1.0;
-    buffer.states[0].step_length = body.placement.step_length;
+    buffer.states[0].step_length = placement.step_length;
     buffer.poses.resize(1);
     walk.apply(buffer);
     std::vector<JointFrame> joints(skeleton.size());
@@ -152,18 +157,16 @@ struct WalkSynthesizer::Impl {
     if (request.to.standing)
       state.standing = std::max(state.standing, 1.0 - smoothstep(left / kShare));
     state.feet = steps.feet->at(at.steps);
-    if (request.wishes.stride) state.crouch = strideCrouch(walk, state, scale);
     return state;
   }
 
-  WalkResult pose(AnimationBuffer& out, bool level, int steps, Side leading) const {
+  WalkResult pose(AnimationBuffer& out, int steps, Side leading) const {
     out.frame_time = settings.frame_time;
     if (out.poses.joints() != skeleton.size()) out.poses = PoseArray(skeleton.size());
     out.poses.resize(static_cast<int>(out.states.size()));
     walk.apply(out);
     for (const auto& action : actions) action->apply(out);
-    if (!(level ? feet.apply(out) : feet.applyUneven(out)))
-      return {WalkRule::kReach, steps, leading};
+    if (!feet.apply(out)) return {WalkRule::kReach, steps, leading};
     out.markFootprints();
     return {WalkRule::kNone, steps, leading};
   }
@@ -176,8 +179,7 @@ struct WalkSynthesizer::Impl {
   std::vector<Eigen::Quaterniond> reference;
   GaitBlend blend;
   FootController feet;
-  CarriageBody body;
-  CarriageFit fit;
+  FootPlacement placement;
   WalkController walk;
   StepPlacer placer;
   std::vector<std::unique_ptr<const SubController>> actions;
@@ -206,7 +208,7 @@ double WalkSynthesizer::stature() const { return impl_->stature; }
 double WalkSynthesizer::ankleHeight() const { return impl_->shapes[kLeft].ankle_height; }
 JointFrame WalkSynthesizer::standingHead() const { return impl_->standingHead(); }
 double WalkSynthesizer::toeHeight() const { return impl_->shapes[kLeft].radius; }
-double WalkSynthesizer::stepLength() const { return impl_->body.placement.step_length; }
+double WalkSynthesizer::stepLength() const { return impl_->placement.step_length; }
 double WalkSynthesizer::maxTurnRate() const { return impl_->blend.maxTurnRate(); }
 double WalkSynthesizer::shortestWalk() const {
   // Two steps of half a step's length each.
@@ -232,15 +234,6 @@ void smoothBlending(std::vector<FrameState>& states, double frame_time) {
   }
 }
 
-// From stance to stance; what is missing in between is for the feet to find.
-void spreadCrouch(std::vector<FrameState>& states) {
-  const double first = states.front().crouch, last = states.back().crouch;
-  const auto n = static_cast<double>(states.size() - 1);
-  for (size_t i = 1; i + 1 < states.size(); ++i) {
-    states[i].crouch += first + smoothstep(static_cast<double>(i) / n) * (last - first);
-  }
-}
-
 // What each footprint but the two of the begin was asked to be.
 void setGait(const std::vector<GaitParameters>& gait, AnimationBuffer& buffer) {
   size_t next = 0;
@@ -262,9 +255,8 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
   out.states.push_back(m.stanceState(from, walk.from_feet, 0.0));
   for (int k = 1; k < walk.frames(); ++k) out.states.push_back(m.walkingState(walk, request, k));
   out.states.push_back(m.stanceState(walk.end, walk.end_feet, path.length()));
-  if (!walk.level) spreadCrouch(out.states);
   smoothBlending(out.states, m.settings.frame_time);
-  const WalkResult result = m.pose(out, walk.level && !walk.timing, walk.steps, walk.end.leading);
+  const WalkResult result = m.pose(out, walk.steps, walk.end.leading);
   if (result.refused == WalkRule::kNone) setGait(walk.gait, out);
   return result;
 }
@@ -286,14 +278,14 @@ WalkResult WalkSynthesizer::smallSteps(const Stance& at, const Eigen::Vector3d& 
   for (int k = 1; k < turn.frames; ++k)
     out.states.push_back(spotTurnState(turn, out.states.front(), k));
   out.states.push_back(m.stanceState(turn.end, turn.end_feet, shift.head<2>().norm()));
-  return m.pose(out, turn.from_feet.level && turn.end_feet.level, turn.steps, turn.first);
+  return m.pose(out, turn.steps, turn.first);
 }
 
 WalkResult WalkSynthesizer::stand(const Stance& at, AnimationBuffer& out) const {
   const StanceFeet feet = impl_->placer.stanceFeet(at);
   if (feet.refused != WalkRule::kNone) return {feet.refused, 0, kLeft};
   out.states.assign(1, impl_->stanceState(at, feet, 0.0));
-  return impl_->pose(out, true, 0, kLeft);
+  return impl_->pose(out, 0, kLeft);
 }
 
 }  // namespace amble

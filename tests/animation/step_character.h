@@ -19,8 +19,8 @@ struct StepCharacter {
     s.placement.forward = blend.footForward();
     s.placement.step_length = blend.law().stepLength(1.2);
     s.leg_length = library.roles.legLength(library.skeleton, kLeft);
-    s.placement.half_support = 0.5 * doubleSupport(1.2, s.leg_length);
     s.limits.law = blend.law();
+    s.placement.half_support = 0.5 * s.limits.law.doubleSupport(1.2);
     s.limits.max_turn_rate = blend.maxTurnRate();
     s.footholds = {20.0 * kDegree, 0.25, 0.25};
     return s;

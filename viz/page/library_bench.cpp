@@ -172,7 +172,7 @@ Json measuresJson(const WalkCycle& cycle) {
           {"turn_rate", cycle.turn_rate / kDegree},
           {"period", cycle.period},
           {"step_length", cycle.stepLength()},
-          {"planted_step_length", cycle.plantedStepLength()},
+          {"double_support", cycle.doubleSupport()},
           {"step_width", cycle.step_width},
           {"toe_out", {cycle.toe_out[kLeft] / kDegree, cycle.toe_out[kRight] / kDegree}},
           {"cycles", cycle.cycles},
@@ -234,7 +234,7 @@ Json stepLawJson(const MotionLibrary& library, const NumbersText& numbers) {
     if (motion.kind != MotionKind::kWalk || motion.turning) continue;
     points.push_back({{"name", motion.name},
                       {"speed", motion.cycle.speed},
-                      {"step", motion.cycle.plantedStepLength()}});
+                      {"step", motion.cycle.stepLength()}});
     fastest = std::max(fastest, motion.cycle.speed);
   }
   const GaitBlend blend(plain, 1.0);

@@ -118,7 +118,8 @@ TEST(WalkCycle, FootprintsAreAsWideAndAsFarAheadAsTheyWereDrawn) {
   const WalkCycle cycle = cycleOf(rig, rig.walk(puppet), false);
   EXPECT_NEAR(cycle.step_width, 0.13, 1e-6);
   // Soles reach farther ahead of the ankle than behind it.
-  EXPECT_NEAR(cycle.foot_forward, -rig.feet[kLeft].ankle_x, 0.01);
+  for (const double forward : cycle.foot_forward)
+    EXPECT_NEAR(forward, -rig.feet[kLeft].ankle_x, 0.01);
   EXPECT_NEAR(cycle.toe_out[kLeft], 0.0, 1e-6);
   EXPECT_NEAR(cycle.toe_out[kRight], 0.0, 1e-6);
 }

@@ -11,22 +11,6 @@
 namespace amble {
 namespace {
 
-constexpr double kGravity = 9.81;
-
-TEST(DoubleSupportNorm, IsTheClasssInTheMiddleOfItsRange) {
-  const double leg = 0.85, unit = std::sqrt(kGravity * leg);
-  EXPECT_NEAR(doubleSupportNorm(0.432 * unit, leg), 0.19, 1e-9);
-  EXPECT_NEAR(doubleSupportNorm(0.5 * (0.432 + 0.568) * unit, leg), 0.175, 1e-9);
-}
-
-TEST(DoubleSupportNorm, NeverGrowsWithSpeed) {
-  for (double speed = 0.0; speed < 3.0; speed += 0.05) {
-    EXPECT_GE(doubleSupportNorm(speed, 0.8), doubleSupportNorm(speed + 0.05, 0.8));
-  }
-  EXPECT_EQ(doubleSupportNorm(0.0, 0.8), 0.36);
-  EXPECT_EQ(doubleSupportNorm(9.0, 0.8), 0.14);
-}
-
 TEST(QualityAnchors, AtACapturedSpeedTheJerkIsThatOfTheCapture) {
   const MotionLibrary library = openMotionLibrary("default");
   for (const Motion& motion : library.motions) {

@@ -37,8 +37,8 @@ FootState stateAt(double at, const Eigen::Vector3d& step = {1.2, 0.0, 0.0}) {
 
 const Eigen::Vector3d kHip(0.1, 0.0, 0.85);
 
-FootTarget targetAt(const FootState& state, double longest = 9.0, double share = 1.0) {
-  return footTarget(state, foot().cycle, foot().shape, kHip, longest, share);
+FootTarget targetAt(const FootState& state, double longest = 9.0) {
+  return footTarget(state, foot().cycle, foot().shape, kHip, longest);
 }
 
 SoleEnds endsOf(const FootTarget& target) {
@@ -93,8 +93,8 @@ TEST(FootTarget, TurnsAndMovesWithTheGroundItStandsOn) {
 TEST(FootTarget, AHeelBehindRisesUntilTheLegReaches) {
   FootState state = stateAt(0.8);
   const Eigen::Vector3d hip(0.55, 0.0, 0.80);
-  const auto at = [&](double longest, double share = 1.0) {
-    return footTarget(state, foot().cycle, foot().shape, hip, longest, share);
+  const auto at = [&](double longest) {
+    return footTarget(state, foot().cycle, foot().shape, hip, longest);
   };
   const FootTarget captured = at(9.0);
   const double far = (captured.ankle - hip).norm();
@@ -104,7 +104,6 @@ TEST(FootTarget, AHeelBehindRisesUntilTheLegReaches) {
   EXPECT_NEAR(endsOf(risen).ball.z(), endsOf(captured).ball.z(), 1e-6);
   const FootTarget most = at(0.5 * far);
   EXPECT_NEAR(most.toe_bend - captured.toe_bend, HeelRise::kMost, 1e-6);
-  EXPECT_NEAR(at(0.5 * far, 0.0).toe_bend, captured.toe_bend, 1e-9);
 }
 
 // However short the leg: a heel goes on rising only while that brings the ankle nearer to the hip,

@@ -51,22 +51,52 @@ TEST(StrideLaw, IsContinuousWhereSlowWalkingBegins) {
   }
 }
 
-TEST(DoubleSupport, FallsWithSpeedAndIsContinuous) {
-  double before = doubleSupport(0.01, 0.8);
-  EXPECT_NEAR(before, 0.36, 1e-12);  // Schwartz et al., very slow
-  for (double v = 0.01; v < 3.0; v += 0.001) {
-    const double share = doubleSupport(v, 0.8);
-    EXPECT_LE(share, before);
-    EXPECT_LT(before - share, 0.001);
-    before = share;
-  }
-  EXPECT_NEAR(before, 0.14, 1e-12);  // very fast
+TEST(DoubleSupportNorm, IsTheClasssInTheMiddleOfItsRange) {
+  const double leg = 0.85, unit = std::sqrt(9.81 * leg);
+  EXPECT_NEAR(doubleSupportNorm(0.432 * unit, leg), 0.19, 1e-9);
+  EXPECT_NEAR(doubleSupportNorm(0.5 * (0.432 + 0.568) * unit, leg), 0.175, 1e-9);
 }
 
-TEST(DoubleSupport, IsThatOfAnyLegLengthAtTheSameFroudeNumber) {
-  for (double v = 0.3; v < 2.0; v += 0.1) {
-    EXPECT_NEAR(doubleSupport(v, 0.8), doubleSupport(v * std::sqrt(1.5), 1.2), 1e-12);
+TEST(DoubleSupportNorm, NeverGrowsWithSpeed) {
+  for (double speed = 0.0; speed < 3.0; speed += 0.05) {
+    EXPECT_GE(doubleSupportNorm(speed, 0.8), doubleSupportNorm(speed + 0.05, 0.8));
   }
+  EXPECT_EQ(doubleSupportNorm(0.0, 0.8), 0.36);
+  EXPECT_EQ(doubleSupportNorm(9.0, 0.8), 0.14);
+}
+
+TEST(DoubleSupportNorm, IsThatOfAnyLegLengthAtTheSameFroudeNumber) {
+  for (double v = 0.3; v < 2.0; v += 0.1) {
+    EXPECT_NEAR(doubleSupportNorm(v, 0.8), doubleSupportNorm(v * std::sqrt(1.5), 1.2), 1e-12);
+  }
+}
+
+/// A subject who is off the norm by two shares at two speeds.
+StrideLaw supported() {
+  StrideLaw law(1.1, 0.62);
+  law.setSupports(
+      {{1.0, doubleSupportNorm(1.0, 0.8) + 0.02}, {1.6, doubleSupportNorm(1.6, 0.8) - 0.01}}, 0.8);
+  return law;
+}
+
+TEST(DoubleSupport, IsTheCapturedOneAtTheCapturedSpeeds) {
+  const StrideLaw law = supported();
+  EXPECT_NEAR(law.doubleSupport(1.0), doubleSupportNorm(1.0, 0.8) + 0.02, 1e-12);
+  EXPECT_NEAR(law.doubleSupport(1.6), doubleSupportNorm(1.6, 0.8) - 0.01, 1e-12);
+  EXPECT_EQ(StrideLaw(1.1, 0.62).doubleSupport(1.3), doubleSupportNorm(1.3, 0.8));
+}
+
+TEST(DoubleSupport, IsContinuousAndNeverFarFromTheNorm) {
+  StrideLaw law = supported();
+  double before = law.doubleSupport(0.01);
+  for (double v = 0.01; v < 3.0; v += 0.001) {
+    const double share = law.doubleSupport(v);
+    EXPECT_LT(std::abs(before - share), 0.001);
+    EXPECT_LE(std::abs(share - doubleSupportNorm(v, 0.8)), StrideLaw::kSupportOff + 1e-12);
+    before = share;
+  }
+  law.setSupports({{1.2, 0.9}}, 0.8);  // a detector that is wrong
+  EXPECT_NEAR(law.doubleSupport(1.2), doubleSupportNorm(1.2, 0.8) + StrideLaw::kSupportOff, 1e-12);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ struct Moments {
         const double angle = 2.0 * kPi * k * blend.phase[frame];
         swings += c[2 * k - 1] * std::cos(angle) + c[2 * k] * std::sin(angle);
       }
-      sum += weighed.weight[frame] * (c[0] + warp * (channel == 2 ? warp : 1.0) * swings);
+      sum += weighed.weight[frame] * (c[0] + warp * swings);
     }
     return sum;
   }

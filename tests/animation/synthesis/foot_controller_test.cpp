@@ -8,7 +8,6 @@
 #include "animation/body/pelvis.h"
 #include "animation/clips/carry_over.h"
 #include "animation/library/motion_library_reader.h"
-#include "animation/synthesis/leg_reach.h"
 #include "animation/synthesis/walk_controller.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "base/rotation.h"
@@ -66,7 +65,7 @@ TEST(FootController, AFootprintOutOfReachIsRefused) {
 
 TEST(FootController, ARootTooHighForItsLegsIsRefused) {
   const Standing s;
-  AnimationBuffer buffer = s.buffer(1, s.library.stand().root_height + 0.1);
+  AnimationBuffer buffer = s.buffer(1, s.library.stand().root_height + 0.2);
   EXPECT_FALSE(s.feet.apply(buffer));
 }
 
@@ -93,27 +92,31 @@ TEST(FootController, FeetComeToTheirTargetsAndNothingElseMoves) {
   }
 }
 
-TEST(FootController, MissingHeightIsWhatTheRootMustBeLowered) {
-  const Standing s;
-  const double high = s.library.stand().root_height + 0.05;
-  const double missing = s.feet.missingHeights(s.buffer(1, high), 0.99)[0];
-  ASSERT_GT(missing, 0.0);
-  EXPECT_NEAR(s.feet.missingHeights(s.buffer(1, high - missing), 0.99)[0], 0.0, 1e-3);
-  EXPECT_EQ(s.feet.missingHeights(s.buffer(1, high - 0.2), 0.99)[0], 0.0);
+// How much lower than `root_height` the standing root is put [m].
+double loweredBy(const Standing& s, double root_height) {
+  AnimationBuffer buffer = s.buffer(1, root_height);
+  EXPECT_TRUE(s.feet.apply(buffer));
+  return root_height - buffer.poses.p_WR(0).z();
 }
 
-TEST(FootController, HipsDipWhereALegIsTooShortAndNotAtTheEnds) {
+TEST(FootController, ARootIsLoweredUntilItsLegsReachAndNoFarther) {
   const Standing s;
+  const double high = s.library.stand().root_height + 0.05;
+  const double lowered = loweredBy(s, high);
+  ASSERT_GT(lowered, 0.0);
+  EXPECT_NEAR(loweredBy(s, high - 0.02), lowered - 0.02, 1e-3);
+  EXPECT_EQ(loweredBy(s, high - lowered - 0.01), 0.0);
+}
+
+TEST(FootController, HipsDipWhereALegIsTooShortAndNotAtStancesThatReach) {
+  const Standing s;
+  const double high = s.library.stand().root_height + 0.05;
   AnimationBuffer buffer = s.buffer(121, s.low());
-  buffer.poses.p_WR(60).z() += s.feet.missingHeights(buffer, 1.0)[60];
-  // Raised until the legs are a centimetre too short.
-  while (s.feet.missingHeights(buffer, LegReach::kDip)[60] < 0.01) {
-    buffer.poses.p_WR(60).z() += 0.001;
-  }
+  buffer.poses.p_WR(60).z() = high;
   const AnimationBuffer before = buffer;
   ASSERT_TRUE(s.feet.apply(buffer));
-  EXPECT_LT(buffer.poses.p_WR(60).z(), before.poses.p_WR(60).z() - 0.0099);
-  EXPECT_LT(buffer.poses.p_WR(55).z(), before.poses.p_WR(55).z());
+  EXPECT_LE(buffer.poses.p_WR(60).z(), high - loweredBy(s, high) + 1e-9);
+  EXPECT_LT(buffer.poses.p_WR(57).z(), before.poses.p_WR(57).z());
   EXPECT_EQ(buffer.poses.p_WR(0), before.poses.p_WR(0));
   EXPECT_EQ(buffer.poses.p_WR(120), before.poses.p_WR(120));
 }
@@ -121,29 +124,23 @@ TEST(FootController, HipsDipWhereALegIsTooShortAndNotAtTheEnds) {
 // Whether hips were lowered on the way or before makes no difference to the legs.
 TEST(FootController, LegsUnderHipsThatDippedAreThoseOfHipsThatWereAsLow) {
   const Standing s;
-  for (const bool uneven : {false, true}) {
-    AnimationBuffer dipped = s.buffer(61, s.low());
-    while (s.feet.missingHeights(dipped, LegReach::kDip)[30] < 0.01)
-      for (int i = 25; i <= 35; ++i) dipped.poses.p_WR(i).z() += 0.001;
-    AnimationBuffer low = dipped;
-    const auto place = [&](AnimationBuffer& buffer) {
-      return uneven ? s.feet.applyUneven(buffer) : s.feet.apply(buffer);
-    };
-    ASSERT_TRUE(place(dipped));
-    // A little lower still: there a leg is never too short.
-    for (int i = 0; i < low.size(); ++i) low.poses.p_WR(i) = dipped.poses.p_WR(i);
-    for (int i = 1; i + 1 < low.size(); ++i) low.poses.p_WR(i).z() -= 1e-9;
-    ASSERT_TRUE(place(low));
-    int bent = 0;
-    for (int i = 0; i < low.size(); ++i) {
-      bent += low.poses.p_WR(i).z() < s.low() - 0.001;
-      for (int j = 0; j < s.library.skeleton.size(); ++j) {
-        EXPECT_LT(low.poses.rotations(i)[j].angularDistance(dipped.poses.rotations(i)[j]), 1e-5)
-            << i << " " << j;
-      }
+  AnimationBuffer dipped = s.buffer(61, s.low());
+  for (int i = 25; i <= 35; ++i) dipped.poses.p_WR(i).z() += 0.05;
+  AnimationBuffer low = dipped;
+  ASSERT_TRUE(s.feet.apply(dipped));
+  // A little lower still: there a leg is never too short.
+  for (int i = 0; i < low.size(); ++i) low.poses.p_WR(i) = dipped.poses.p_WR(i);
+  for (int i = 1; i + 1 < low.size(); ++i) low.poses.p_WR(i).z() -= 1e-9;
+  ASSERT_TRUE(s.feet.apply(low));
+  int bent = 0;
+  for (int i = 0; i < low.size(); ++i) {
+    bent += low.poses.p_WR(i).z() < s.low() - 0.001;
+    for (int j = 0; j < s.library.skeleton.size(); ++j) {
+      EXPECT_LT(low.poses.rotations(i)[j].angularDistance(dipped.poses.rotations(i)[j]), 1e-5)
+          << i << " " << j;
     }
-    EXPECT_GT(bent, 0);
   }
+  EXPECT_GT(bent, 0);
 }
 
 TEST(FootTarget, AStandingFootIsFlatOnItsPrint) {

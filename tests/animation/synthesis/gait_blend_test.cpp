@@ -47,7 +47,7 @@ double stepOf(Which which) {
   int count = 0;
   for (const Motion& motion : defaultLibrary().motions) {
     if (motion.kind != MotionKind::kWalk || !which(motion)) continue;
-    sum += motion.cycle.plantedStepLength();
+    sum += motion.cycle.stepLength();
     ++count;
   }
   return sum / count;
@@ -127,7 +127,7 @@ TEST(GaitBlend, HalfWayToTheSlowestTurnHalfOfItIsAdded) {
   EXPECT_GT(whole.norm(), 1e-3);
 }
 
-TEST(GaitBlend, AmplitudesGrowWithTheStepHeightsWithItsSquareAndMeansStay) {
+TEST(GaitBlend, AmplitudesGrowWithTheStepAndMeansStay) {
   const GaitBlend blend(defaultLibrary(), 1.0);
   const double step = blend.law().capturedStep();
   constexpr int kPhases = 32;
@@ -142,8 +142,7 @@ TEST(GaitBlend, AmplitudesGrowWithTheStepHeightsWithItsSquareAndMeansStay) {
   for (const double warp : {0.5, 1.3}) {
     EXPECT_LT((meanAt(warp * step) - mean).norm(), 1e-12);
     for (const double phase : {0.1, 0.45}) {
-      Eigen::VectorXd expected = warp * (valueOf(blend, phase, 0.2, step) - mean);
-      expected[2] *= warp;
+      const Eigen::VectorXd expected = warp * (valueOf(blend, phase, 0.2, step) - mean);
       EXPECT_LT((valueOf(blend, phase, 0.2, warp * step) - mean - expected).norm(), 1e-12);
     }
   }

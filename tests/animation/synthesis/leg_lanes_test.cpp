@@ -80,7 +80,9 @@ struct Frames {
     for (int i = 0; i < 4; ++i) p[i] = position + 3 * i, q[i] = rotations[i];
     kernel.placeChain(leg.legs, p, q, frames);
     for (const LaneLeg& each : leg.legs.legs) kernel.aim(each, soles, frames);
-    kernel.lower(leg.legs, frames, 0.99, missing);
+    for (const LaneLeg& each : leg.legs.legs)
+      std::fill_n(frames.targets[each.side].longest, 4, 0.99 * each.length);
+    kernel.lower(leg.legs, frames, missing);
     kernel.reach(leg.legs, frames, q, reached);
   }
 };

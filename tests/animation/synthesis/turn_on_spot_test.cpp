@@ -62,6 +62,24 @@ TEST(TurnOnSpot, TheTurnRateIsTheRateOfTheHeadingAndNearWhatPeopleReachAtMost) {
   EXPECT_LT(fastest, 100.0 * kDegree);
 }
 
+TEST(TurnOnSpot, NoFootIsTwistedFarAgainstThePelvis) {
+  const FlatGround floor;
+  for (const double degrees : {45.0, -90.0, 180.0, 270.0, -360.0}) {
+    const SpotTurn turn = turnOn(floor, degrees * kDegree);
+    FrameState standing;
+    standing.heading = turn.from.heading;
+    for (int k = 1; k < turn.frames; ++k) {
+      const FrameState state = spotTurnState(turn, standing, k);
+      for (const FootState& foot : state.feet) {
+        const double share = foot.planted() ? 0.0 : foot.at - 1.0;
+        const double heading =
+            foot.from.heading + share * wrapAngle(foot.to.heading - foot.from.heading);
+        EXPECT_LT(std::abs(wrapAngle(heading - state.heading)), 30.0 * kDegree) << degrees << k;
+      }
+    }
+  }
+}
+
 TEST(TurnOnSpot, TheRootSwaysOverTheFootThatStands) {
   const FlatGround floor;
   for (const double angle : {1.5, -1.5}) {

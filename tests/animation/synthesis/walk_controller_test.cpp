@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "animation/library/motion_library_reader.h"
 #include "base/rotation.h"
 #include "tests/animation/default_library.h"
@@ -21,8 +23,11 @@ Eigen::VectorXd standChannels() {
   return channels;
 }
 
-WalkController controllerOf(WalkController::Carriage carriage = {}) {
-  return {blend(), defaultLibrary().stand().rotations, standChannels(), std::move(carriage)};
+const WalkController& controllerOf(double lead = 0.0) {
+  static const Eigen::VectorXd kStand = standChannels();
+  static std::map<double, WalkController> controllers;
+  return controllers.try_emplace(lead, blend(), defaultLibrary().stand().rotations, kStand, lead)
+      .first->second;
 }
 
 /// One frame, posed.
@@ -154,34 +159,13 @@ TEST(WalkController, SwayMovesTheRootToTheLeft) {
   EXPECT_LT((moved - aboutZ(state.heading) * Eigen::Vector3d(0, 0.03, 0)).norm(), 1e-12);
 }
 
-TEST(WalkController, CarriageLeadsAndLowersTheWalkingRootOnly) {
-  WalkController::Carriage carriage{0.02, {0.0, 0.05, 0.1}, 1.0};
+TEST(WalkController, TheWalkingRootLeadsAndTheStandingOneDoesNot) {
   FrameState state = walking(0.0);
   const Eigen::Vector3d moved =
-      posed(controllerOf(carriage), state).p_WR - posed(controllerOf(), state).p_WR;
-  const double lowered = 0.06 * WalkController::loweringShare(0.0);  // of a step of 0.6 m
-  EXPECT_LT((moved - aboutZ(state.heading) * Eigen::Vector3d(0.02, 0, -lowered)).norm(), 1e-12);
+      posed(controllerOf(0.02), state).p_WR - posed(controllerOf(), state).p_WR;
+  EXPECT_LT((moved - aboutZ(state.heading) * Eigen::Vector3d(0.02, 0, 0)).norm(), 1e-12);
   state.standing = 1.0;
-  EXPECT_EQ(posed(controllerOf(carriage), state).p_WR, posed(controllerOf(), state).p_WR);
-}
-
-TEST(WalkController, LoweringIsLinearBetweenItsStepsAndHeldBeyondThem) {
-  const WalkController controller = controllerOf({0.0, {0.0, 0.01, 0.04}, 0.8});
-  EXPECT_NEAR(controller.lowering(0.2), 0.005, 1e-15);
-  EXPECT_NEAR(controller.lowering(0.4), 0.01, 1e-15);
-  EXPECT_NEAR(controller.lowering(0.6), 0.025, 1e-15);
-  EXPECT_NEAR(controller.lowering(5.0), 0.04, 1e-15);
-  EXPECT_EQ(controllerOf().lowering(0.5), 0.0);
-}
-
-TEST(WalkController, LoweringIsWholeInDoubleSupportsAndLeastBetweenThem) {
-  for (double phase = 0.0; phase < 1.0; phase += 0.01) {
-    const double share = WalkController::loweringShare(phase);
-    EXPECT_LE(share, 1.0);
-    EXPECT_GE(share, WalkController::loweringShare(0.25));
-    EXPECT_NEAR(share, WalkController::loweringShare(phase + 0.5), 1e-12);  // either foot in front
-  }
-  EXPECT_EQ(WalkController::loweringShare(0.0), 1.0);
+  EXPECT_EQ(posed(controllerOf(0.02), state).p_WR, posed(controllerOf(), state).p_WR);
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ function factsOf({ json, motion }) {
   if (m) {
     facts.push(
       ['period', `${m.period.toFixed(3)} s, mean of ${m.cycles} captured cycle${m.cycles === 1 ? '' : 's'}`],
-      ['step', `${m.step_length.toFixed(3)} m, ${m.planted_step_length.toFixed(3)} m on feet that do not slip; ${m.step_width.toFixed(3)} m wide`],
+      ['step', `${m.step_length.toFixed(3)} m long, ${m.step_width.toFixed(3)} m wide`],
       ['feet turned', `left ${m.toe_out[0].toFixed(1)}°, right ${m.toe_out[1].toFixed(1)}° to the left`],
       ['series', `${m.harmonics} harmonics, which leave out ${m.residual.toFixed(2)}°`],
       ['closure', `${(1000 * m.closure).toFixed(1)} mm; feet slide ${(1000 * m.slide).toFixed(1)} mm`],
