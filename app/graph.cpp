@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct BuildOptions {
+struct GraphBuildOptions {
   std::vector<std::string> clips;
   std::string out;
   ReadOptions read;
@@ -36,7 +36,8 @@ void print(const Json& data) {
 }
 
 // The clips' files, each once, with what is read for them.
-KeptGraph inputsOf(const BuildOptions& options, const std::vector<std::filesystem::path>& files) {
+KeptGraph inputsOf(const GraphBuildOptions& options,
+                   const std::vector<std::filesystem::path>& files) {
   KeptGraph kept;
   kept.reading = options.read.forReader();
   const auto beside = [&](const std::string& file) {
@@ -71,7 +72,7 @@ std::string summary(const ClusterGraph& graph, const GraphCut& cut) {
                      edges);
 }
 
-int build(const BuildOptions& options) {
+int build(const GraphBuildOptions& options) {
   const std::vector<std::filesystem::path> files = findClips(options.clips);
   const Stopwatch watch;
   KeptGraph kept = inputsOf(options, files);
@@ -253,7 +254,7 @@ void addErrorOption(CLI::App& command, double& error) {
 }
 
 void addGraphBuild(CLI::App& graph, Command& chosen) {
-  const auto options = std::make_shared<BuildOptions>();
+  const auto options = std::make_shared<GraphBuildOptions>();
   options->threads = usualThreads();
   CLI::App* command = graph.add_subcommand(
       "build", "Find which frames of some clips are alike, and keep that as a graph");

@@ -56,7 +56,7 @@ int build(const BuildArguments& options) {
   return kExitDone;
 }
 
-void addBuild(CLI::App& engine, Command& chosen) {
+void addEngineBuild(CLI::App& engine, Command& chosen) {
   const auto options = std::make_shared<BuildArguments>();
   CLI::App* command = engine.add_subcommand(
       "build", "Fit an engine to captures of one person: walks at many speeds, runs, standing");
@@ -81,7 +81,7 @@ void addBuild(CLI::App& engine, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return build(*options); }; });
 }
 
-void addShow(CLI::App& engine, Command& chosen) {
+void addEngineShow(CLI::App& engine, Command& chosen) {
   struct Options {
     std::string file;
     bool json = false;
@@ -105,8 +105,8 @@ void addLibraryEngine(CLI::App& library, Command& chosen) {
   CLI::App* engine = library.add_subcommand(
       "engine", "Build or show walking engines, which walk at any speed of one person");
   engine->require_subcommand(1);
-  addBuild(*engine, chosen);
-  addShow(*engine, chosen);
+  addEngineBuild(*engine, chosen);
+  addEngineShow(*engine, chosen);
 }
 
 }  // namespace amble

@@ -98,7 +98,7 @@ void writeEngine(std::ostream& stream, const EngineData& engine) {
   stream << '\n';
 }
 
-void requireNothingLost(const std::filesystem::path& file) {
+void requireEngineIfThere(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return;
   const YamlNode root = readYaml(file);
   if (root.isMap() && root.has("skeleton") && root.has("mean_posture")) return;
@@ -109,7 +109,7 @@ void requireNothingLost(const std::filesystem::path& file) {
 }  // namespace
 
 void writeSpeedEngine(const EngineData& engine, const std::filesystem::path& file) {
-  requireNothingLost(file);
+  requireEngineIfThere(file);
   writeWithSkeleton(engine.skeleton, engine.skeleton_file, file,
                     [&](std::ostream& out) { writeEngine(out, engine); });
 }

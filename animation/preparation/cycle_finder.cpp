@@ -153,4 +153,11 @@ std::vector<Stretch> findStretches(const GaitTrack& track, const CycleOptions& o
   return found;
 }
 
+double frameAt(const Stretch& stretch, double phase) {
+  const double period = stretch.end - stretch.begin;
+  const double late = (stretch.middle - stretch.begin) / period - 0.5;
+  const double bump = std::sin(kPi * phase);
+  return stretch.begin + period * (phase + late * bump * bump);
+}
+
 }  // namespace amble

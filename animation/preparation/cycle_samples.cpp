@@ -7,15 +7,6 @@
 namespace amble {
 namespace {
 
-// Frame of a phase [cycles] after the stretch's begin, such that its middle comes at 0.5 and its
-// ends keep their rate.
-double frameAt(const Stretch& s, double phase) {
-  const double period = s.end - s.begin;
-  const double late = (s.middle - s.begin) / period - 0.5;
-  const double bump = std::sin(kPi * phase);
-  return s.begin + period * (phase + late * bump * bump);
-}
-
 // The line that a cycle walks along: its ends are a whole cycle's ends, and across it the root's
 // errors have no mean.
 struct Line {

@@ -22,8 +22,8 @@ namespace {
 // Legs that differ by more are another person's: marker sets of one person give the same to a few
 // millimetres [1].
 constexpr double kSameLegs = 0.02;
-constexpr double kHeldFor = 0.3;  // that a standing posture is the mean of [s]
-constexpr int kFewestClips = 3;   // to leave one out and fit a line to the others
+constexpr double kStandsFor = 0.3;  // that a standing posture is the mean of [s]
+constexpr int kFewestClips = 3;     // to leave one out and fit a line to the others
 
 using Values = std::function<double(const EngineCycle&)>;
 
@@ -335,7 +335,7 @@ Seen see(const EngineCapture& from) {
   return {&from, std::move(capture), std::move(kind)};
 }
 
-// First frame of the kHeldFor in which joints turn least.
+// First frame of the kStandsFor in which joints turn least.
 int stillestFrame(const Clip& clip, int frames) {
   std::vector<double> turned = {0.0};  // all joints, up to the frame [rad]
   for (int i = 1; i < clip.frames(); ++i) {
@@ -360,7 +360,7 @@ void takeStand(const Seen& seen, MotionLibrary& rig) {
   }
   const Clip clip = clipForLibrary(rig, seen.capture, seen.file(), true);
   const int frames = std::min(
-      clip.frames() - 1, std::max(1, static_cast<int>(std::lround(kHeldFor / clip.frame_time))));
+      clip.frames() - 1, std::max(1, static_cast<int>(std::lround(kStandsFor / clip.frame_time))));
   const int first = stillestFrame(clip, frames);
   Motion stand;
   stand.name = "stand";

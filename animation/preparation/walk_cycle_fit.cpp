@@ -32,15 +32,6 @@ struct FittedPath {
   }
 };
 
-// Time of phase [cycles] after `begin`, such that the middle double support comes at 0.5 and the
-// ends keep their rate.
-double frameAt(const Stretch& s, double phase) {
-  const double period = s.end - s.begin;
-  const double late = (s.middle - s.begin) / period - 0.5;
-  const double bump = std::sin(kPi * phase);
-  return s.begin + period * (phase + late * bump * bump);
-}
-
 FittedPath fitPath(const GaitTrack& track, const Stretch& s, bool turning) {
   const Eigen::Vector2d from = track.jointsAt(s.begin)[0].p_WJ.head<2>();
   const Eigen::Vector2d to = track.jointsAt(s.end)[0].p_WJ.head<2>();
