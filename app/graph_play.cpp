@@ -62,7 +62,7 @@ std::vector<PlayedRange> inFrames(const GraphClips& clips, const std::vector<Nam
   return frames;
 }
 
-void write(const MotionOutput& out, Clip clip, const JointRoles& roles) {
+void writePlayed(const MotionOutput& out, Clip clip, const JointRoles& roles) {
   const std::filesystem::path file = out.file;
   if (!out.names.empty())
     clip.skeleton = renamed(clip.skeleton, jointNames(clip.skeleton, roles, out.names));
@@ -126,7 +126,7 @@ int playRanges(const KeptGraph& kept, const PlayOptions& options, std::vector<Na
   const int blend = static_cast<int>(std::lround(options.blend / clips.frame_time));
   JoinedClip motion = played(clips, inFrames(clips, ranges), blend);
   if (options.foot_lock) motion.clip = lockFeet(motion.clip, clips.roles, plantsOf(motion.planted));
-  write(options.out, motion.clip, clips.roles);
+  writePlayed(options.out, motion.clip, clips.roles);
   report(options, kept.graph, motion, meetings);
   return kExitDone;
 }

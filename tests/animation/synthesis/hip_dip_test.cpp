@@ -8,7 +8,7 @@
 namespace amble {
 namespace {
 
-constexpr double kFrame = 1.0 / 60.0;
+constexpr double kFrameTime = 1.0 / 60.0;
 
 /// Something is missing around the middle of two seconds.
 std::vector<double> bump(double first, double last) {
@@ -20,39 +20,39 @@ std::vector<double> bump(double first, double last) {
 }
 
 TEST(HipDip, WhereNothingIsMissingNothingIsLowered) {
-  for (const double dip : hipDip(std::vector<double>(30, 0.0), kFrame)) EXPECT_EQ(dip, 0.0);
+  for (const double dip : hipDip(std::vector<double>(30, 0.0), kFrameTime)) EXPECT_EQ(dip, 0.0);
 }
 
 TEST(HipDip, AStanceIsLoweredByWhatIsMissingThereToTheBit) {
   for (const auto& [first, last] : {std::pair(0.0, 0.0), {0.01, 0.0}, {0.0, 0.07}, {0.04, 0.02}}) {
-    const std::vector<double> dip = hipDip(bump(first, last), kFrame);
+    const std::vector<double> dip = hipDip(bump(first, last), kFrameTime);
     EXPECT_EQ(dip.front(), first);
     EXPECT_EQ(dip.back(), last);
   }
-  EXPECT_EQ(hipDip({0.05}, kFrame), std::vector<double>{0.05});
+  EXPECT_EQ(hipDip({0.05}, kFrameTime), std::vector<double>{0.05});
 }
 
 TEST(HipDip, AwayFromStancesAllThatIsMissingIsCovered) {
-  const std::vector<double> missing = bump(0.02, 0.0), dip = hipDip(missing, kFrame);
+  const std::vector<double> missing = bump(0.02, 0.0), dip = hipDip(missing, kFrameTime);
   for (size_t i = 10; i < 110; ++i) EXPECT_GE(dip[i], missing[i] - 1e-15) << i;
   EXPECT_LE(*std::ranges::max_element(dip), 0.03 + 1e-12);  // and no more than that
 }
 
 // Twice as finely sampled it is the same curve, and its acceleration is bounded.
 TEST(HipDip, TheCurveIsSmooth) {
-  const std::vector<double> dip = hipDip(bump(0.02, 0.0), kFrame);
+  const std::vector<double> dip = hipDip(bump(0.02, 0.0), kFrameTime);
   for (size_t i = 1; i + 1 < dip.size(); ++i) {
     const double bend = dip[i - 1] - 2.0 * dip[i] + dip[i + 1];
-    EXPECT_LT(std::abs(bend) / (kFrame * kFrame), 12.0) << i;  // [m/s^2], of 3 cm in 0.16 s
+    EXPECT_LT(std::abs(bend) / (kFrameTime * kFrameTime), 12.0) << i;  // [m/s^2], of 3 cm in 0.16 s
   }
 }
 
 TEST(HipDip, RunBackwardsItIsTheSameBackwards) {
   std::vector<double> missing = bump(0.02, 0.01);
   missing[20] = 0.015;
-  const std::vector<double> dip = hipDip(missing, kFrame);
+  const std::vector<double> dip = hipDip(missing, kFrameTime);
   std::ranges::reverse(missing);
-  std::vector<double> back = hipDip(missing, kFrame);
+  std::vector<double> back = hipDip(missing, kFrameTime);
   std::ranges::reverse(back);
   for (size_t i = 0; i < dip.size(); ++i) EXPECT_NEAR(dip[i], back[i], 1e-12) << i;
 }
