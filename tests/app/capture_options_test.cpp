@@ -181,6 +181,108 @@ TEST_F(CaptureOptions, OfConvert) {
   expectEach("convert", uses);
 }
 
+class EditOptions : public CaptureOptions {
+ protected:
+  json said(const std::string& options) const {
+    return printed("edit in/walk.bvh -o out.bvh --json " + options);
+  }
+  Uses ofTheWalk() const;
+  Uses ofTheFile() const;
+};
+
+EditOptions::Uses EditOptions::ofTheWalk() const {
+  return {
+      {"--stride",
+       [this] {
+         EXPECT_NEAR(said("--stride 0.6")["stride"]["achieved"], 0.6, 0.012);
+         const json longer = said("--stride 1.2x")["stride"];
+         EXPECT_NEAR(longer["achieved"], 1.2 * longer["captured"].get<double>(), 0.015);
+         EXPECT_NEAR(said("--stride 0.5..0.7")["stride"]["asked"], 0.6, 1e-9);
+         expectRefused("edit in/walk.bvh -o no.bvh --stride 3x",
+                       {"--stride", "3 of what was captured", "0.6x to 1.4x"});
+         expectRefused("edit in/walk.bvh -o no.bvh --stride 1x..0.5", {"--stride", "FROM..TO"});
+       }},
+      {"--lift",
+       [this] {
+         EXPECT_NEAR(said("--lift 0.08")["lift"]["achieved"], 0.08, 0.0016);
+         expectRefused("edit in/walk.bvh -o no.bvh --lift 9x", {"--lift", "0.5x to 3x"});
+       }},
+      {"--incline",
+       [this] {
+         const json rise = said("--incline -5")["rise"];
+         EXPECT_NEAR(rise["achieved"], rise["asked"].get<double>(), 0.003);
+         EXPECT_LT(rise["asked"], -0.05);
+         EXPECT_EQ(said("--incline 2..6")["ground"]["incline"], json({2.0, 6.0}));
+       }},
+      {"--stairs",
+       [this] {
+         const json stairs = said("--stairs .17,.29");
+         EXPECT_NEAR(stairs["rise"]["achieved"], 0.17, 0.004);
+         EXPECT_EQ(stairs["ground"]["going"], 0.29);
+         expectRefused("edit in/walk.bvh -o no.bvh --stairs .17,.29 --incline 3", {"--incline"});
+       }},
+      {"--arrive",
+       [this] {
+         const Clip level = (said(""), readBvh(folder_ / "out.bvh"));
+         const Eigen::Vector2d begin = level.poses.p_WR(0).head<2>();
+         const Eigen::Vector2d end = level.poses.p_WR(level.frames() - 1).head<2>();
+         const Eigen::Vector2d there = begin + 0.9 * (end - begin).reverse();
+         said("--arrive " + std::to_string(there.x()) + "," + std::to_string(there.y()));
+         const Clip arrived = readBvh(folder_ / "out.bvh");
+         EXPECT_LT((arrived.poses.p_WR(level.frames() - 1).head<2>() - there).norm(), 0.01);
+         EXPECT_NE(
+             good("edit in/walk.bvh -o no.bvh --arrive 900,0", 1).err.find("strides are scaled"),
+             std::string::npos);
+       }},
+      {"--footlock",
+       [this] {
+         const json drift = said("--footlock")["drift"];
+         EXPECT_GT(drift["captured"], 0.004);
+         EXPECT_LT(drift["achieved"], 0.002);
+       }},
+      {"--json", [this] { EXPECT_EQ(said("")["from"], "in/walk.bvh"); }},
+  };
+}
+
+EditOptions::Uses EditOptions::ofTheFile() const {
+  return {
+      {"--output",
+       [this] {
+         expectRefused("edit in/walk.bvh", {"--output"});
+         expectRefused("edit in/walk.bvh -o in/walk.bvh", {"in/walk.bvh: "});
+         expectRefused("edit in/walk.bvh -o out.txt", {"out.txt: ", ".bvh or .glb"});
+         EXPECT_TRUE(good("edit in/walk.bvh -o -").out.starts_with("HIERARCHY"));
+         good("edit in/walk.bvh -o out.glb");
+         EXPECT_TRUE(read("out.glb").starts_with("glTF"));
+       }},
+      {"--bvh-units",
+       [this] {
+         const Clip metres = (said(""), readBvh(folder_ / "out.bvh"));
+         const Clip centimetres = (said("--bvh-units cm"), readBvh(folder_ / "out.bvh"));
+         EXPECT_NEAR(centimetres.poses.p_WR(9).norm(), 100.0 * metres.poses.p_WR(9).norm(), 1e-3);
+       }},
+      {"--names",
+       [this] {
+         said("--names vrm");
+         EXPECT_GE(readBvh(folder_ / "out.bvh").skeleton.find("leftUpperLeg"), 0);
+       }},
+  };
+}
+
+TEST_F(EditOptions, AreAllTried) {
+  const Uses captures =
+      reading([](const std::string& clip) { return "edit -o out.bvh '" + clip + "'"; });
+  expectAll("edit", {captures, ofTheWalk(), ofTheFile()});
+}
+
+TEST_F(EditOptions, WhatIsNoWalkIsRefusedWithWhatItIs) {
+  fs::copy_file(captureFolder() + "accad_female1/Female1_A01_Stand.bvh", folder_ / "in/stand.bvh");
+  expectRefused("edit in/stand.bvh -o no.bvh --stride 1.1x",
+                {"in/stand.bvh: is no walk: it stands for 100 % of its time", "--footlock"});
+  good("edit in/stand.bvh -o held.bvh --footlock");
+  EXPECT_FALSE(fs::exists(folder_ / "no.bvh"));
+}
+
 class GraftOptions : public CaptureOptions {
  protected:
   void SetUp() override {

@@ -30,7 +30,7 @@ TEST_F(Commands, HelpAndVersionAreNoErrors) {
   const Ran version = run("--version");
   EXPECT_EQ(version.status, 0);
   EXPECT_TRUE(std::regex_match(version.out, std::regex("[0-9]+\\.[0-9]+\\.[0-9]+\n")));
-  for (const char* command : {"plan", "check", "validate", "animate", "analyse", "library",
+  for (const char* command : {"plan", "check", "validate", "animate", "analyse", "library", "edit",
                               "convert", "graft", "inspect", "roadmap", "graph", "view"}) {
     EXPECT_EQ(run(std::string(command) + " --help").status, 0) << command;
   }

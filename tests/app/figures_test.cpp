@@ -173,8 +173,9 @@ std::vector<std::string> slipsOf(const std::string& name, size_t from) {
 }
 
 TEST_F(Figures, EveryMistypedCommandIsNamedWithTheOneThatWasMeant) {
-  for (const std::string command : {"plan", "check", "validate", "animate", "analyse", "library",
-                                    "convert", "graft", "inspect", "roadmap", "graph", "view"}) {
+  for (const std::string command :
+       {"plan", "check", "validate", "animate", "analyse", "library", "edit", "convert", "graft",
+        "inspect", "roadmap", "graph", "view"}) {
     for (const std::string& slip : slipsOf(command, 1)) {
       expectRefused(slip,
                     {"amble: there is no command '" + slip + "'; expected '" + command + "'"});

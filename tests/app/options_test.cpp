@@ -23,8 +23,8 @@ const char* const kShort =
 TEST_F(Options, EveryCommandIsTriedHere) {
   EXPECT_EQ(listed("", "Subcommands:"),
             (std::vector<std::string>{"plan", "check", "validate", "animate", "analyse", "library",
-                                      "convert", "graft", "inspect", "roadmap", "graph", "view",
-                                      "help", "completion"}));
+                                      "edit", "convert", "graft", "inspect", "roadmap", "graph",
+                                      "view", "help", "completion"}));
   EXPECT_EQ(listed("graft", "Subcommands:"), (std::vector<std::string>{"all"}));
   EXPECT_EQ(listed("library", "Subcommands:"),
             (std::vector<std::string>{"build", "show", "add", "check", "find", "engine"}));
