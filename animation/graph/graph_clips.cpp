@@ -9,6 +9,7 @@
 #include "animation/clips/add_toes.h"
 #include "animation/clips/carry_over.h"
 #include "animation/clips/level_capture.h"
+#include "animation/clips/loop_clip.h"
 #include "animation/clips/resample_clip.h"
 #include "base/error.h"
 #include "base/parallel.h"
@@ -21,10 +22,24 @@ constexpr int kFewestFrames = 5;
 // Bones that differ by less are the same, as they are written [m].
 constexpr double kSameBone = 1e-4;
 
+// Longer clips that end as they begin are no single cycle [s].
+constexpr double kLongestCycle = 4.0;
+
 struct ReadClip {
   LevelCapture capture;
   double file_frame_time = 0.0;  // [s]
 };
+
+// Walked on where it is one cycle of somebody who does not just stand.
+Clip walkedOn(const Clip& clip, const JointRoles& roles) {
+  if (clip.duration() > kLongestCycle) return clip;
+  const FootPlants plants = detectPlants(clip, roles);
+  bool stands = true;
+  for (const Side side : {kLeft, kRight})
+    for (int i = 0; i < clip.frames(); ++i) stands = stands && plants.planted(side, i);
+  const auto loop = stands ? std::nullopt : repeatedLoop(clip, roles, kLoopTimes);
+  return loop ? *loop : clip;
+}
 
 ReadClip readOne(const std::filesystem::path& file, const MotionReadOptions& options) {
   ReadClip read{readLevelCapture(file, options), 0.0};
@@ -35,6 +50,7 @@ ReadClip readOne(const std::filesystem::path& file, const MotionReadOptions& opt
     motion.clip.joint_positions.clear();
   }
   addToes(motion.clip, motion.roles, file.string());
+  motion.clip = walkedOn(motion.clip, motion.roles);
   return read;
 }
 

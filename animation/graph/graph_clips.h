@@ -2,7 +2,9 @@
 ///
 /// Clips are of the first one's skeleton, or are carried over to it by joint role and leg length
 /// (carry_over.h); one whose roles do not allow that is refused. Joints other than the root that
-/// move are held fixed.
+/// move are held fixed. A clip of one cycle, which ends as it begins, is walked on kLoopTimes
+/// times: only so has its loop frames before and behind, to be compared and mixed. Its file's
+/// frames are counted on.
 #pragma once
 
 #include <filesystem>
@@ -29,6 +31,8 @@ struct GraphClips {
   std::vector<PlayableClip> clips;    ///< the same
   std::vector<std::string> warnings;  ///< with the file's name
 };
+
+inline constexpr int kLoopTimes = 3;
 
 /// Frames a second of a graph for which none are asked: or those of its slowest clip [1/s].
 inline constexpr double kGraphRate = 30.0;
