@@ -24,20 +24,22 @@ constexpr double kSameBone = 1e-4;
 
 // Longer clips that end as they begin are no single cycle [s].
 constexpr double kLongestCycle = 4.0;
+// Joints of who stands move by less against the root; of walkers by five times as much [m/s].
+constexpr double kStill = 0.1;
 
 struct ReadClip {
   LevelCapture capture;
   double file_frame_time = 0.0;  // [s]
 };
 
-// Walked on where it is one cycle of somebody who does not just stand.
+// Walked on where it is one cycle: who begins and ends standing comes back to no step.
 Clip walkedOn(const Clip& clip, const JointRoles& roles) {
-  if (clip.duration() > kLongestCycle) return clip;
-  const FootPlants plants = detectPlants(clip, roles);
-  bool stands = true;
-  for (const Side side : {kLeft, kRight})
-    for (int i = 0; i < clip.frames(); ++i) stands = stands && plants.planted(side, i);
-  const auto loop = stands ? std::nullopt : repeatedLoop(clip, roles, kLoopTimes);
+  if (clip.frames() < kFewestFrames || clip.duration() > kLongestCycle) return clip;
+  std::vector<JointFrame> first(clip.skeleton.size()), second(first.size());
+  forwardKinematics(clip, 0, first);
+  forwardKinematics(clip, 1, second);
+  if (poseGap(first, second, roles) < kStill * clip.frame_time) return clip;
+  const auto loop = repeatedLoop(clip, roles, kLoopTimes);
   return loop ? *loop : clip;
 }
 
