@@ -7,6 +7,7 @@
 
 #include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
+#include "animation/editing/foot_lock.h"
 #include "animation/library/speed_engine_reader.h"
 #include "animation/synthesis/engine_walk.h"
 #include "app/exit_status.h"
@@ -38,9 +39,8 @@ void warn(const SpeedEngine& engine, const Ramp& asked, double scale) {
   }
 }
 
-void write(const MotionOutput& output, const EngineData& engine, const EngineWalk& walk) {
+void write(const MotionOutput& output, const EngineData& engine, Clip clip) {
   const std::filesystem::path file = output.file;
-  Clip clip = walk.clip;
   clip.skeleton = renamed(clip.skeleton, jointNames(clip.skeleton, engine.roles, output.names));
   if (!output.isGlb()) {
     writeBvh(file, clip, {.metres_per_unit = output.bvhUnit()});
@@ -64,11 +64,15 @@ int animateEngine(const EngineAnimation& options) {
   request.frame_time = 1.0 / options.fps;
   if (options.height > 0.0) request.scale = options.height / data.stature;
   warn(engine, options.speed, request.scale);
-  const EngineWalk walk = engineWalk(engine, request);
-  write(options.out, data, walk);
+  EngineWalk walk = engineWalk(engine, request);
+  FootLock lock;
+  walk.clip = lockFeet(walk.clip, data.roles, plantsOf(walk.planted), &lock);
+  write(options.out, data, walk.clip);
   say(options.out.file == "-" ? stderr : stdout,
-      "{}: {:.2f} s, {} frames, {:.1f} cycles, {:.2f} m\n", options.out.file, walk.clip.duration(),
-      walk.clip.frames(), walk.phases.back(), walk.length);
+      "{}: {:.2f} s, {} frames, {:.1f} cycles, {:.2f} m; feet that stand are held, by {:.0f} mm at "
+      "most\n",
+      options.out.file, walk.clip.duration(), walk.clip.frames(), walk.phases.back(), walk.length,
+      1000.0 * lock.farthest);
   return kExitDone;
 }
 
