@@ -12,23 +12,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Between prints of one foot, which stands as high on both: by the steps between them.
+/// Of a mean step: as the prints of one foot, which stands as high on each, rise over their way.
 double risePerStep(const GaitMeasures& gait) {
-  std::array<int, 2> first = {-1, -1};
-  double rise = 0.0;
-  int steps = 0;
-  std::array<std::pair<double, int>, 2> of_side;
-  for (int i = 0; i < static_cast<int>(gait.plants.size()); ++i) {
-    const PlantMeasures& plant = gait.plants[i];
-    if (first[plant.side] < 0) first[plant.side] = i;
-    const PlantMeasures& from = gait.plants[first[plant.side]];
-    of_side[plant.side] = {plant.ends.ball.z() - from.ends.ball.z(), i - first[plant.side]};
+  std::array<const PlantMeasures*, 2> before = {nullptr, nullptr};
+  double rise = 0.0, way = 0.0;
+  for (const PlantMeasures& plant : gait.plants) {
+    if (const PlantMeasures* from = before[plant.side]; from != nullptr) {
+      rise += plant.ends.ball.z() - from->ends.ball.z();
+      way += (plant.at - from->at).head<2>().norm();
+    }
+    before[plant.side] = &plant;
   }
-  for (const auto& [height, between] : of_side) {
-    rise += height;
-    steps += between;
-  }
-  return steps > 0 ? rise / steps : 0.0;
+  return way > 0.0 ? gait.step_length * rise / way : 0.0;
 }
 
 double mid(const Ramp& ramp) { return ramp.at(0.5); }

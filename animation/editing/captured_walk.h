@@ -16,8 +16,8 @@ struct CapturedWalk {
   int first_frame = 0;  ///< of the file that is frame 0 of the clip (good_frames.h)
 };
 
-/// What is no motion at its begin is cut off, the floor levelled, bones get their mean offsets'
-/// length as a BVH has them; joints turn as they were captured, noise and all. Warnings go to the
+/// What is no motion at its begin is cut off and the floor is levelled; bones are as long as the
+/// skeleton has them. Joints turn as they were captured, noise and all. Warnings go to the
 /// motion's.
 /// @throws InputError naming `file` for a motion without a frame
 CapturedWalk captureWalk(CapturedMotion& motion, const std::string& file);
