@@ -111,17 +111,21 @@ Support supportAtPace(const AnimationBuffer& walk) {
   return longest;
 }
 
-// How far the pelvis turned over whole strides at pace: at their ends it is as much aside of the
-// path, where it is not as a walk begins and ends.
+// What the pelvis misses of the path's turn over whole strides at pace, as a share of all turning
+// either way: at their ends it is as much aside of the path, where it is not as a walk begins and
+// ends.
 double turnMiss(const Clip& clip, const JointRoles& roles, const AnimationBuffer& walk,
                 const Support& strides) {
   const std::vector<double> headings = pelvisHeadings(clip, roles);
   const int last = strides.first + strides.frames;
-  double asked = 0.0;
-  for (int i = strides.first; i < last; ++i)
-    asked += wrapAngle(walk.states[i + 1].heading - walk.states[i].heading);
-  if (std::abs(asked) <= kTurns * strides.frames * walk.frame_time) return 0.0;
-  return std::abs((headings[last] - headings[strides.first]) / asked - 1.0);
+  double asked = 0.0, either_way = 0.0;
+  for (int i = strides.first; i < last; ++i) {
+    const double turn = wrapAngle(walk.states[i + 1].heading - walk.states[i].heading);
+    asked += turn;
+    either_way += std::abs(turn);
+  }
+  if (either_way <= kTurns * strides.frames * walk.frame_time) return 0.0;
+  return std::abs(headings[last] - headings[strides.first] - asked) / either_way;
 }
 
 }  // namespace

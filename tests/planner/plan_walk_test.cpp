@@ -256,6 +256,7 @@ TEST(PlanWalk, EveryPlannerByNameAnswers) {
   for (const PlannerInfo& planner : listPlanners()) {
     PlanRequest request = requestIn(furnishedRoom());
     request.planner = planner.name;
+    request.limits.max_failures = 200;  // with few luck decides
     const PlanOutcome outcome = planWalk(request);
     // The passage is narrower than the bounding cylinder of a walking body.
     const PlanStatus expected =
@@ -430,6 +431,7 @@ TEST(PlanWalk, EveryPlannersWalkIsFreeAndTheSameOnTwoThreads) {
   for (const PlannerInfo& planner : listPlanners()) {
     PlanRequest request = requestIn(room);
     request.planner = planner.name;
+    request.limits.max_failures = 200;  // with few luck decides
     request.goal = {{1.2, 2.8, 0}, 90 * kDegree, true};  // in the same half, for the cylinder
     request.limits.max_failures = 15;
     request.refine.tries = 5;
