@@ -79,6 +79,7 @@ struct Support {
   double share = 0.0;  // [0, 1]
   double speed = 0.0;  // mean [m/s]
   int first = 0;       // frame of a strike
+  int strides = 0;     // whole ones
   int frames = 0;      // over which that was; 0 where there is no whole stride at pace
 };
 
@@ -99,23 +100,28 @@ Support supportAtPace(const AnimationBuffer& walk) {
   for (const FrameState& state : walk.states) top = std::max(top, state.speed);
   Support longest;
   std::array<int, 2> strike = {-1, -1};  // the first of this stretch, by Side
+  std::array<int, 2> strides = {0, 0};   // since
   for (int i = 1; i < walk.size(); ++i) {
     if (walk.states[i].speed < kPace * top) strike = {-1, -1};
     for (int side = 0; side < 2; ++side) {
       const bool strikes = walk.states[i].planted[side] && !walk.states[i - 1].planted[side];
       if (!strikes || walk.states[i].speed < kPace * top) continue;
+      strides[side] = strike[side] < 0 ? 0 : strides[side] + 1;
       if (strike[side] < 0) strike[side] = i;
-      if (i - strike[side] > longest.frames) longest = supportOver(walk, strike[side], i);
+      if (i - strike[side] <= longest.frames) continue;
+      longest = supportOver(walk, strike[side], i);
+      longest.strides = strides[side];
     }
   }
   return longest;
 }
 
-// What the pelvis misses of the path's turn over whole strides at pace, as a share of all turning
-// either way: at their ends it is as much aside of the path, where it is not as a walk begins and
-// ends.
+// What the pelvis misses of the path's turn over whole strides at pace that turn one way: at their
+// ends it is as much aside of the path, where it is not as a walk begins and ends and as a curve
+// bends the other way. 0 where they do not.
 double turnMiss(const Clip& clip, const JointRoles& roles, const AnimationBuffer& walk,
                 const Support& strides) {
+  constexpr double kOneWay = 0.9;  // share of all turning that is left over [1]
   const std::vector<double> headings = pelvisHeadings(clip, roles);
   const int last = strides.first + strides.frames;
   double asked = 0.0, either_way = 0.0;
@@ -124,8 +130,9 @@ double turnMiss(const Clip& clip, const JointRoles& roles, const AnimationBuffer
     asked += turn;
     either_way += std::abs(turn);
   }
-  if (either_way <= kTurns * strides.frames * walk.frame_time) return 0.0;
-  return std::abs(headings[last] - headings[strides.first] - asked) / either_way;
+  const double slow = kTurns * strides.frames * walk.frame_time;
+  if (std::abs(asked) <= std::max(slow, kOneWay * either_way)) return 0.0;
+  return std::abs((headings[last] - headings[strides.first]) / asked - 1.0);
 }
 
 }  // namespace
@@ -179,7 +186,7 @@ std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
   lines.push_back(
       {"speed, achieved against asked", std::abs(gait.speed / asked.speed - 1.0), kAchieved, "1"});
   if (const Support support = supportAtPace(walk); support.frames > 0) {
-    if (std::abs(asked.turn_rate) > kTurns) {
+    if (std::abs(asked.turn_rate) > kTurns && support.strides > 1) {
       lines.push_back({"turn rate, achieved against asked", turnMiss(clip, roles, walk, support),
                        kAchieved, "1"});
     }
