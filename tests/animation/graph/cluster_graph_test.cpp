@@ -67,6 +67,16 @@ TEST_F(GraphCutAt, ClustersAreThoseThatStoodWhenAgglomerationWouldHaveGoneOverTh
   EXPECT_EQ(found, standing);
 }
 
+TEST(GraphCutOfDrawn, WhatComesNearerOnlyByAMergeOverTheErrorStaysApart) {
+  // A triangle whose third corner is farther from the others than they are from one another, and
+  // nearer to their middle.
+  ClusterGraph graph = drawnGraph({{0.0f, 2.0f, 1.0f}});
+  graph.features(1, 2) = 1.9f;
+  growTrees(graph, 1);
+  EXPECT_EQ(cutAt(graph, 1.95).clusters.size(), 3u);
+  EXPECT_EQ(cutAt(graph, 2.05).clusters.size(), 1u);
+}
+
 TEST_F(GraphCutAt, EdgesAreTheStepsOfTheClips) {
   const GraphCut cut = cutAt(someGraph(), kGraphError);
   std::set<std::pair<int, int>> edges, steps;

@@ -12,6 +12,24 @@ inline GraphClips graphClips(const std::vector<std::string>& paths, int threads 
   return readGraphClips(files, {}, {}, threads);
 }
 
+/// A graph of drawn clips: what one row of the features is at each frame; all of one state.
+inline ClusterGraph drawnGraph(const std::vector<std::vector<float>>& clips) {
+  ClusterGraph graph;
+  int first = 0;
+  for (const std::vector<float>& clip : clips) {
+    const int frames = static_cast<int>(clip.size());
+    graph.clips.push_back({"drawn" + std::to_string(first), first, frames, 0, 1.0});
+    first += frames;
+  }
+  graph.features = FrameFeatures::Zero(kFeatureRows, first);
+  graph.states.assign(first, SupportState::kL);
+  for (size_t c = 0; c < clips.size(); ++c)
+    for (size_t i = 0; i < clips[c].size(); ++i)
+      graph.features(0, graph.clips[c].first + static_cast<int>(i)) = clips[c][i];
+  growTrees(graph, 1);
+  return graph;
+}
+
 /// Walk, run, turn, stand and a kick: of three skeletons, 30 and 120 frames a second.
 inline const std::vector<std::string>& graphPaths() {
   static const std::vector<std::string> kPaths = {

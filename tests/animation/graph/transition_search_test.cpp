@@ -101,6 +101,26 @@ TEST_F(TransitionSearch, NoWayThroughOthersHasALesserError) {
     EXPECT_GE(way->jumps[k].leave, way->jumps[k - 1].enter + stay);
 }
 
+TEST(TransitionSearchOfDrawn, AClipOnTheWayPlaysForAsLongAsItIsAskedTo) {
+  // Three clips of frames that are far from one another, but that the second is at frame 8 where
+  // the first is at 10, and at frame 11 where the third is at 10.
+  std::vector<std::vector<float>> clips(3);
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < 21; ++i) clips[c].push_back(static_cast<float>(1000 * c + 10 * i));
+  clips[1][8] = clips[0][10];
+  clips[1][11] = clips[2][10];
+  const ClusterGraph drawn = drawnGraph(clips);
+  const GraphCut apart = cutAt(drawn, 0.5);
+  const auto way = wayThrough(drawn, apart, 3, 42 + 15, {3});
+  ASSERT_TRUE(way);
+  ASSERT_EQ(way->jumps.size(), 2u);
+  EXPECT_EQ(way->jumps[0].enter, 21 + 8);
+  EXPECT_EQ(way->jumps[1].leave, 21 + 11);
+  EXPECT_EQ(way->wait, 10 - 3 + 15 - 10);
+  EXPECT_FALSE(wayThrough(drawn, apart, 3, 42 + 15, {4}));
+  EXPECT_FALSE(bestWay(drawn, apart, 3, 42 + 15));
+}
+
 TEST_F(TransitionSearch, AClipThatGoesThereItselfNeedsNoJump) {
   const auto way = wayThrough(graph, cut, frame(0, 30), frame(0, 90));
   ASSERT_TRUE(way);
