@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "animation/library/foot_numbers.h"
 #include "base/ease.h"
 #include "base/rotation.h"
 
@@ -33,7 +34,10 @@ Eigen::MatrixXd channelsOf(const GaitSpace& space, bool slope) {
 Eigen::VectorXd standChannels(const EngineData& data) {
   const size_t joints = data.mean_posture.size();
   Eigen::VectorXd channels(3 + 3 * static_cast<Eigen::Index>(joints));
-  const double feet = data.walk ? data.walk->foot_forward.at(data.walk->slowest()) : 0.0;
+  double feet = 0.0;
+  for (const Side side : {kLeft, kRight}) {
+    if (data.walk) feet += 0.5 * data.walk->foot_forward[side].at(data.walk->slowest());
+  }
   channels.head<3>() << feet + data.stand.root_forward, 0.0, data.stand.root_height;
   for (size_t j = 0; j < joints; ++j) {
     channels.segment<3>(3 + 3 * static_cast<Eigen::Index>(j)) =
@@ -109,23 +113,21 @@ double SpeedEngine::frequency(double speed) const {
 double SpeedEngine::walkShare(double speed) const {
   if (!data_.walk) return 1.0;
   const double x = clamped(speed) / data_.walk->slowest();
-  if (x >= 1.0 + kBend) return 1.0;
-  if (x <= 1.0 - kBend) return strideShare(x);
+  constexpr double kBegin = 1.0 - kBend;
+  if (x >= 1.0) return 1.0;
+  if (x <= kBegin) return strideShare(x);
   // From there a cubic to 1, with no slope at its end.
-  constexpr double kBegin = 1.0 - kBend, kWidth = 2.0 * kBend;
-  const double t = (x - kBegin) / kWidth, begin = strideShare(kBegin);
-  const double slope = (1.0 - data_.walk->law.law.power) * begin / kBegin * kWidth;
+  const double t = (x - kBegin) / kBend, begin = strideShare(kBegin);
+  const double slope = (1.0 - data_.walk->law.law.power) * begin / kBegin * kBend;
   return begin + slope * t * (1.0 - t) * (1.0 - t) + (1.0 - begin) * t * t * (3.0 - 2.0 * t);
 }
 
-// The slowest walk's below it, then the speed itself; a parabola between.
+// The slowest walk's up to it, then a cubic to the speed itself, with the slopes of both.
 double SpeedEngine::walkSpeed(double speed) const {
   const double slow = data_.walk->slowest();
-  const double x = clamped(speed) / slow;
-  if (x <= 1.0 - kBend) return slow;
-  const double beyond = x - 1.0 + kBend;
-  const double bent = x >= 1.0 + kBend ? x : 1.0 + beyond * beyond / (4.0 * kBend);
-  return std::min(slow * bent, std::max(slow, walk_top_));
+  const double t = std::max(0.0, (clamped(speed) / slow - 1.0) / kBend);
+  const double beyond = t < 1.0 ? t * t * (2.0 - t) : t;
+  return std::min(slow * (1.0 + kBend * beyond), std::max(slow, walk_top_));
 }
 
 SpeedEngine::Reading SpeedEngine::readingAt(double phase) {
@@ -173,6 +175,7 @@ void SpeedEngine::poseAt(double speed, double phase, Pose& pose) const {
   const Weights weights = weigh(speed);
   const Reading reading = readingAt(phase);
   pose.p_WR = threeAt(weights, reading, 0);
+  pose.p_WR.z() = stand_[2] + (1.0 - weights.stand) * (pose.p_WR.z() - stand_[2]);
   for (int j = 0; j < joints(); ++j) {
     pose.rotations[j] = data_.mean_posture[j] * expRotation(threeAt(weights, reading, 3 + 3 * j));
   }
@@ -184,6 +187,7 @@ void SpeedEngine::cycleAt(double speed, Eigen::MatrixXd& cycle) const {
   for (size_t k = 0; k < arrays_.size(); ++k) {
     if (weights.arrays[k] != 0.0) cycle += weights.arrays[k] * arrays_[k];
   }
+  cycle.row(2).array() = stand_[2] + (1.0 - weights.stand) * (cycle.row(2).array() - stand_[2]);
 }
 
 double SpeedEngine::mixed(double speed, const SpeedLine& walk, const SpeedLine& run,
@@ -216,6 +220,16 @@ bool SpeedEngine::planted(double speed, double phase, Side side) const {
   return since < lift_off - strike;
 }
 
+// What of a walk is in it; standing and running feet neither swing nor roll.
+FootCycle SpeedEngine::footAt(double speed, Side side) const {
+  if (!data_.walk || data_.walk->feet[side].size() == 0) {
+    return footOf(Eigen::RowVectorXd::Zero(footNumberCount()));
+  }
+  const Eigen::MatrixXd& lines = data_.walk->feet[side];
+  const double share = walkShare(speed) * (1.0 - runShare(speed));
+  return footOf(share * (lines.row(0) + walkSpeed(speed) * lines.row(1)));
+}
+
 WalkCycle SpeedEngine::walkCycleAt(double speed) const {
   static const GaitSpace kNone;
   const GaitSpace &walk = data_.walk ? *data_.walk : kNone, &run = data_.run ? *data_.run : kNone;
@@ -232,13 +246,14 @@ WalkCycle SpeedEngine::walkCycleAt(double speed) const {
   const auto wrapped = [](double phase) { return phase - std::floor(phase); };
   for (const Side side : {kLeft, kRight}) {
     const double middle = side == kLeft ? 0.0 : 0.5;
+    cycle.feet[side] = footAt(speed, side);
     cycle.feet[side].strike = wrapped(middle - 0.5 * both[side]);
     cycle.feet[side].lift_off = wrapped(middle + 0.5 + 0.5 * both[other(side)]);
     cycle.toe_out[side] =
         mixed(speed, walk.toe_out[side], run.toe_out[side], data_.stand.toe_out[side]);
+    cycle.foot_forward[side] = mixed(speed, walk.foot_forward[side], run.foot_forward[side], 0.0);
   }
   cycle.step_width = mixed(speed, walk.step_width, run.step_width, data_.stand.step_width);
-  cycle.foot_forward.fill(mixed(speed, walk.foot_forward, run.foot_forward, 0.0));
   return cycle;
 }
 

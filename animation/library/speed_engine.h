@@ -11,7 +11,8 @@
 /// Where we depart from the paper: the root's own motion and where feet are put are no part of the
 /// motion vector but lines over speed of their own; the piece to standing goes to the standing
 /// posture itself, not to its shadow in the space; and it is measured by stride, not by speed, so
-/// that feet keep still where the frequency law is a power (see SpeedEngine::walkShare).
+/// that feet keep still where the frequency law is a power (see SpeedEngine::walkShare), heights by
+/// its square, as an inverted pendulum's.
 #pragma once
 
 #include <Eigen/Core>
@@ -76,9 +77,12 @@ struct GaitSpace {
   FrequencyFit law;  ///< of this person (§4.2, eq. 6)
   /// Share of the cycle for which both feet are down around phase 0 and phase 0.5; negative: fly.
   std::array<SpeedLine, 2> support;
-  SpeedLine step_width;    ///< between the lines of left and right footprints [m]
-  SpeedLine foot_forward;  ///< mean of the two footprints of phase 0 before the path's point [m]
-  std::array<SpeedLine, 2> toe_out;  ///< of the prints against the path, left positive [rad]
+  SpeedLine step_width;                   ///< as WalkCycle has it [m]
+  std::array<SpeedLine, 2> foot_forward;  ///< the same, by Side [m]
+  std::array<SpeedLine, 2> toe_out;       ///< the same, by Side [rad]
+  /// How feet swing and roll, by Side. Rows: the numbers of the lines at speed 0, their slopes;
+  /// columns: footNumbers(). Empty for runs, whose feet no plan places.
+  std::array<Eigen::MatrixXd, 2> feet;
 
   double slowest() const { return clips.front().speed; }
   double fastest() const { return clips.back().speed; }
@@ -130,9 +134,8 @@ class SpeedEngine {
   double stepLength(double speed) const {
     return 0.5 * clamped(speed) / frequency(speed);
   }  ///< [m]
-  /// How much of the slowest captured walk is in a walk: 1 from somewhat above its speed on, 0
-  /// standing. By the length of the stride, v / f: the swing of the legs is then what the root goes
-  /// on by.
+  /// How much of the slowest captured walk is in a walk: 1 from its speed on, 0 standing. By the
+  /// length of the stride, v / f: the swing of the legs is then what the root goes on by.
   double walkShare(double speed) const;
   double runShare(double speed) const;  ///< 0 in walks, 1 in runs
   /// Share of the cycle with both feet down around phase 0 and 0.5; negative: with neither.
@@ -150,9 +153,10 @@ class SpeedEngine {
   /// Of the slowest captured walk. Below, strides grow from standing as a parabola, that walking
   /// may begin and end there: by the law alone they would leap from 0. Nobody walks so slowly [1].
   static constexpr double kCrawl = 0.2;
-  /// Half of the range, of that walk's speed, over which the piece to standing bends into the
-  /// lines: by trial, joints jerk where it is narrower and the speed rises through it [1].
-  static constexpr double kBend = 0.15;
+  /// Of that walk's speed: so far below it the piece to standing bends to the walk itself, and so
+  /// far above it that bends into the lines. By trial, joints jerk where it is narrower and the
+  /// speed rises through it [1].
+  static constexpr double kBend = 0.3;
 
  private:
   // What is weighted: X(speed) = sum of weight * array.
@@ -170,6 +174,7 @@ class SpeedEngine {
   double strideShare(double x) const;    // of the slowest walk's stride at x times its speed
   double walkSpeed(double speed) const;  // at which the lines of walks are read [m/s]
   Eigen::Vector3d threeAt(const Weights& weights, const Reading& reading, Eigen::Index row) const;
+  FootCycle footAt(double speed, Side side) const;
   double mixed(double speed, const SpeedLine& walk, const SpeedLine& run, double stand) const;
 
   EngineData data_;

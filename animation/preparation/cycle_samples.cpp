@@ -61,6 +61,7 @@ const FootChange* changeAt(const std::vector<FootChange>& changes, double middle
 void measurePrints(const GaitTrack& track, const Stretch& s, const FootChange& change,
                    const Line& line, CycleSamples& samples) {
   std::array<Eigen::Vector2d, 2> prints = {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  double height = 0.0;
   for (const Side side : {kLeft, kRight}) {
     for (const Plant& plant : track.plants(side)) {
       const bool is_it =
@@ -69,10 +70,15 @@ void measurePrints(const GaitTrack& track, const Stretch& s, const FootChange& c
       const GaitTrack::FlatFoot flat = track.flatFoot(side, plant);
       prints[side] = line.seen(flat.print.head<2>(), 0.0);
       samples.toe_out[side] = wrapAngle(flat.heading - line.heading);
+      height += 0.5 * flat.print.z();
     }
   }
   samples.step_width = prints[kLeft].y() - prints[kRight].y();
-  samples.foot_forward = 0.5 * (prints[kLeft].x() + prints[kRight].x());
+  for (const Side side : {kLeft, kRight}) {
+    const double half_step = (side == s.leading ? 0.25 : -0.25) * line.length;
+    samples.foot_forward[side] = prints[side].x() - half_step;
+  }
+  samples.channels.row(2).array() -= height;
 }
 
 }  // namespace

@@ -14,12 +14,14 @@ struct CycleSamples {
   double speed = 0.0;   ///< along the line from end to end [m/s, > 0]
   double period = 0.0;  ///< [s, > 0]
   /// Rows: the channels of WalkCycle::series; columns: even phases, the first is 0, whichever foot
-  /// led. Its ends meet: what they differ by is spread over the cycle.
+  /// led. Heights are over the footprints. Its ends meet: what they differ by is spread over the
+  /// cycle.
   Eigen::MatrixXd channels;
   /// Share of the cycle with both feet down around phase 0 and 0.5; negative: with neither.
   std::array<double, 2> support = {0, 0};
-  double step_width = 0.0;                 ///< [m], as WalkCycle has these
-  double foot_forward = 0.0;               ///< [m]
+  double step_width = 0.0;  ///< [m], as WalkCycle has these
+  /// [m], but for what feet slide
+  std::array<double, 2> foot_forward = {0, 0};
   std::array<double, 2> toe_out = {0, 0};  ///< [rad]
 };
 

@@ -9,7 +9,9 @@
 #include "animation/analysis/classify_clip.h"
 #include "animation/analysis/foot_plants.h"
 #include "animation/body/rotation_mean.h"
+#include "animation/library/foot_numbers.h"
 #include "animation/preparation/cycle_samples.h"
+#include "animation/preparation/foot_cycle_fit.h"
 #include "animation/preparation/motion_library_add.h"
 #include "animation/preparation/walk_cycle_fit.h"
 #include "base/error.h"
@@ -105,6 +107,19 @@ void findComponents(const std::vector<EngineCycle>& cycles, const LineFit& fit, 
   }
 }
 
+// Rows: the lines at speed 0, their slopes; none where feet are not known.
+void fitFoot(const std::vector<EngineCycle>& cycles, const LineFit& fit, size_t side,
+             Eigen::MatrixXd& lines) {
+  std::vector<Eigen::RowVectorXd> numbers;
+  for (const EngineCycle& cycle : cycles) {
+    if (cycle.feet[side].pitch.empty()) return;
+    numbers.push_back(footNumbers(cycle.feet[side]));
+  }
+  const Eigen::RowVectorXd zero = Eigen::RowVectorXd::Zero(footNumberCount());
+  lines.resize(2, zero.size());
+  lines << fit.atZero(numbers, zero), fit.slope(numbers, zero);
+}
+
 void fitFurtherChannels(const std::vector<EngineCycle>& cycles, const LineFit& fit,
                         GaitSpace& space) {
   std::vector<Eigen::MatrixXd> roots;
@@ -113,13 +128,15 @@ void fitFurtherChannels(const std::vector<EngineCycle>& cycles, const LineFit& f
   space.root.resize(6, zero.cols());
   space.root << fit.atZero(roots, zero), fit.slope(roots, zero);
   for (size_t i = 0; i < 2; ++i) {
+    fitFoot(cycles, fit, i, space.feet[i]);
+    space.foot_forward[i] =
+        fit.line(valuesOf(cycles, [i](const EngineCycle& c) { return c.foot_forward[i]; }));
     space.support[i] =
         fit.line(valuesOf(cycles, [i](const EngineCycle& c) { return c.support[i]; }));
     space.toe_out[i] =
         fit.line(valuesOf(cycles, [i](const EngineCycle& c) { return c.toe_out[i]; }));
   }
   space.step_width = fit.line(valuesOf(cycles, [](const auto& c) { return c.step_width; }));
-  space.foot_forward = fit.line(valuesOf(cycles, [](const auto& c) { return c.foot_forward; }));
 }
 
 }  // namespace
@@ -172,7 +189,8 @@ Eigen::MatrixXd smoothed(const Eigen::MatrixXd& samples) {
 // `level` is on the engine's skeleton; its first frame is `first_frame` of the file.
 void takeCycles(const MotionLibrary& rig, const Clip& level, int first_frame,
                 const EngineCapture& from, Gait gait, Captured& out) {
-  const GaitTrack track(level, rig.roles, rig.feet());
+  const std::array<FootShape, 2> feet = rig.feet();
+  const GaitTrack track(level, rig.roles, feet);
   const CycleOptions options{from.file.string(), false, 0, {}};
   EngineClip clip;
   clip.source = {from.clip, {first_frame + level.frames(), 0}, false, from.licence, from.credit};
@@ -185,9 +203,22 @@ void takeCycles(const MotionLibrary& rig, const Clip& level, int first_frame,
     auto& frames = clip.source.frames;
     frames[0] = std::min(frames[0], first_frame + static_cast<int>(stretch.begin));
     frames[1] = std::max(frames[1], first_frame + static_cast<int>(stretch.end));
-    out.cycles.push_back({static_cast<int>(out.clips.size()), samples.speed, samples.period,
-                          smoothed(samples.channels), samples.support, samples.step_width,
-                          samples.foot_forward, samples.toe_out});
+    EngineCycle cycle{static_cast<int>(out.clips.size()),
+                      samples.speed,
+                      samples.period,
+                      smoothed(samples.channels),
+                      samples.support,
+                      samples.step_width,
+                      samples.foot_forward,
+                      samples.toe_out,
+                      {}};
+    for (const Side side : {kLeft, kRight}) {
+      if (gait == Gait::kRun) continue;
+      cycle.feet[side] =
+          fitFootCycle(track, side, feet[side], stretch.begin, stretch.end, options.clip);
+      cycle.foot_forward[side] -= 0.5 * cycle.feet[side].slip;  // as walks of libraries have it
+    }
+    out.cycles.push_back(std::move(cycle));
   }
   clip.speed /= clip.cycles;
   clip.frequency /= clip.cycles;

@@ -28,7 +28,7 @@ double angleBetween(const Pose& a, const Pose& b) {
 TEST(SpeedEngine, WalksAsPeopleWhoWereCapturedDoAtSpeedsBetweenTheirs) {
   const SpeedEngine engine(kDrawn.data({0.8, 1.2, 1.6}));
   const int thigh = kDrawn.rig.roles.legs[kRight].up_leg;
-  for (const double speed : {1.0, 1.37, 1.6}) {
+  for (const double speed : {0.8, 1.1, 1.37, 1.6}) {
     for (const double phase : {0.0, 0.123, 0.5, 0.9}) {
       const Pose pose = poseOf(engine, speed, phase);
       const Eigen::Quaterniond expected =

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "animation/preparation/motion_library_add.h"
 #include "base/error.h"
 #include "tests/animation/captures.h"
 #include "tests/animation/drawn_engine.h"
@@ -115,6 +116,44 @@ TEST(FitSpeedEngine, AClipThatItHasNotSeenIsMetBetterThanByTheClipNextToIt) {
   EXPECT_LT(mean.joints / count, 5.0 * kDegree);
   EXPECT_LT(mean.legs / count, 3.8 * kDegree);
   EXPECT_LT(mean.joints, mean.nearest_joints);
+}
+
+TEST(FitSpeedEngine, AnEngineOfOneWalkGivesTheCycleThatALibraryHasOfIt) {
+  AMBLE_NEEDS_CAPTURES();
+  MotionRequest request;
+  request.name = "walk";
+  request.file = sharedFolder() / "mocap/cmu_mb2/02_01.bvh";
+  request.harmonics = kMaxHarmonics;
+  MotionLibrary library;
+  addMotion(library, request);
+  const WalkCycle& cycle = library.find("walk")->cycle;
+  const SpeedEngine engine(fitSpeedEngine(requestOf({"cmu_mb2/02_01.bvh"})));
+  const WalkCycle again = engine.walkCycleAt(engine.fastest());
+  EXPECT_NEAR(again.speed, cycle.speed, 0.005 * cycle.speed);
+  EXPECT_NEAR(again.period, cycle.period, 0.005 * cycle.period);
+  EXPECT_NEAR(again.step_width, cycle.step_width, 1e-6);
+  for (const Side side : {kLeft, kRight}) {
+    EXPECT_NEAR(again.foot_forward[side], cycle.foot_forward[side], 2e-3);
+    EXPECT_NEAR(again.toe_out[side], cycle.toe_out[side], 1e-6);
+    // The second double support is at 0.5 exactly, as poses have it.
+    EXPECT_NEAR(again.feet[side].strike, cycle.feet[side].strike, 0.02);
+    EXPECT_NEAR(again.feet[side].lift_off, cycle.feet[side].lift_off, 0.02);
+    EXPECT_NEAR(again.feet[side].slip, cycle.feet[side].slip, 1e-9);
+    EXPECT_NEAR(again.feet[side].height[1], cycle.feet[side].height[1], 1e-9);
+    EXPECT_NEAR(again.feet[side].pitch[40], cycle.feet[side].pitch[40], 1e-9);
+  }
+  for (const double phase : {0.0, 0.1, 0.2, 0.5, 0.71}) {
+    const Eigen::VectorXd of_library = fourierAt(cycle.series, phase);
+    const Eigen::VectorXd of_engine = fourierAt(again.series, phase);
+    EXPECT_LT((of_engine - of_library).head<3>().norm(), 1e-3);
+    for (int j = 0; j < engine.joints(); ++j) {
+      const Eigen::Quaterniond a =
+          library.stand().rotations[j] * expRotation(of_library.segment<3>(3 + 3 * j));
+      const Eigen::Quaterniond b =
+          engine.data().mean_posture[j] * expRotation(of_engine.segment<3>(3 + 3 * j));
+      EXPECT_LT(a.angularDistance(b), 0.3 * kDegree) << j << " at " << phase;
+    }
+  }
 }
 
 TEST(FitSpeedEngine, RunsFlyAndAreASpaceOfTheirOwn) {
