@@ -29,7 +29,7 @@ void warn(const SpeedEngine& engine, const Ramp& asked, double scale) {
     if (std::abs(engine.clamped(own) - own) > kSameSpeed) {
       say(stderr, "warning: {:g} m/s is beyond what was captured; {:.2f} is taken\n", speed,
           engine.clamped(own) * scale);
-    } else if (!engine.isCaptured(own)) {
+    } else if (!engine.isCaptured(own - kSameSpeed) && !engine.isCaptured(own + kSameSpeed)) {
       say(stderr,
           "warning: {:g} m/s lies between the fastest walk and the slowest run that were captured; "
           "it is a mixture of both\n",
