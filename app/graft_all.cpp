@@ -62,8 +62,8 @@ std::vector<GraftSource> readAll(const std::vector<std::filesystem::path>& files
   for (size_t i = 0; i < files.size(); ++i) {
     if (wrong[i].empty()) {
       good.push_back(std::move(sources[i]));
-    } else {
-      errors.push_back(wrong[i]);
+    } else if (std::find(errors.begin(), errors.end(), wrong[i]) == errors.end()) {
+      errors.push_back(wrong[i]);  // once: a file of roles is read with every clip
     }
   }
   return good;

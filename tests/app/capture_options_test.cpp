@@ -380,6 +380,11 @@ TEST_F(GraftOptions, OfAllAreTried) {
   fs::copy_file(captureFolder() + "accad_female1/Female1_C03_Run.bvh", folder_ / "clips/run.bvh");
   Uses uses =
       reading([](const std::string& clip) { return "graft all -o out in/box.bvh '" + clip + "'"; });
+  uses["--memory"] = [&] {  // beyond what reading the first clip left free
+    write("in/huge.gltf", read(kTwoTakes) + std::string(size_t{64} << 20, ' '));
+    expectRefused("graft all -o out in/huge.gltf in/box.bvh --memory 1 --threads 1",
+                  {"more than 1 MB"});
+  };
   uses["--output"] = [&] {
     good("graft all clips -o there");
     EXPECT_TRUE(fs::exists(folder_ / "there/run-on-walk.bvh"));

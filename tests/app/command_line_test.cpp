@@ -111,6 +111,10 @@ TEST_F(CommandLine, TheExamplesOfTheHelpWork) {
   for (const char* folder : {"scenarios", "environments", "animation"}) {
     fs::create_directory_symlink(fs::path(AMBLE_SOURCE_DIR) / folder, folder_ / folder);
   }
+  for (const char* made :
+       {"animate --speed 0.8 -o in/slow.bvh", "animate --speed 1.5 -o in/quick.bvh",
+        "library engine build in/slow.bvh in/quick.bvh -o anna.yaml"})
+    ASSERT_EQ(run(made).status, 0) << made;
   for (const char* command : {"", "plan", "check", "validate", "animate", "inspect",
                               "roadmap build", "help", "completion"}) {
     std::istringstream help(run(std::string(command) + " --help").out);

@@ -389,7 +389,7 @@ void AnimateOptions::expectEngineWalks() const {
     return (ramp.poses.p_WR(from + second) - ramp.poses.p_WR(from)).x();
   };
   EXPECT_GT(way(3 * second), 1.5 * way(0));
-  EXPECT_NE(good("animate -o a.bvh --duration 2 " + engine + "3").err.find("1.50 is taken"),
+  EXPECT_NE(good("animate -o a.bvh --duration 2 " + engine + "3").err.find(" is taken"),
             std::string::npos);
   good("animate -o a.glb --duration 2 " + engine + "1");
   for (const char* const also : {"--turn 5", "--stride 0.6", "--incline 3", "--lift 0.1",
