@@ -390,6 +390,11 @@ TEST_F(GraftOptions, OfAllAreTried) {
     EXPECT_TRUE(fs::exists(folder_ / "there/run-on-walk.bvh"));
     EXPECT_TRUE(fs::exists(folder_ / "there/index.json"));
   };
+  uses["--roles"] = [&] {  // of each clip
+    EXPECT_NE(run("graft all clips -o out --roles in/wrong.yaml").err.find("wrong.yaml:1: "),
+              std::string::npos);
+    good("graft all clips -o out --roles in/roles.yaml");
+  };
   uses["--chains"] = [&] {
     EXPECT_EQ(printed("graft all clips -o out --json --chains head")[0]["chains"], json({"head"}));
   };
