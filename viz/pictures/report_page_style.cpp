@@ -28,6 +28,7 @@ figcaption { color: var(--quiet); padding: .4rem .5rem .1rem; font-size: .87rem;
 dt { color: var(--quiet); font-size: .85rem; }
 dd { margin: 0; font-size: 1.1rem; font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
 dd small { display: block; color: var(--quiet); font-size: .8rem; }
+.facts + table { margin-top: .9rem; }
 table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
 th, td { padding: .28rem .6rem; text-align: right; border-bottom: 1px solid var(--line);
   unicode-bidi: isolate; }
