@@ -124,7 +124,7 @@ void write(const MotionOutput& output, const MotionLibrary& library,
   view.skeleton = &skeleton;
   view.body = &body;
   view.animation = &walk;
-  writeFile(file, [&](std::ostream& out) { writeGlb(out, view); });
+  writeFile(file, [&](std::ostream& out) { writeGlb(out, view, makeFigure(skeleton, body)); });
 }
 
 // Walks of a library hold one speed on the straight.

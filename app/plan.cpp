@@ -38,6 +38,7 @@ struct PlanArguments {
   std::string names, bvh_units = "m", checker = "fast";
   std::vector<std::string> formats = usualFormats();
   std::vector<std::string> views;  // empty: all, where the format is asked for
+  bool no_scene = false;
   bool formats_given = false, json = false, list_planners = false;
 };
 
@@ -104,7 +105,8 @@ void writeAll(const PlanArguments& options, RunResult& result,
                               .view = view,
                               .threads = options.threads,
                               .command = commandOf(options, result.report),
-                              .views = options.views.empty() ? viewNames() : options.views};
+                              .views = options.views.empty() ? viewNames() : options.views,
+                              .scene_in_glb = !options.no_scene};
   for (const ResultFormat& format : resultFormats()) {
     const bool there = format.of_walk ? view.hasBody() : loaded;
     if (format.add && there && wants(options, format.name)) format.add(subject, write.more);
@@ -333,6 +335,7 @@ void addPlan(CLI::App& app, Command& chosen) {
                    "writes all)")
       ->delimiter(',')
       ->check(choice(viewNames()));
+  command->add_flag("--no-scene", options->no_scene, "walk.glb without the scene");
   command
       ->add_option("--checker", options->checker,
                    "Who is asked about contacts: our own trees, or FCL, with which they agree")

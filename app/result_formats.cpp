@@ -23,7 +23,7 @@ namespace amble {
 namespace {
 
 const std::string& planViewOf(const ResultSubject& subject) {
-  std::string& svg = subject.drawn->svg;
+  std::string& svg = subject.shared->svg;
   if (svg.empty()) {
     std::ostringstream out;
     writePlanView(out, subject.view);
@@ -33,13 +33,20 @@ const std::string& planViewOf(const ResultSubject& subject) {
 }
 
 const std::string& pictureOf(const ResultSubject& subject) {
-  std::string& png = subject.drawn->png;
+  std::string& png = subject.shared->png;
   if (png.empty()) {
     std::ostringstream out;
     writePng(out, renderWalk(subject.view, {.threads = subject.threads}));
     png = std::move(out).str();
   }
   return png;
+}
+
+// @pre subject.view.hasBody()
+const Figure& figureOf(const ResultSubject& subject) {
+  std::optional<Figure>& figure = subject.shared->figure;
+  if (!figure) figure = makeFigure(*subject.view.skeleton, *subject.view.body);
+  return *figure;
 }
 
 void addPlanView(const ResultSubject& subject, std::vector<ResultFile>& files) {
@@ -83,7 +90,10 @@ void addReportPage(const ResultSubject& subject, std::vector<ResultFile>& files)
 
 void addPage(const ResultSubject& subject, std::vector<ResultFile>& files) {
   files.push_back({"walk.html", [subject](std::ostream& out) {
-                     writePage(out, walkPage(subject.result, subject.view).subject);
+                     WalkPage page = walkPage(subject.result, subject.view);
+                     PageActor& walker = page.subject.actors.front();
+                     if (subject.view.hasBody()) walker.figure = &figureOf(subject);
+                     writePage(out, page.subject);
                    }});
 }
 
@@ -96,11 +106,13 @@ void addStrip(const ResultSubject& subject, std::vector<ResultFile>& files) {
 }
 
 void addGlb(const ResultSubject& subject, std::vector<ResultFile>& files) {
-  files.push_back({"walk.glb", [view = &subject.view, result = &subject.result](std::ostream& out) {
+  files.push_back({"walk.glb", [subject](std::ostream& out) {
                      std::ostringstream json;
-                     writeJson(json, result->report);
-                     writeGlb(out, *view,
-                              {.joint_names = result->joint_names, .report = json.str()});
+                     writeJson(json, subject.result.report);
+                     writeGlb(out, subject.view, figureOf(subject),
+                              {.scene = subject.scene_in_glb,
+                               .joint_names = subject.result.joint_names,
+                               .report = json.str()});
                    }});
 }
 
@@ -122,12 +134,10 @@ void addArrays(const ResultSubject& subject, std::vector<ResultFile>& files) {
 }
 
 void addActor(const ResultSubject& subject, std::vector<ResultFile>& files) {
-  const WalkView* const view = &subject.view;
   const Report* const report = &subject.result.report;
   files.push_back({"walk.sdf", [=](std::ostream& out) { writeActorSdf(out, report->bvh_unit); }});
   files.push_back({"walk.dae", [=](std::ostream& out) {
-                     writeSkinCollada(out, *view->skeleton,
-                                      makeFigure(*view->skeleton, *view->body),
+                     writeSkinCollada(out, *subject.view.skeleton, figureOf(subject),
                                       report->joint_names);
                    }});
 }
@@ -137,8 +147,8 @@ void addFilm(const ResultSubject& subject, std::vector<ResultFile>& files) {
   FilmSettings settings;
   settings.threads = subject.threads;
   const StopRequest stop{.flag = stopFlag() ? nullptr : &stopFlag(), .deadline = {}};
-  files.push_back({"walk.mp4", [view = &subject.view, settings, stop](std::ostream& out) {
-                     writeMp4(out, *view, settings, stop);
+  files.push_back({"walk.mp4", [subject, settings, stop](std::ostream& out) {
+                     writeMp4(out, subject.view, figureOf(subject), settings, stop);
                    }});
 }
 

@@ -4,18 +4,21 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/output_file.h"
 #include "scenarios/run_scenario.h"
+#include "viz/figure/figure.h"
 #include "viz/walk_view.h"
 
 namespace amble {
 
-/// Pictures that several files show, drawn when the first of them is written.
-struct DrawnPictures {
-  std::string png, svg;  ///< files, as bytes; empty: not yet
+/// What several files hold, made when the first of them is written.
+struct SharedParts {
+  std::string png, svg;          ///< files, as bytes; empty: not yet
+  std::optional<Figure> figure;  ///< of the walk's body
 };
 
 /// Of the points of view that pictures are taken from: "top", "side", "corner", "first".
@@ -28,7 +31,8 @@ struct ResultSubject {
   int threads = 1;                               ///< that may be used; changes no byte
   std::string command = {};                      ///< that repeats the run
   std::vector<std::string> views = viewNames();  ///< that "views" writes
-  std::shared_ptr<DrawnPictures> drawn = std::make_shared<DrawnPictures>();
+  bool scene_in_glb = true;
+  std::shared_ptr<SharedParts> shared = std::make_shared<SharedParts>();
 };
 
 struct ResultFormat {

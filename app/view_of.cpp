@@ -1,5 +1,7 @@
 #include "app/view_of.h"
 
+#include "viz/page/edge_takes.h"
+
 namespace amble {
 namespace {
 
@@ -7,7 +9,7 @@ PlaceView viewOf(const Place& place, const Eigen::Vector3d& on_floor) {
   return {place.at, place.heading, on_floor.z()};
 }
 
-RoadmapView viewOf(const RoadmapPicture& roadmap) {
+RoadmapView viewOf(const Problem& problem, const RoadmapPicture& roadmap) {
   RoadmapView view;
   for (const RoadmapPicture::Node& node : roadmap.nodes) {
     view.nodes.push_back({node.stance.position.head<2>(), node.stance.heading,
@@ -15,6 +17,11 @@ RoadmapView viewOf(const RoadmapPicture& roadmap) {
   }
   for (const RoadmapPicture::Edge& edge : roadmap.edges) {
     view.edges.push_back({edge.from, edge.to, edge.line});
+  }
+  for (const RoadmapPicture::Refused& refused : roadmap.refused) {
+    view.refused.push_back({refused.from.stance.position.head<2>(),
+                            refused.to.stance.position.head<2>(), refused.at.head<2>(),
+                            whatRefused(problem, refused.rule, refused.part, refused.object)});
   }
   return view;
 }
@@ -38,7 +45,7 @@ WalkView viewOf(const RunResult& result) {
   if (result.report.status != PlanStatus::kSolved) view.why = result.report.why;
   if (result.outcome.why) view.obstruction = &*result.outcome.why;
   if (result.outcome.reached) view.reached = &*result.outcome.reached;
-  view.roadmap = viewOf(result.outcome.roadmap);
+  view.roadmap = viewOf(problem, result.outcome.roadmap);
   const PlanQuery asked = problem.query();
   view.start = viewOf(problem.scenario.start, asked.start.position);
   view.goal = viewOf(problem.scenario.goal, asked.goal.position);

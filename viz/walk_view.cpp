@@ -8,9 +8,14 @@ namespace amble {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-PlacedBody placeBodyAt(const WalkView& view, int frame) {
+std::vector<JointFrame> jointFramesAt(const WalkView& view, int frame) {
   std::vector<JointFrame> joints(view.skeleton->size());
   forwardKinematics(*view.skeleton, view.animation->poses[frame], joints);
+  return joints;
+}
+
+PlacedBody placeBodyAt(const WalkView& view, int frame) {
+  const std::vector<JointFrame> joints = jointFramesAt(view, frame);
   PlacedBody placed;
   placed.from.resize(view.body->parts.size());
   placed.to.resize(view.body->parts.size());

@@ -38,8 +38,15 @@ struct RoadmapView {
     int from = 0, to = 0;               ///< indices of nodes
     std::vector<Eigen::Vector2d> line;  ///< its root path [m]; empty: straight
   };
+  /// A walk that was tried and is none.
+  struct Refused {
+    Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::Zero();  ///< [m]
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();                                  ///< where [m]
+    std::string what;  ///< "contact: left shank and sofa"
+  };
   std::vector<Node> nodes;
   std::vector<Edge> edges;
+  std::vector<Refused> refused;
 };
 
 /// Borrowed: what the pointers name outlives the view.
@@ -64,6 +71,9 @@ struct WalkView {
     return skeleton != nullptr && body != nullptr && animation != nullptr && animation->size() > 0;
   }
 };
+
+/// X_WJ of the body's joints at a frame. @pre view.hasBody()
+std::vector<JointFrame> jointFramesAt(const WalkView& view, int frame);
 
 /// Capsule ends of the body's parts at a frame, in World. @pre view.hasBody()
 struct PlacedBody {

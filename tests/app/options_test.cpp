@@ -135,6 +135,13 @@ PlanOptions::Uses PlanOptions::ofResults() const {
                          {"walk-first.png", "walk-top.png", "walk.bvh"});
              expectRefused(kPlan + "-o out --views above", {"--views", "above"});
            }},
+          {"--no-scene",
+           [this] {
+             good(kPlan + "--formats glb -o out");
+             EXPECT_NE(read("out/walk.glb").find("\"name\":\"scene\""), std::string::npos);
+             good(kPlan + "--formats glb -o out --no-scene");
+             EXPECT_EQ(read("out/walk.glb").find("\"name\":\"scene\""), std::string::npos);
+           }},
           {"--formats",
            [this] {
              expectFiles("--formats glb", {"walk.glb"});

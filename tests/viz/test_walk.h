@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "viz/figure/figure.h"
 #include "viz/walk_view.h"
 
 namespace amble {
@@ -99,6 +100,14 @@ inline std::unique_ptr<TestWalk> makeTestWalk() {
   view.start = PlaceView{{1, 2}, 0.0};
   view.goal = PlaceView{{5, 2}, std::nullopt};
   return walk;
+}
+
+inline const Figure& figureOfTestWalk() {
+  static const Figure figure = [] {
+    const auto walk = makeTestWalk();
+    return makeFigure(walk->skeleton, walk->body);
+  }();
+  return figure;
 }
 
 }  // namespace amble

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "viz/exchange/glb_file.h"
 #include "viz/pictures/room.h"
+#include "viz/pictures/thin_mesh.h"
 
 namespace amble {
 
@@ -133,20 +134,15 @@ class GlbMaker {
     const int parent = static_cast<int>(file_.nodes.size());
     addNode("scene", -1, -1);
     std::vector<RoomSurface> room = sortRoom(scene, floor);
-    size_t triangles = 0;
-    for (const RoomSurface& surface : room) triangles += surface.mesh.triangles.size();
-    if (triangles > kMostGlbTriangles) {
-      const nlohmann::json said = {{"left_out", std::to_string(triangles) + " triangles; at most " +
-                                                    std::to_string(kMostGlbTriangles) +
-                                                    " are written"}};
-      file_.nodes[parent].extras = said.dump();
-      return;
-    }
+    if (const std::string said = thinned(room); !said.empty())
+      file_.nodes[parent].extras = nlohmann::json{{"thinned", said}}.dump();
     std::map<int, std::vector<const RoomSurface*>> by_object;
-    for (const RoomSurface& surface : room) by_object[surface.object].push_back(&surface);
+    for (const RoomSurface& surface : room)
+      if (!surface.mesh.triangles.empty()) by_object[surface.object].push_back(&surface);
     for (const auto& [object, surfaces] : by_object) {
       const std::string name = objectName(scene.objects[object]);
-      addNode(name, parent, addMesh(name, primitivesOf(surfaces)));
+      std::vector<GlbPrimitive> primitives = primitivesOf(surfaces);
+      addNode(name, parent, primitives.empty() ? -1 : addMesh(name, std::move(primitives)));
     }
   }
 
@@ -205,6 +201,25 @@ class GlbMaker {
       file_.tracks.push_back(std::move(track));
   }
 
+  // To kMostGlbTriangles. What was done; empty: nothing.
+  static std::string thinned(std::vector<RoomSurface>& room) {
+    std::vector<const TriangleMesh*> meshes;
+    size_t all = 0, left = 0;
+    for (const RoomSurface& surface : room) {
+      meshes.push_back(&surface.mesh);
+      all += surface.mesh.triangles.size();
+    }
+    const double cell = thinningCell(meshes, kMostGlbTriangles);
+    if (cell == 0.0) return {};
+    for (RoomSurface& surface : room) {
+      surface.mesh = thinMesh(surface.mesh, cell);
+      left += surface.mesh.triangles.size();
+    }
+    return std::to_string(left) + " of " + std::to_string(all) +
+           " triangles, for looking at; no corner moved by more than " +
+           shortNumber(1e3 * std::sqrt(3.0) * cell, 3) + " mm";
+  }
+
   int addSole(Side side, double length) {
     GlbPrimitive sole;
     sole.material = addMaterial(side == kLeft ? "left" : "right", sideColor(side), true);
@@ -223,12 +238,13 @@ class GlbMaker {
     std::map<int, GlbPrimitive> by_material;
     for (const RoomSurface* surface : surfaces) {
       const int material = addMaterial(hexColor(surface->color), surface->color, true);
-      GlbPrimitive& part = by_material[material];
-      part.material = material;
       for (const auto& t : surface->mesh.triangles) {
         const Vector3d &a = surface->mesh.vertices[t[0]], &b = surface->mesh.vertices[t[1]],
                        &c = surface->mesh.vertices[t[2]];
         const Vector3f normal = toFile((b - a).cross(c - a).normalized());
+        if (normal.isZero()) continue;  // it has no area
+        GlbPrimitive& part = by_material[material];
+        part.material = material;
         for (const Vector3d& p : {a, b, c}) {
           part.positions.push_back(toFile(p));
           part.normals.push_back(normal);
@@ -253,12 +269,13 @@ void writeGlb(std::ostream& out, const Clip& clip, const Figure& figure) {
   writeGlbFile(out, maker.take());
 }
 
-void writeGlb(std::ostream& out, const WalkView& view, const GlbWalkOptions& options) {
+void writeGlb(std::ostream& out, const WalkView& view, const Figure& figure,
+              const GlbWalkOptions& options) {
   GlbMaker maker(view.title);
   const Skeleton named =
       options.joint_names.empty() ? *view.skeleton : renamed(*view.skeleton, options.joint_names);
   maker.addMotion({named, view.animation->poses, view.animation->frame_time, nullptr});
-  maker.addFigure(makeFigure(*view.skeleton, *view.body));
+  maker.addFigure(figure);
   maker.addPath(view);
   maker.addFootprints(view);
   if (options.scene && view.scene != nullptr) maker.addScene(*view.scene, view.floor);

@@ -18,8 +18,8 @@
 
 namespace amble {
 
-/// A scene of more triangles is left out; the node says so.
-inline constexpr int kMostGlbTriangles = 300000;
+/// A scene of more triangles is thinned (viz/pictures/thin_mesh.h); the node says so.
+inline constexpr size_t kMostGlbTriangles = 300000;
 
 /// Any clip. @param figure  of its skeleton. @pre the clip has frames
 void writeGlb(std::ostream& out, const Clip& clip, const Figure& figure);
@@ -32,7 +32,8 @@ struct GlbWalkOptions {
   std::string report = {};
 };
 
-/// A planned walk. @pre view.hasBody()
-void writeGlb(std::ostream& out, const WalkView& view, const GlbWalkOptions& options = {});
+/// A planned walk. @param figure  of its body. @pre view.hasBody()
+void writeGlb(std::ostream& out, const WalkView& view, const Figure& figure,
+              const GlbWalkOptions& options = {});
 
 }  // namespace amble

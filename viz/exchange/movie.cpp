@@ -36,11 +36,11 @@ std::vector<std::string> filmArguments(const FilmSettings& settings) {
 
 std::filesystem::path findFilmMaker() { return findProgram("ffmpeg"); }
 
-void writeMp4(std::ostream& out, const WalkView& view, const FilmSettings& settings,
-              const StopRequest& stop) {
+void writeMp4(std::ostream& out, const WalkView& view, const Figure& figure,
+              const FilmSettings& settings, const StopRequest& stop) {
   const std::filesystem::path program = findFilmMaker();
   if (program.empty()) throw InputError("ffmpeg", 0, "is not installed", "it, for MP4");
-  const WalkFilm film(view, settings);
+  const WalkFilm film(view, figure, settings);
   ChildProgram ffmpeg(program, filmArguments(settings));
   for (int i = 0; i < film.pictures() && !stop.asked(); ++i) {
     const Image image = film.picture(i);

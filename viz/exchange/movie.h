@@ -21,9 +21,10 @@ class FilmStopped : public Stopped {
   }
 };
 
-/// With the same ffmpeg the same walk gives the same bytes. @pre view.hasBody()
+/// With the same ffmpeg the same walk gives the same bytes. @param figure  of the body
+/// @pre view.hasBody()
 /// @throws InputError where ffmpeg is not there or cannot do it, FilmStopped where that was asked
-void writeMp4(std::ostream& out, const WalkView& view, const FilmSettings& settings = {},
-              const StopRequest& stop = {});
+void writeMp4(std::ostream& out, const WalkView& view, const Figure& figure,
+              const FilmSettings& settings = {}, const StopRequest& stop = {});
 
 }  // namespace amble

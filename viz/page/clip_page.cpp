@@ -132,7 +132,9 @@ PageSubject clipPage(const std::vector<ShownClip>& clips, const Scene* scene) {
   for (const ShownClip& shown : clips) {
     const Clip& clip = shown.motion.clip;
     page.takes.push_back(takeOf(shown, static_cast<int>(page.actors.size())));
-    page.actors.push_back({shown.name, &clip.skeleton, shown.body ? &*shown.body : nullptr});
+    page.actors.push_back({.name = shown.name,
+                           .skeleton = &clip.skeleton,
+                           .body = shown.body ? &*shown.body : nullptr});
   }
   const Clip& first = clips.front().motion.clip;
   page.description = fmt::format("Motion capture {}: {:.1f} s of {} joints.", page.title,

@@ -39,16 +39,6 @@ PageTake thinnedTake(const AnimationBuffer& walk, double sole, std::deque<PoseAr
   return take;
 }
 
-std::string whatRefused(const Problem& problem, WalkRule rule, int part, int object) {
-  std::string what(walkRuleName(rule));
-  std::replace(what.begin(), what.end(), '_', ' ');
-  if (part >= 0 && object >= 0) {
-    what += fmt::format(": {} and {}", problem.body.parts[part].name,
-                        objectName(problem.scene.objects[object]));
-  }
-  return what;
-}
-
 class EdgeTakes {
  public:
   EdgeTakes(const Problem& problem, const RoadmapPicture& roadmap, double sole, WalkPage& page)
@@ -140,6 +130,16 @@ void EdgeTakes::addEdges() {
 }
 
 }  // namespace
+
+std::string whatRefused(const Problem& problem, WalkRule rule, int part, int object) {
+  std::string what(walkRuleName(rule));
+  std::replace(what.begin(), what.end(), '_', ' ');
+  if (part >= 0 && object >= 0) {
+    what += fmt::format(": {} and {}", problem.body.parts[part].name,
+                        objectName(problem.scene.objects[object]));
+  }
+  return what;
+}
 
 std::vector<Eigen::Vector3d> wayOf(const AnimationBuffer& walk) {
   std::vector<Eigen::Vector3d> way;

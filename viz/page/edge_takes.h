@@ -14,6 +14,9 @@ void addEdgeTakes(const Problem& problem, const RoadmapPicture& roadmap, double 
                   WalkPage& page);
 inline constexpr int kMostEdgeTakes = 40, kMostAttemptTakes = 16, kMostEdgeFrames = 6000;
 
+/// Why an attempt is none, in a few words.
+std::string whatRefused(const Problem& problem, WalkRule rule, int part, int object);
+
 /// The root's way on the ground, a point every few centimetres [m, World].
 std::vector<Eigen::Vector3d> wayOf(const AnimationBuffer& walk);
 

@@ -20,6 +20,7 @@
 
 #include "animation/body/pose.h"
 #include "planner/plan_request.h"
+#include "viz/figure/figure.h"
 #include "viz/walk_view.h"
 
 namespace amble {
@@ -30,7 +31,8 @@ struct Bench;  // viz/page/bench.h
 struct PageActor {
   std::string name;
   const Skeleton* skeleton = nullptr;  ///< never null
-  const Body* body = nullptr;          ///< null: its bones are shown; else a skin is made of it
+  const Body* body = nullptr;          ///< null: its bones are shown
+  const Figure* figure = nullptr;      ///< its skin; null: it is made, if there is a body
 };
 
 /// First and last frame of something.

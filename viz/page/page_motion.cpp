@@ -132,6 +132,7 @@ std::string bodyJson(const PageActor& actor) {
 }
 
 std::string figureJson(const PageActor& actor, PageBytes& bytes) {
+  if (actor.figure != nullptr) return dumped(figureJson(*actor.figure, bytes));
   if (actor.body == nullptr) return "null";
   return dumped(figureJson(makeFigure(*actor.skeleton, *actor.body), bytes));
 }

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "viz/page/page_data.h"
-#include "viz/page/thin_mesh.h"
 #include "viz/pictures/room.h"
+#include "viz/pictures/thin_mesh.h"
 
 namespace amble {
 namespace {

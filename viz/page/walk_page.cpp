@@ -87,7 +87,7 @@ WalkPage walkPage(const RunResult& result, const WalkView& view) {
   subject.scene = view.scene;
   subject.floor = view.floor;
   subject.walk = &view;
-  subject.actors = {{"walker", view.skeleton, view.body}};
+  subject.actors = {{.name = "walker", .skeleton = view.skeleton, .body = view.body}};
   if (view.hasBody()) {
     addWalk(result, view, subject);
   } else {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/rotation.h"
+#include "viz/figure/posed_figure.h"
 
 namespace amble {
 
@@ -149,6 +150,20 @@ void addBody(const WalkView& view, int frame, std::span<const Color> colors,
   const PlacedBody placed = placeBodyAt(view, frame);
   for (size_t i = 0; i < placed.from.size(); ++i)
     addCapsule(placed.from[i], placed.to[i], view.body->parts[i].radius, colors[i], triangles);
+}
+
+void addFigure(const WalkView& view, int frame, const Figure& figure,
+               std::vector<DrawTriangle>& triangles) {
+  const PosedFigure posed = poseFigure(figure, jointFramesAt(view, frame));
+  for (const auto& t : figure.triangles) {
+    const auto& color = figure.colors[t[0]];
+    DrawTriangle& triangle = triangles.emplace_back();
+    triangle.color = rgb(color[0], color[1], color[2]);
+    for (int k = 0; k < 3; ++k) {
+      triangle.p[k] = posed.vertices[t[k]];
+      triangle.normal[k] = posed.normals[t[k]];
+    }
+  }
 }
 
 void addPolygon(std::span<const Vector2d> outline, double height, const Color& color,

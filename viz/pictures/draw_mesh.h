@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "environments/scene/mesh.h"
+#include "viz/figure/figure.h"
 #include "viz/pictures/rasterizer.h"
 #include "viz/walk_view.h"
 
@@ -27,6 +28,10 @@ void addCapsule(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double r
 /// The capsules of a body as smooth meshes; `colors` one a part.
 void addBody(const WalkView& view, int frame, std::span<const Color> colors,
              std::vector<DrawTriangle>& triangles);
+
+/// The figure of the view's body, in its own colours. @pre view.hasBody()
+void addFigure(const WalkView& view, int frame, const Figure& figure,
+               std::vector<DrawTriangle>& triangles);
 
 /// A polygon (a fan about its middle) lying at `height`, drawn over the floor.
 void addPolygon(std::span<const Eigen::Vector2d> outline, double height, const Color& color,

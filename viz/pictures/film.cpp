@@ -39,8 +39,9 @@ void drawTime(Image& image, double time) {
 
 }  // namespace
 
-WalkFilm::WalkFilm(const WalkView& view, const FilmSettings& settings)
+WalkFilm::WalkFilm(const WalkView& view, const Figure& figure, const FilmSettings& settings)
     : view_(view),
+      figure_(figure),
       settings_(settings),
       shot_(shotOf(view, settings)),
       large_(shot_.camera.enlarged(kSupersampling)),
@@ -127,10 +128,8 @@ Image WalkFilm::picture(int i) const {
   const double time = i / settings_.rate;
   const int frame =
       std::min(last, static_cast<int>(std::lround(time / view_.animation->frame_time)));
-  const double share = static_cast<double>(frame) / std::max(1, last);
-  const std::vector<Color> colors(view_.body->parts.size(), timeColor(share));
   std::vector<DrawTriangle> body;
-  addBody(view_, frame, colors, body);
+  addFigure(view_, frame, figure_, body);
   Image image = still_;
   // What changes is told from as much again around it.
   const Window inner = changedBy(body), outer = grown(inner, reach_);

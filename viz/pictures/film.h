@@ -1,10 +1,11 @@
 /// A walk picture after picture, as a film shows it: the room from one corner, the whole walk in
-/// view, one body that walks.
+/// view, the figure that walks.
 ///
 /// The room is drawn once; of each picture only what the body and its shadow change is drawn anew,
 /// as drawing all of it would give it, up to the rounding of where triangles' edges lie.
 #pragma once
 
+#include "viz/figure/figure.h"
 #include "viz/pictures/render.h"
 
 namespace amble {
@@ -21,8 +22,8 @@ class WalkFilm {
   /// Of the shadow map: finer than a pixel, over a room [samples a side].
   static constexpr int kShadowSize = 1536;
 
-  /// @param view  must outlive the film. @pre view.hasBody()
-  explicit WalkFilm(const WalkView& view, const FilmSettings& settings = {});
+  /// @param view, figure  of its body; must outlive the film. @pre view.hasBody()
+  WalkFilm(const WalkView& view, const Figure& figure, const FilmSettings& settings = {});
 
   int pictures() const;  ///< [>= 1]
   /// With the time in a corner. @pre 0 <= i < pictures(). Costs 10 to 50 ms in a room
@@ -40,6 +41,7 @@ class WalkFilm {
                          const Window& window) const;
 
   const WalkView& view_;
+  const Figure& figure_;
   FilmSettings settings_;
   WalkShot shot_;
   Camera large_;  // of samples

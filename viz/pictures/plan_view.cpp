@@ -35,6 +35,11 @@ constexpr const char* kEdgeColor = "#3d8f6b";  // of the roadmap
 const XmlAttributes kBodyStyle = {
     {"fill", "#d3d8df"}, {"stroke", "#8b94a1"}, {"stroke-width", 0.8}};
 const XmlAttributes kReachedStyle = {{"fill", hexColor(kReachedColor)}, {"fill-opacity", 0.16}};
+const XmlAttributes kRefusedStyle = {{"fill", "none"},
+                                     {"stroke", hexColor(kStopColor)},
+                                     {"stroke-width", 0.8},
+                                     {"stroke-opacity", 0.35},
+                                     {"stroke-dasharray", "5 4"}};
 const XmlAttributes kHipStyle = {{"fill", "#9aa4b2"}, {"stroke", "#6f7987"}, {"stroke-width", 0.6}};
 
 AlignedBox2d walkBox(const WalkView& view) {
@@ -124,6 +129,7 @@ class Drawing {
     const std::vector<PlanThing> things = cutScene(*view_.scene, view_.floor);
     drawThings(things);
     drawReached();
+    drawRefused();
     drawRoadmap();
     drawFootprints();
     drawPath();
@@ -220,6 +226,23 @@ class Drawing {
                  {"stroke-linejoin", "round"},
                  {"paint-order", "stroke"}},
                 lines[i]);
+    }
+  }
+
+  // From where to where was tried, and a dot where it failed.
+  void drawRefused() {
+    const auto group = xml_.open("g", XmlAttributes{{"id", "refused"}} + kRefusedStyle);
+    for (const RoadmapView::Refused& refused : view_.roadmap.refused) {
+      const auto attempt = xml_.open("g", {{"class", "refused"}});
+      xml_.text("title", {}, refused.what);
+      const std::array<Vector2d, 2> line = {frame_(refused.from), frame_(refused.to)};
+      xml_.empty("path", {{"d", svgPath(line, false)}});
+      const Vector2d p = frame_(refused.at);
+      xml_.empty("circle", {{"cx", p.x()},
+                            {"cy", p.y()},
+                            {"r", 2.5},
+                            {"fill", hexColor(kStopColor)},
+                            {"stroke", "none"}});
     }
   }
 
@@ -436,6 +459,8 @@ class Drawing {
     drawNode({third + column + 8, row2 - 4}, true);
     legendText(third + column + 24, row1, "guard");
     legendText(third + column + 24, row2, "connector");
+    if (!view_.roadmap.refused.empty())
+      legendLine(third + column + 106, row2, kRefusedStyle, "refused");
   }
 
   XmlWriter xml_;

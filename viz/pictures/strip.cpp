@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "base/text.h"
 #include "viz/pictures/draw_mesh.h"
 #include "viz/pictures/lighting.h"
@@ -44,7 +45,7 @@ double groundUnder(const WalkView& view, int frame) {
 }
 
 // A parallel view of the walker at a frame; the picture's middle column is the root's.
-Camera tileCamera(const WalkView& view, int frame, const StripSettings& settings, int factor) {
+Camera tileCamera(const WalkView& view, int frame, const StripSettings& settings) {
   const Vector3d root = view.animation->poses.p_WR(frame);
   const double azimuth = view.animation->states[frame].heading + settings.side;
   const double level = std::cos(settings.lift);
@@ -60,7 +61,7 @@ Camera tileCamera(const WalkView& view, int frame, const StripSettings& settings
                                   static_cast<float>(settings.tile_height)) /
                   2;
   camera.scale = static_cast<float>(settings.tile_height / settings.window);
-  return camera.enlarged(static_cast<float>(factor));
+  return camera;
 }
 
 // What each foot stands on in a frame, stood on last and comes to next.
@@ -127,17 +128,75 @@ std::vector<int> printRows(const WalkView& view, int frame, const Camera& camera
   return under;
 }
 
+// Pixels of a tile.
+struct TileWindow {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+// Where anything of these is seen, with what darkens there.
+TileWindow windowOf(const std::vector<DrawTriangle>& triangles, const Camera& camera, int width,
+                    int height) {
+  constexpr float kMargin = 4;  // of rounding, and of what smooths corners [pixels]
+  constexpr int kGrid = 4;      // what the noise of corners repeats after [pixels]
+  Eigen::Vector2f low = Eigen::Vector2f::Constant(1e9f), high = -low;
+  for (const DrawTriangle& triangle : triangles) {
+    for (const Vector3f& p : triangle.p) {
+      const Eigen::Vector2f pixel = camera.toPixel(camera.toView(p));
+      low = low.cwiseMin(pixel);
+      high = high.cwiseMax(pixel);
+    }
+  }
+  const auto within = [](float at, int most) {
+    return static_cast<int>(std::clamp(at, 0.0f, static_cast<float>(most)));
+  };
+  TileWindow window = {within(low.x() - kMargin, width) / kGrid * kGrid,
+                       within(low.y() - kMargin, height) / kGrid * kGrid,
+                       within(std::ceil(high.x()) + kMargin, width),
+                       within(std::ceil(high.y()) + kMargin, height)};
+  if (window.x1 <= window.x0 || window.y1 <= window.y0) window = {0, 0, kGrid, kGrid};
+  return window;
+}
+
+// A tile, and the samples of what of it there is anything in.
+struct LitTile {
+  Image image;
+  TileWindow window;
+  SampleBuffer samples;
+
+  bool shows(int x, int y) const {
+    return x >= window.x0 && x < window.x1 && y >= window.y0 && y < window.y1 &&
+           samples.depth[samples.index((x - window.x0) * kSupersampling,
+                                       (y - window.y0) * kSupersampling)] > 0;
+  }
+};
+
+LitTile lightTile(const std::vector<DrawTriangle>& triangles, const Camera& camera,
+                  const TileWindow& window, const LightSettings& light,
+                  const StripSettings& settings) {
+  Camera part = camera.enlarged(kSupersampling);
+  part.centre -= kSupersampling *
+                 Eigen::Vector2f(static_cast<float>(window.x0), static_cast<float>(window.y0));
+  const int width = window.x1 - window.x0, height = window.y1 - window.y0;
+  LitTile tile{Image(settings.tile_width, settings.tile_height), window,
+               rasterize(triangles, part, width * kSupersampling, height * kSupersampling)};
+  fillRect(tile.image, 0, 0, settings.tile_width, settings.tile_height, light.background);
+  const Image lit = lightSamples(tile.samples, part, triangles, light);
+  for (int y = 0; y < height; ++y)
+    std::copy_n(lit.pixel(0, y), static_cast<size_t>(width) * 3,
+                tile.image.pixel(window.x0, window.y0 + y));
+  return tile;
+}
+
 // The floor from the side: a line with a mark every 10 cm of World, so that a sliding foot shows;
 // what of the body is below it is drawn red.
-void drawFloorLine(const std::vector<int>& rows, double floor, const Camera& camera,
-                   const SampleBuffer& samples, Image& tile) {
+void drawFloorLine(const std::vector<int>& rows, double floor, const Camera& camera, LitTile& lit) {
+  Image& tile = lit.image;
   for (int x = 0; x < tile.width; ++x) {
     if (rows[x] < 0) continue;
     for (int y = rows[x]; y < tile.height; ++y) {
-      const bool body = samples.depth[samples.index(x * kSupersampling, y * kSupersampling)] > 0;
       const uint8_t* old = tile.pixel(x, y);
       const Color sunk = mix(rgb(old[0], old[1], old[2]), rgb(220, 20, 20), kSinkTint);
-      fillRect(tile, x, y, 1, 1, body ? sunk : kEarth);
+      fillRect(tile, x, y, 1, 1, lit.shows(x, y) ? sunk : kEarth);
     }
     fillRect(tile, x, rows[x], 1, 1, kLineColor);
   }
@@ -220,11 +279,8 @@ Image renderTile(const WalkView& view, int frame, const SceneSection& section,
   std::vector<DrawTriangle> triangles;
   addBody(view, frame, limbColors(*view.body), triangles);
   if (!level) addFloorAround(view, frame, triangles);
-  const Camera camera = tileCamera(view, frame, settings, kSupersampling);
-  const SampleBuffer samples = rasterize(triangles, camera, settings.tile_width * kSupersampling,
-                                         settings.tile_height * kSupersampling, settings.threads);
+  const Camera camera = tileCamera(view, frame, settings);
   LightSettings light;
-  light.threads = settings.threads;
   light.background = rgb(250, 250, 251);
   const Vector3f back = -camera.axes.row(2).transpose();
   light.to_sun = Vector3f(back.x(), back.y(), 0) * 0.8f + Vector3f(0.1f, 0.2f, 1.0f);
@@ -232,19 +288,21 @@ Image renderTile(const WalkView& view, int frame, const SceneSection& section,
   light.shadowed =
       Eigen::AlignedBox3f(root - Vector3f::Constant(1.2f), root + Vector3f::Constant(1.2f));
   light.shadow_size = 512;
-  Image tile = lightSamples(samples, camera, triangles, light);
-  const Camera small = tileCamera(view, frame, settings, 1);
+  const int width = settings.tile_width, height = settings.tile_height;
+  const TileWindow window =
+      level ? windowOf(triangles, camera, width, height) : TileWindow{0, 0, width, height};
+  LitTile lit = lightTile(triangles, camera, window, light, settings);
+  Image& tile = lit.image;
   if (level) {
     const auto rows = view.ground != nullptr ? groundRows : printRows;
-    drawFloorLine(rows(view, frame, small, tile.width), groundUnder(view, frame), small, samples,
-                  tile);
-    drawSection(view, frame, section, small, tile);
-    drawPlants(view, frame, small, tile);
+    drawFloorLine(rows(view, frame, camera, width), groundUnder(view, frame), camera, lit);
+    drawSection(view, frame, section, camera, tile);
+    drawPlants(view, frame, camera, tile);
   }
   const double time = frame * view.animation->frame_time;
   drawText(tile, 6, 6, std::to_string(frame) + "  " + fixedNumber(time, 3) + " s", 2, kLineColor);
-  fillRect(tile, 0, 0, 1, tile.height, mix(kLineColor, light.background, 0.7f));
-  return tile;
+  fillRect(tile, 0, 0, 1, height, mix(kLineColor, light.background, 0.7f));
+  return std::move(lit.image);
 }
 
 // The window of a tile is told for an adult.
@@ -282,13 +340,13 @@ Image renderStrip(const WalkView& view, const StripSettings& asked) {
   const int rows = (count + columns - 1) / columns;
   Image strip(columns * settings.tile_width, rows * settings.tile_height);
   std::fill(strip.rgb.begin(), strip.rgb.end(), uint8_t{250});
-  for (int i = 0; i < count; ++i) {
+  parallelFor(count, settings.threads, [&](int i, int) {
     const int frame = std::min(settings.first + i * settings.step, view.animation->size() - 1);
     const Image tile = renderTile(view, frame, section, settings);
     const int x = i % columns * settings.tile_width, y = i / columns * settings.tile_height;
     for (int row = 0; row < tile.height; ++row)
       std::copy_n(tile.pixel(0, row), static_cast<size_t>(tile.width) * 3, strip.pixel(x, y + row));
-  }
+  });
   return strip;
 }
 

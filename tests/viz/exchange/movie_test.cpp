@@ -37,7 +37,7 @@ class Movie : public testing::Test {
 
 TEST_F(Movie, HasItsIndexBeforeItsPicturesAndIsWhole) {
   std::ostringstream out;
-  writeMp4(out, walk_->view, kSmall);
+  writeMp4(out, walk_->view, figureOfTestWalk(), kSmall);
   const std::vector<std::string> boxes = boxesOf(out.str());
   ASSERT_GE(boxes.size(), 3u);
   EXPECT_EQ(boxes[0], "ftyp");
@@ -46,15 +46,17 @@ TEST_F(Movie, HasItsIndexBeforeItsPicturesAndIsWhole) {
 
 TEST_F(Movie, TheSameWalkGivesTheSameBytes) {
   std::ostringstream one, two;
-  writeMp4(one, walk_->view, kSmall);
-  writeMp4(two, walk_->view, kSmall);
+  writeMp4(one, walk_->view, figureOfTestWalk(), kSmall);
+  writeMp4(two, walk_->view, figureOfTestWalk(), kSmall);
   EXPECT_EQ(one.str(), two.str());
 }
 
 TEST_F(Movie, IsNoneWhereItIsStopped) {
   const std::atomic<bool> stop{true};
   std::ostringstream out;
-  EXPECT_THROW(writeMp4(out, walk_->view, kSmall, {.flag = &stop, .deadline = {}}), FilmStopped);
+  EXPECT_THROW(
+      writeMp4(out, walk_->view, figureOfTestWalk(), kSmall, {.flag = &stop, .deadline = {}}),
+      FilmStopped);
   EXPECT_EQ(out.str(), "");
 }
 

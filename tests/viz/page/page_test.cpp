@@ -18,7 +18,7 @@ PageSubject subjectOf(const TestWalk& walk) {
   page.title = walk.view.title;
   page.scene = &walk.scene;
   page.walk = &walk.view;
-  page.actors = {{"walker", &walk.skeleton, nullptr}};
+  page.actors = {{.name = "walker", .skeleton = &walk.skeleton}};
   PageTake take;
   take.name = "walk";
   take.frame_time = walk.animation.frame_time;

@@ -23,9 +23,8 @@ Image drawnAtOnce(const WalkView& view, int frame) {
   const Camera large = shot.camera.enlarged(kSupersampling);
   const int width = kSupersampling * kSmallFilm.width, height = kSupersampling * kSmallFilm.height;
   SampleBuffer samples = rasterize(shot.triangles, large, width, height);
-  const double share = static_cast<double>(frame) / (view.animation->size() - 1);
   std::vector<DrawTriangle> body;
-  addBody(view, frame, std::vector<Color>(view.body->parts.size(), timeColor(share)), body);
+  addFigure(view, frame, figureOfTestWalk(), body);
   const SampleBuffer front = rasterize(body, large, width, height);
   for (size_t i = 0; i < samples.depth.size(); ++i) {
     const float near = front.depth[i], far = samples.depth[i];
@@ -39,7 +38,7 @@ Image drawnAtOnce(const WalkView& view, int frame) {
 
 TEST(WalkFilm, APictureIsWhatDrawingAllOfItGives) {
   const auto walk = makeTestWalk();
-  const WalkFilm film(walk->view, kSmallFilm);
+  const WalkFilm film(walk->view, figureOfTestWalk(), kSmallFilm);
   for (const int i : {0, 17, 40}) {
     const Image picture = film.picture(i), whole = drawnAtOnce(walk->view, 3 * i);
     int other = 0;
@@ -52,12 +51,12 @@ TEST(WalkFilm, APictureIsWhatDrawingAllOfItGives) {
 
 TEST(WalkFilm, LastsAsLongAsTheWalk) {
   const auto walk = makeTestWalk();
-  EXPECT_EQ(WalkFilm(walk->view, kSmallFilm).pictures(), 41);  // 4 s
+  EXPECT_EQ(WalkFilm(walk->view, figureOfTestWalk(), kSmallFilm).pictures(), 41);  // 4 s
 }
 
 TEST(WalkFilm, ShowsABodyThatMoves) {
   const auto walk = makeTestWalk();
-  const WalkFilm film(walk->view, kSmallFilm);
+  const WalkFilm film(walk->view, figureOfTestWalk(), kSmallFilm);
   EXPECT_NE(film.picture(3).rgb, film.picture(4).rgb);
 }
 
@@ -65,8 +64,8 @@ TEST(WalkFilm, ThreadsChangeNoByte) {
   const auto walk = makeTestWalk();
   FilmSettings two = kSmallFilm;
   two.threads = 2;
-  EXPECT_EQ(WalkFilm(walk->view, kSmallFilm).picture(20).rgb,
-            WalkFilm(walk->view, two).picture(20).rgb);
+  EXPECT_EQ(WalkFilm(walk->view, figureOfTestWalk(), kSmallFilm).picture(20).rgb,
+            WalkFilm(walk->view, figureOfTestWalk(), two).picture(20).rgb);
 }
 
 }  // namespace

@@ -92,6 +92,27 @@ TEST(PlanView, EveryEdgeTellsItsDirection) {
   EXPECT_LT(tips[1], -5);
 }
 
+// Of a metre to the east one that failed half-way.
+TEST(PlanView, RefusedAttemptsAreDrawnWithWhereAndWhy) {
+  const auto walk = makeTestWalk();
+  EXPECT_EQ(countOf(planOf(walk->view), ">refused<"), 0);
+  walk->view.roadmap.refused = {{{1, 1}, {2, 1}, {1.5, 1}, "contact: hand & <vase>"}};
+  const std::string drawn = planOf(walk->view);
+  EXPECT_EQ(malformed(drawn), "");
+  pugi::xml_document svg;
+  svg.load_string(drawn.c_str());
+  const pugi::xml_node one = svg.select_node("//g[@class='refused']").node();
+  EXPECT_STREQ(one.child_value("title"), "contact: hand & <vase>");
+  double x[2], y[2];
+  ASSERT_EQ(
+      std::sscanf(one.child("path").attribute("d").value(), "M%lf %lfL%lf %lf", x, y, x + 1, y + 1),
+      4);
+  EXPECT_GT(x[1], x[0]);
+  EXPECT_NEAR(one.child("circle").attribute("cx").as_double(), 0.5 * (x[0] + x[1]), 0.02);
+  EXPECT_NEAR(one.child("circle").attribute("cy").as_double(), y[0], 0.02);
+  EXPECT_EQ(countOf(drawn, ">refused<"), 1);  // in the legend
+}
+
 TEST(PlanView, IsAsWideAsItsWindowAndKeepsItsShape) {
   pugi::xml_document svg;
   svg.load_string(planOf(makeTestWalk()->view).c_str());

@@ -1,4 +1,4 @@
-#include "viz/page/thin_mesh.h"
+#include "viz/pictures/thin_mesh.h"
 
 #include <algorithm>
 #include <cmath>
