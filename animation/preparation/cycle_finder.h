@@ -25,8 +25,8 @@ struct Stretch {
   double aside;    ///< between travel and the pelvis' heading: 0 ahead, pi backwards [rad, 0 to pi]
 };
 
-/// Frame of a phase after its begin [cycles, 0 to 1], such that its middle comes at 0.5 and its ends
-/// keep their rate.
+/// Frame of a phase after its begin [cycles, 0 to 1], such that its middle comes at 0.5 and its
+/// ends keep their rate.
 double frameAt(const Stretch& stretch, double phase);
 
 /// A change from one foot to the other: a double support, or a flight.

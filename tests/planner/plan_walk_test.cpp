@@ -431,7 +431,7 @@ TEST(PlanWalk, EveryPlannersWalkIsFreeAndTheSameOnTwoThreads) {
   for (const PlannerInfo& planner : listPlanners()) {
     PlanRequest request = requestIn(room);
     request.planner = planner.name;
-    request.limits.max_failures = 200;  // with few luck decides
+    request.limits.max_failures = 200;                   // with few luck decides
     request.goal = {{1.2, 2.8, 0}, 90 * kDegree, true};  // in the same half, for the cylinder
     request.limits.max_failures = 15;
     request.refine.tries = 5;
