@@ -17,7 +17,6 @@ struct StepSettings {
   SpeedLimits limits;       ///< with the character's law
   GroundLimits footholds;
   double scale = 1.0;       ///< of the character to the captured subject [> 0]
-  double leg_length = 0.8;  ///< [m, > 0]
   std::array<double, 2> captured_lift = {0.05, 0.05};  ///< by Side [m, > 0]
 
   /// How far over or under a foot its next ground may lie [m].

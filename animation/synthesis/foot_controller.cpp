@@ -57,7 +57,6 @@ LaneLeg FootController::laneLeg(Side side, const Eigen::Vector3d& knee_axis) con
               joints.toe,
               {},
               LegReach::kRefused,
-              leg_lengths_[side],
               shape.radius,
               shape.ankle_height,
               shape.ankle_x,

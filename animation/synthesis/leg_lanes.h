@@ -15,9 +15,9 @@ struct LaneLeg {
   };
   int side;  ///< Side
   Bone up_leg, leg, foot;
-  int toe;                 ///< joint of the skeleton
-  double knee_axis[3];     ///< about which the knee bends, in the thigh's joint frame
-  double longest, length;  ///< reach, as share of its length, and that length of the skeleton [m]
+  int toe;              ///< joint of the skeleton
+  double knee_axis[3];  ///< about which the knee bends, in the thigh's joint frame
+  double longest;       ///< reach, as a share of its length
   /// FootShape.
   double radius, ankle_height, ankle_x, heel_x, ball_x;
   double q_SF[4], q_FT[4], lateral_T[3];

@@ -93,7 +93,6 @@ struct WalkSynthesizer::Impl {
     steps.limits.frame_time = settings.frame_time;
     steps.footholds = settings.limits;
     steps.scale = scale;
-    steps.leg_length = roles.legLength(skeleton, kLeft);
     steps.captured_lift = {capturedLift(kLeft), capturedLift(kRight)};
     return steps;
   }

@@ -18,7 +18,6 @@ struct StepCharacter {
     s.placement.walk_width = blend.stepWidth();
     s.placement.forward = blend.footForward();
     s.placement.step_length = blend.law().stepLength(1.2);
-    s.leg_length = library.roles.legLength(library.skeleton, kLeft);
     s.limits.law = blend.law();
     s.placement.half_support = 0.5 * s.limits.law.doubleSupport(1.2);
     s.limits.max_turn_rate = blend.maxTurnRate();

@@ -15,7 +15,7 @@
 namespace amble {
 namespace {
 
-constexpr int kPhases = 100;
+constexpr int kCompared = 100;
 
 /// What is compared at a phase: flexion of hips and knees by Side [degrees], the root's height [m].
 struct Carried {
@@ -64,11 +64,11 @@ struct Compared {
     std::vector<JointFrame> joints(library.skeleton.size());
     Pose pose;
     pose.rotations.resize(joints.size());
-    for (int i = 0; i < kPhases; ++i) {
+    for (int i = 0; i < kCompared; ++i) {
       Eigen::VectorXd mean = Eigen::VectorXd::Zero(3 + 3 * library.skeleton.size());
       for (const FourierSeries& one : cycles)
         mean +=
-            fourierAt(one, static_cast<double>(i) / kPhases) / static_cast<double>(cycles.size());
+            fourierAt(one, static_cast<double>(i) / kCompared) / static_cast<double>(cycles.size());
       pose.p_WR = mean.head<3>();
       for (size_t j = 0; j < joints.size(); ++j)
         pose.rotations[j] = library.stand().rotations[j] * expRotation(mean.segment<3>(3 + 3 * j));
@@ -92,8 +92,9 @@ struct Compared {
         WalkRule::kNone);
     period = (buffer.size() - 1) * settings.frame_time / (kSteps / 2);
     std::vector<JointFrame> joints(library.skeleton.size());
-    for (int i = 0; i < kPhases; ++i) {  // of the second cycle
-      const double frame = (1.0 + static_cast<double>(i) / kPhases) * period / settings.frame_time;
+    for (int i = 0; i < kCompared; ++i) {  // of the second cycle
+      const double frame =
+          (1.0 + static_cast<double>(i) / kCompared) * period / settings.frame_time;
       forwardKinematics(library.skeleton, buffer.poses[static_cast<int>(std::lround(frame))],
                         joints);
       made.push_back(carriedIn(joints, library.roles));
@@ -102,8 +103,8 @@ struct Compared {
 
   double rms(std::array<double, 2> Carried::*angle, Side side) const {
     double squares = 0.0;
-    for (int i = 0; i < kPhases; ++i)
-      squares += std::pow((made[i].*angle)[side] - (captured[i].*angle)[side], 2) / kPhases;
+    for (int i = 0; i < kCompared; ++i)
+      squares += std::pow((made[i].*angle)[side] - (captured[i].*angle)[side], 2) / kCompared;
     return std::sqrt(squares);
   }
   static double leastKnee(const std::vector<Carried>& walk, Side side) {
@@ -125,8 +126,8 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
     const Compared walk(clip, stand);
     EXPECT_NEAR(walk.period, walk.cycle().period, 0.01 * walk.cycle().period);
     double height = 0.0;
-    for (int i = 0; i < kPhases; ++i)
-      height += (walk.made[i].height - walk.captured[i].height) / kPhases;
+    for (int i = 0; i < kCompared; ++i)
+      height += (walk.made[i].height - walk.captured[i].height) / kCompared;
     EXPECT_LT(std::abs(height), 0.004);
     for (const Side side : {kLeft, kRight}) {
       EXPECT_LT(walk.rms(&Carried::hip, side), 3.6) << side;

@@ -30,7 +30,6 @@ struct Leg {
     leg.up_leg = {1, 1, 0}, leg.leg = {2, 2, 1}, leg.foot = {3, 3, 2}, leg.toe = 4;
     leg.knee_axis[0] = 1.0;
     leg.longest = 0.9995;
-    leg.length = defaultLibrary().roles.legLength(defaultLibrary().skeleton, kLeft);
     leg.radius = shape.radius, leg.ankle_height = shape.ankle_height;
     leg.ankle_x = shape.ankle_x, leg.heel_x = shape.heel_x, leg.ball_x = shape.ball_x;
     std::copy_n(shape.q_SF.coeffs().data(), 4, leg.q_SF);
@@ -81,7 +80,7 @@ struct Frames {
     kernel.placeChain(leg.legs, p, q, frames);
     for (const LaneLeg& each : leg.legs.legs) kernel.aim(each, soles, frames);
     for (const LaneLeg& each : leg.legs.legs)
-      std::fill_n(frames.targets[each.side].longest, 4, 0.99 * each.length);
+      std::fill_n(frames.targets[each.side].longest, 4, 0.8);
     kernel.lower(leg.legs, frames, missing);
     kernel.reach(leg.legs, frames, q, reached);
   }
