@@ -16,7 +16,7 @@ struct StepSettings {
   FootPlacement placement;  ///< at the plan's speed on the level
   SpeedLimits limits;       ///< with the character's law
   GroundLimits footholds;
-  double scale = 1.0;       ///< of the character to the captured subject [> 0]
+  double scale = 1.0;  ///< of the character to the captured subject [> 0]
   std::array<double, 2> captured_lift = {0.05, 0.05};  ///< by Side [m, > 0]
 
   /// How far over or under a foot its next ground may lie [m].
