@@ -112,7 +112,8 @@ TEST(LibraryStyle, OwnSpeedIsTheCapturesAndGrowsWithTheRootOfHeight) {
 class StyledFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "amble-style";
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("amble_") + test->name());
     std::filesystem::create_directories(folder_);
     library_ = defaultLibrary();
     for (Motion& motion : library_.motions) {
