@@ -8,7 +8,7 @@
 namespace amble {
 
 /// Of a polynomial over a swing: coefficients of tau^0, tau^1, ...
-using SwingTerms = std::array<double, 6>;
+using SwingTerms = std::array<double, 5>;
 
 /// How one foot goes from a footprint to the next, and rolls. tau runs over the swing, 0 at
 /// lift-off and 1 at strike.

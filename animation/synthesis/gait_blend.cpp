@@ -73,7 +73,6 @@ Eigen::MatrixXd warped(Eigen::MatrixXd coefficients, double warp) {
 }
 
 FootCycle scaledFoot(FootCycle foot, double scale) {
-  foot.slip *= scale;
   for (double& c : foot.height) c *= scale;
   for (double& c : foot.sideways) c *= scale;
   return foot;
@@ -90,7 +89,6 @@ FootCycle mixed(const FootCycle& a, const FootCycle& b, double share) {
     mix(foot.yaw[k], b.yaw[k]);
   }
   for (size_t i = 0; i < foot.pitch.size(); ++i) mix(foot.pitch[i], b.pitch[i]);
-  mix(foot.slip, b.slip);
   return foot;
 }
 

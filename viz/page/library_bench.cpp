@@ -179,7 +179,8 @@ Json measuresJson(const WalkCycle& cycle) {
           {"harmonics", cycle.series.harmonics()},
           {"closure", cycle.closure},
           {"residual", cycle.residual / kDegree},
-          {"slide", cycle.slide}};
+          {"slide", cycle.slide},
+          {"slip", {cycle.feet[kLeft].slip, cycle.feet[kRight].slip}}};
 }
 
 std::string validText(const Validity& valid) {

@@ -87,7 +87,7 @@ function factsOf({ json, motion }) {
       ['step', `${m.step_length.toFixed(3)} m long, ${m.step_width.toFixed(3)} m wide`],
       ['feet turned', `left ${m.toe_out[0].toFixed(1)}°, right ${m.toe_out[1].toFixed(1)}° to the left`],
       ['series', `${m.harmonics} harmonics, which leave out ${m.residual.toFixed(2)}°`],
-      ['closure', `${(1000 * m.closure).toFixed(1)} mm; feet slide ${(1000 * m.slide).toFixed(1)} mm`],
+      ['closure', `${(1000 * m.closure).toFixed(1)} mm; feet slide ${(1000 * m.slide).toFixed(1)} mm, as they land ${m.slip.map((way) => (1000 * way).toFixed(0)).join(' and ')} mm`],
     );
   }
   facts.push(['captured', `${source.clip}, frames ${source.frames.join(' to ')}${source.mirrored ? ', mirrored' : ''}`]);
