@@ -7,6 +7,7 @@
 #include "animation/analysis/gait_measures.h"
 #include "animation/body/rotation_mean.h"
 #include "animation/preparation/cycle_finder.h"
+#include "animation/preparation/cycle_path.h"
 #include "animation/preparation/foot_cycle_fit.h"
 #include "animation/preparation/gait_track.h"
 #include "base/error.h"
@@ -19,72 +20,6 @@ constexpr int kSamples = 64;  // of a cycle, to fit the series to; even
 constexpr int kFewestHarmonics = 4;
 constexpr int kMostHarmonics = 6;  // eight carry the shaking of captures
 constexpr double kSmallResidual = 0.5 * kDegree;
-
-// The fitted line or circle: the path's point and heading at phase 0, and how they go on.
-struct FittedPath {
-  Eigen::Vector2d start;
-  double heading, length, turn;  // of one cycle
-
-  Eigen::Vector2d at(double u) const {  // u in cycles
-    const double half = 0.5 * turn * u;
-    const double chord = std::abs(half) < 1e-9 ? length * u : length * u * std::sin(half) / half;
-    return start + chord * Eigen::Vector2d(std::cos(heading + half), std::sin(heading + half));
-  }
-};
-
-FittedPath fitPath(const GaitTrack& track, const Stretch& s, bool turning) {
-  const Eigen::Vector2d from = track.jointsAt(s.begin)[0].p_WJ.head<2>();
-  const Eigen::Vector2d to = track.jointsAt(s.end)[0].p_WJ.head<2>();
-  FittedPath path;
-  path.turn = turning ? s.turn : 0.0;
-  const double half = 0.5 * path.turn;
-  path.length = (to - from).norm() * (std::abs(half) < 1e-9 ? 1.0 : half / std::sin(half));
-  path.heading = std::atan2(to.y() - from.y(), to.x() - from.x()) - half;
-  path.start = from;
-  // Across the path, the root's errors have no mean.
-  double across = 0.0;
-  for (int i = 0; i < kSamples; ++i) {
-    const double u = static_cast<double>(i) / kSamples;
-    const double heading = path.heading + path.turn * u;
-    const Eigen::Vector2d d = track.jointsAt(frameAt(s, u))[0].p_WJ.head<2>() - path.at(u);
-    across += (-std::sin(heading) * d.x() + std::cos(heading) * d.y()) / kSamples;
-  }
-  path.start += across * Eigen::Vector2d(-std::sin(path.heading), std::cos(path.heading));
-  return path;
-}
-
-// Column of channels at a phase of the stretch; see WalkCycle::series.
-Eigen::VectorXd channelsAt(const GaitTrack& track, const Stretch& s, const FittedPath& path,
-                           const std::vector<Eigen::Quaterniond>& reference, double u) {
-  Pose pose;
-  pose.rotations.resize(reference.size());
-  track.poseAt(frameAt(s, u), pose);
-  const double heading = path.heading + path.turn * u;
-  const Eigen::Vector2d d = pose.p_WR.head<2>() - path.at(u);
-  Eigen::VectorXd c(3 + 3 * static_cast<Eigen::Index>(reference.size()));
-  c[0] = std::cos(heading) * d.x() + std::sin(heading) * d.y();
-  c[1] = -std::sin(heading) * d.x() + std::cos(heading) * d.y();
-  c[2] = pose.p_WR.z();
-  pose.rotations[0] = aboutZ(-heading) * pose.rotations[0];
-  for (size_t j = 0; j < reference.size(); ++j) {
-    c.segment<3>(3 + 3 * static_cast<Eigen::Index>(j)) =
-        logRotation(reference[j].conjugate() * pose.rotations[j]);
-  }
-  return c;
-}
-
-// Rows: channels; columns: kSamples even phases. What the ends differ by is spread over the cycle.
-Eigen::MatrixXd closedSamples(const GaitTrack& track, const Stretch& s, const FittedPath& path,
-                              const std::vector<Eigen::Quaterniond>& reference) {
-  const Eigen::VectorXd first = channelsAt(track, s, path, reference, 0.0);
-  const Eigen::VectorXd gap = channelsAt(track, s, path, reference, 1.0) - first;
-  Eigen::MatrixXd samples(first.size(), kSamples);
-  for (int i = 0; i < kSamples; ++i) {
-    const double u = static_cast<double>(i) / kSamples;
-    samples.col(i) = channelsAt(track, s, path, reference, u) - (u - 0.5) * gap;
-  }
-  return samples;
-}
 
 // Root mean square of what the series leaves out of the joints' channels.
 double residualOf(const FourierSeries& series, const Eigen::MatrixXd& samples,
@@ -104,7 +39,7 @@ std::vector<Eigen::MatrixXd> cycleSamples(const GaitTrack& track,
                                           const std::vector<Eigen::Quaterniond>& reference) {
   std::vector<Eigen::MatrixXd> all;
   for (size_t k = 0; k < stretches.size(); ++k) {
-    const Eigen::MatrixXd one = closedSamples(track, stretches[k], paths[k], reference);
+    const Eigen::MatrixXd one = closedSamples(track, stretches[k], paths[k], reference, kSamples);
     Eigen::MatrixXd& samples = all.emplace_back(one.rows(), one.cols());
     const int late = stretches[k].leading == kLeft ? 0 : kSamples / 2;
     for (int i = 0; i < kSamples; ++i) samples.col((i + late) % kSamples) = one.col(i);
@@ -194,7 +129,7 @@ WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
   cycle.cycles = static_cast<int>(stretches.size());
   double first = level.frames(), last = 0.0, length = 0.0, turn = 0.0;
   for (const Stretch& s : stretches) {
-    paths.push_back(fitPath(track, s, options.turning));
+    paths.push_back(fitPath(track, s, options.turning, kSamples));
     cycle.period += (s.end - s.begin) * level.frame_time / cycle.cycles;
     length += paths.back().length / cycle.cycles;
     turn += paths.back().turn / cycle.cycles;
