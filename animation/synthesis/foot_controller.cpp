@@ -106,6 +106,7 @@ bool FootController::apply(AnimationBuffer& buffer) const {
       buffer.poses.p_WR(i).z() = trial.height[i] - next[i];
       again.push_back(i);
     }
+    if (again.empty()) break;
     for (size_t first = 0; first < again.size(); first += 4) {
       Four frames;
       for (size_t i = 0; i < 4; ++i) frames[i] = again[std::min(first + i, again.size() - 1)];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/ease.h"
+#include "base/range_maximum.h"
 
 namespace amble {
 namespace {
@@ -44,12 +45,10 @@ std::vector<double> hipDip(const std::vector<double>& missing, double frame_time
   for (int i = 0; i < n; ++i) more[i] = std::max(0.0, missing[i] - dip[i]);
   if (std::all_of(more.begin(), more.end(), [](double m) { return m == 0.0; })) return dip;
   const int reach = std::max(1, static_cast<int>(std::lround(HipDip::kTime / frame_time)));
+  const RangeMaximum largest(std::move(more));
   std::vector<double> over(n);
-  for (int i = 0; i < n; ++i) {
-    const auto from = more.begin() + std::max(0, i - reach);
-    const auto to = more.begin() + std::min(n, i + reach + 1);
-    over[i] = *std::max_element(from, to);
-  }
+  for (int i = 0; i < n; ++i)
+    over[i] = largest.over(std::max(0, i - reach), std::min(n - 1, i + reach));
   for (int pass = 0; pass < 2; ++pass) smoothed(over, reach / 2);
   for (int i = 0; i < n; ++i) {
     const double from_end = std::min(i, n - 1 - i) * frame_time;
