@@ -1,6 +1,7 @@
 /// What the options do to every command that takes captures that say what their files leave open.
 #pragma once
 
+#include "animation/captures/bvh.h"
 #include "test_paths.h"
 #include "tests/app/options.h"
 
@@ -63,7 +64,32 @@ class CaptureOptions : public Options {
          }},
     };
   }
-  /// The same for a command that prints what it read.
+  /// The options of the motion that a command on captures writes.
+  /// @param command  with the captures, the last of which is `input`
+  Uses writing(const std::string& command, const std::string& input) const {
+    const auto written = [=, this](const std::string& options) {
+      good(command + " -o out.bvh " + options);
+      return readBvh(folder_ / "out.bvh");
+    };
+    return {
+        {"--output",
+         [=, this] {
+           expectRefused(command, {"--output"});
+           expectRefused(command + " -o " + input, {input + ": "});
+           expectRefused(command + " -o out.txt", {"out.txt: ", ".bvh or .glb"});
+           EXPECT_TRUE(good(command + " -o -").out.starts_with("HIERARCHY"));
+           good(command + " -o out.glb");
+           EXPECT_TRUE(read("out.glb").starts_with("glTF"));
+         }},
+        {"--bvh-units",
+         [=] {
+           const Clip metres = written(""), centimetres = written("--bvh-units cm");
+           EXPECT_NEAR(centimetres.poses.p_WR(9).norm(), 100.0 * metres.poses.p_WR(9).norm(), 1e-3);
+         }},
+        {"--names", [=] { EXPECT_GE(written("--names vrm").skeleton.find("leftUpperLeg"), 0); }},
+    };
+  }
+  /// Those of reading, for a command that prints what it read.
   Uses readingPrinted(const std::string& command) const {
     Uses uses = reading([=](const std::string& clip) { return command + " " + clip; });
     const auto said = [=, this](const std::string& option) {
