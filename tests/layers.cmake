@@ -22,6 +22,8 @@ set(rooms
   planner/roadmap planner/ompl planner/legs planner/plan_walk
   scenarios
   viz viz/figure viz/pictures viz/exchange viz/page viz/regression
+  batch/job batch/labels batch/run
+  python
   app)
 list(FIND rooms animation/steps steps_floor)
 set(runtime animation/library animation/steps animation/synthesis)
@@ -38,7 +40,7 @@ macro(find_room file)
 endmacro()
 
 string(REPLACE "|" ";" public "${PUBLIC}")
-foreach(folder base animation environments planner scenarios viz app)
+foreach(folder base animation environments planner scenarios viz batch python app)
   file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.cpp")
   foreach(file ${files})
     find_room("${file}")
