@@ -1,7 +1,8 @@
 cmake_policy(VERSION 3.25)
 # The walls of the house (DESIGN.md, section 1). Every source stands in a room; no room includes one above it; what runs
-# inside a plan includes nothing that prepares captures; third-party headers, Eigen aside, are included by .cpp files only;
-# an installed header includes installed ones only.
+# inside a plan includes nothing that prepares captures; third-party headers, Eigen aside, are included by .cpp files only
+# (those that the program and the module are made with, CLI11 and pybind11, apart); an installed header includes installed
+# ones only.
 #   -DROOT=  source tree   -DPUBLIC=  installed headers, separated by |
 
 # From the ground floor up. An entry is a folder, without its subfolders, or one file without its ending.
@@ -23,8 +24,8 @@ set(rooms
   scenarios
   viz viz/figure viz/pictures viz/exchange viz/page viz/regression
   batch/job batch/labels batch/run
-  python
-  app)
+  app
+  python)
 list(FIND rooms animation/steps steps_floor)
 set(runtime animation/library animation/steps animation/synthesis)
 set(offline animation/clips animation/analysis animation/editing animation/graph animation/grafting animation/preparation)
@@ -40,7 +41,7 @@ macro(find_room file)
 endmacro()
 
 string(REPLACE "|" ";" public "${PUBLIC}")
-foreach(folder base animation environments planner scenarios viz batch python app)
+foreach(folder base animation environments planner scenarios viz batch app python)
   file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.cpp")
   foreach(file ${files})
     find_room("${file}")
@@ -52,7 +53,7 @@ foreach(folder base animation environments planner scenarios viz batch python ap
     set(own_floor "${floor}")
     file(STRINGS "${ROOT}/${file}" includes REGEX "^ *#include")
     foreach(include ${includes})
-      if(NOT folder STREQUAL app AND file MATCHES "\\.h$" AND include MATCHES "<[^>]*/" AND NOT include MATCHES "<Eigen/")
+      if(NOT folder MATCHES "^(app|python)$" AND file MATCHES "\\.h$" AND include MATCHES "<[^>]*/" AND NOT include MATCHES "<Eigen/")
         message(SEND_ERROR "${file}: ${include}; expected third-party headers in .cpp files only")
       endif()
       if(NOT include MATCHES "\"([^\"]+)\"")

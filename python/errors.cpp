@@ -1,0 +1,30 @@
+#include "base/error.h"
+#include "python/module.h"
+#include "python/text.h"
+
+namespace amble {
+namespace {
+
+namespace py = pybind11;
+
+void raiseInputError(const InputError& error) {
+  const py::object kind = py::module_::import("amble._errors").attr("InputError");
+  const py::object line = error.line() > 0 ? py::object(py::int_(error.line())) : py::none();
+  const py::object made = kind(toText(error.what()), toText(error.file()), line,
+                               toText(error.problem()), toText(error.expected()));
+  PyErr_SetObject(kind.ptr(), made.ptr());
+}
+
+}  // namespace
+
+void bindErrors(py::module_&) {
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const InputError& error) {
+      raiseInputError(error);
+    }
+  });
+}
+
+}  // namespace amble
