@@ -9,14 +9,14 @@
 
 namespace amble {
 
-AnalysedClip analyseFile(const std::filesystem::path& file, const ClipReading& how) {
+AnalysedClip analyseMotion(CapturedMotion motion, const std::filesystem::path& file, bool as_is) {
   AnalysedClip result;
   result.file = file;
-  result.motion = readMotion(file, how.read);
+  result.motion = std::move(motion);
   Clip& clip = result.motion.clip;
   if (clip.frames() == 0) throw InputError(file.string(), 0, "holds no frames", "a motion");
   result.file_frames = clip.frames();
-  if (how.as_is) {
+  if (as_is) {
     result.floor = fitFloor(clip, result.motion.roles);
   } else {
     const GoodFrames good = goodFrames(clip);
@@ -29,6 +29,10 @@ AnalysedClip analyseFile(const std::filesystem::path& file, const ClipReading& h
   clip.poses.clear();
   clip.joint_positions.clear();
   return result;
+}
+
+AnalysedClip analyseFile(const std::filesystem::path& file, const ClipReading& how) {
+  return analyseMotion(readMotion(file, how.read), file, how.as_is);
 }
 
 std::vector<AnalysedClip> analyseFiles(const std::vector<std::filesystem::path>& files,

@@ -28,7 +28,9 @@ struct AnalysedClip {
   bool good() const { return error.empty(); }
 };
 
-/// @throws InputError as readMotion does, and for a clip without frames
+/// @param file  that it is from, for messages. @throws InputError for a clip without frames
+AnalysedClip analyseMotion(CapturedMotion motion, const std::filesystem::path& file, bool as_is);
+/// The same of a file. @throws InputError as readMotion does too
 AnalysedClip analyseFile(const std::filesystem::path& file, const ClipReading& how);
 
 /// Each file on one of `threads` threads; the results are in the files' order and the same at any

@@ -10,15 +10,13 @@
 #include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
 #include "animation/ground/ground.h"
-#include "animation/library/library_style.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/quality/step_measures.h"
 #include "animation/quality/walk_quality.h"
-#include "animation/synthesis/action.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "app/animate_engine.h"
+#include "app/animated.h"
 #include "app/command.h"
-#include "app/demo_walk.h"
 #include "app/motion_output.h"
 #include "app/say.h"
 #include "app/unit_text.h"
@@ -46,21 +44,7 @@ struct AnimateArguments {
   bool quality = false;
 };
 
-constexpr double kSlowestWalk = 0.3, kFastestWalk = 2.0;  // of CharacterSettings [m/s]
-constexpr double kFastestRun = 12.0;                      // that anybody asks for [m/s]
-
-// What is asked for must be within what captured walks are edited to (thesis, chapter 6).
-void checkRamp(const std::string& option, const std::optional<Ramp>& asked, double captured,
-               double least, double most) {
-  if (!asked) return;
-  const double low = least * captured, high = most * captured;
-  for (const double value : {asked->from, asked->to}) {
-    if (value >= low - 1e-9 && value <= high + 1e-9) continue;
-    throw InputError("amble animate: " + option, 0, fmt::format("is {:g} m", value),
-                     fmt::format("{:.3f} to {:.3f}, {:g} to {:g} of the captured walk's {:.3f}",
-                                 low, high, least, most, captured));
-  }
-}
+constexpr double kFastestRun = 12.0;  // that anybody asks for [m/s]
 
 DemoRequest requestOf(const AnimateArguments& options) {
   DemoRequest request;
@@ -93,19 +77,6 @@ bool printQuality(const WalkSynthesizer& synthesizer, const Clip& clip, const An
   return all;
 }
 
-// What the character takes, of the rules that a number of the command line breaks.
-std::string limitText(WalkRule rule, const GroundLimits& limits) {
-  switch (rule) {
-    case WalkRule::kStepHeight:
-      return fmt::format("; steps are at most {:g} m up and {:g} m down", limits.max_climb,
-                         limits.max_drop);
-    case WalkRule::kSlope:
-      return fmt::format("; ground is at most {:g} degrees steep", limits.max_slope / kDegree);
-    default:
-      return "";
-  }
-}
-
 void write(const MotionOutput& output, const MotionLibrary& library,
            const WalkSynthesizer& synthesizer, const Ground& ground, const AnimationBuffer& walk) {
   const std::filesystem::path file = output.file;
@@ -128,14 +99,12 @@ void write(const MotionOutput& output, const MotionLibrary& library,
 }
 
 // Walks of a library hold one speed on the straight.
-double speedOf(const AnimateArguments& options) {
+std::optional<double> speedOf(const AnimateArguments& options) {
+  if (options.speed.empty()) return std::nullopt;
   const Ramp speed = readRamp(options.speed);
-  if (speed.from == speed.to && speed.from >= kSlowestWalk && speed.to <= kFastestWalk) {
-    return speed.from;
-  }
+  if (speed.from == speed.to) return speed.from;
   throw InputError("amble animate: --speed", 0, "is '" + options.speed + "'",
-                   fmt::format("{:g} to {:g} m/s; --engine takes other speeds, and ramps",
-                               kSlowestWalk, kFastestWalk));
+                   "one speed; --engine takes ramps");
 }
 
 int runEngine(const AnimateArguments& options) {
@@ -145,48 +114,31 @@ int runEngine(const AnimateArguments& options) {
 }
 
 int run(const AnimateArguments& options) {
-  const MotionLibrary library = openMotionLibrary(options.library, {}, options.style);
-  keepInputs(options.out.file, {library.file, library.file.parent_path() / library.skeleton_file});
-  const DemoRequest request = requestOf(options);
-  CharacterSettings settings;
-  settings.height = options.height;
-  if (!options.style.empty()) settings.speed = ownSpeed(library, options.height);
-  if (!options.speed.empty()) settings.speed = speedOf(options);
-  const std::unique_ptr<Ground> ground = demoGround(request, settings.speed);
-  settings.frame_time = 1.0 / options.fps;
-  settings.actions = options.actions;
-  for (const std::string& action : options.actions) {
-    if (findAction(library, action) != nullptr) continue;
-    throw InputError(
-        "amble animate: --action", 0,
-        "'" + action + "' is no movement or posture of the library that is always valid",
-        "of" + listActions(library));
-  }
-  const WalkSynthesizer synthesizer(library, *ground, settings);
-  const double fastest_deg = synthesizer.maxTurnRate() / kDegree;
-  if (std::abs(options.turn_deg) > fastest_deg) {
-    throw InputError(
-        "amble animate: --turn", 0, fmt::format("is {:g} degrees/s", options.turn_deg),
-        fmt::format("-{0:.1f} to {0:.1f}, the fastest of the library's walks", fastest_deg));
-  }
-  checkRamp("--stride", request.stride, synthesizer.capturedStep(), 0.6, 1.4);
-  checkRamp("--lift", request.lift, synthesizer.capturedLift(), 0.5, 3.0);
-  AnimationBuffer walk;
-  const WalkResult result = demoWalk(synthesizer, *ground, request, walk);
-  if (result.refused != WalkRule::kNone) {
-    say(stderr, "amble animate: there is no such walk: {} refused{}\n",
-        walkRuleName(result.refused), limitText(result.refused, settings.limits));
+  const std::filesystem::path file = motionLibraryFile(options.library);
+  keepInputs(options.out.file, {file});
+  const AnimatedWalk made = animateWalk({.library = options.library,
+                                         .style = options.style,
+                                         .speed = speedOf(options),
+                                         .height = options.height,
+                                         .fps = options.fps,
+                                         .actions = options.actions,
+                                         .walk = requestOf(options)});
+  keepInputs(options.out.file, {made.library->file.parent_path() / made.library->skeleton_file});
+  if (!made.refused.empty()) {
+    say(stderr, "amble animate: there is no such walk: {}\n", made.refused);
     return kExitNone;
   }
+  const WalkSynthesizer& synthesizer = *made.synthesizer;
+  const AnimationBuffer& walk = made.walk;
   const Clip clip{"walk", synthesizer.skeleton(), walk.frame_time, walk.poses, {}};
-  write(options.out, library, synthesizer, *ground, walk);
+  write(options.out, *made.library, synthesizer, *made.ground, walk);
   std::FILE* const out = options.out.file == "-" ? stderr : stdout;
   say(out, "{}: {:.2f} s, {} frames, {} steps, {:.2f} m\n", options.out.file, clip.duration(),
-      clip.frames(), result.steps, walk.states.empty() ? 0.0 : walk.states.back().arc);
+      clip.frames(), made.result.steps, walk.states.empty() ? 0.0 : walk.states.back().arc);
   if (!options.quality) return kExitDone;
-  const QualityAnchors anchors =
-      anchorsOf(library, synthesizer.stature() / library.stature, synthesizer.settings().speed);
-  return printQuality(synthesizer, clip, walk, *ground, anchors, out) ? kExitDone : kExitNone;
+  const QualityAnchors anchors = anchorsOf(
+      *made.library, synthesizer.stature() / made.library->stature, synthesizer.settings().speed);
+  return printQuality(synthesizer, clip, walk, *made.ground, anchors, out) ? kExitDone : kExitNone;
 }
 
 }  // namespace

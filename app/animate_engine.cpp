@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
-#include "animation/editing/foot_lock.h"
 #include "animation/library/speed_engine_reader.h"
-#include "animation/synthesis/engine_walk.h"
 #include "app/exit_status.h"
+#include "app/locked_engine_walk.h"
 #include "app/say.h"
 #include "base/keep_inputs.h"
 #include "base/output_file.h"
@@ -56,17 +54,11 @@ int animateEngine(const EngineAnimation& options) {
   const SpeedEngine engine(readSpeedEngine(options.engine));
   const EngineData& data = engine.data();
   keepInputs(options.out.file, {data.file, data.file.parent_path() / data.skeleton_file});
-  EngineWalkRequest request;
-  request.speed = [&](double time) {
-    return options.speed.at(std::clamp(time / options.duration, 0.0, 1.0));
-  };
-  request.duration = options.duration;
-  request.frame_time = 1.0 / options.fps;
-  if (options.height > 0.0) request.scale = options.height / data.stature;
-  warn(engine, options.speed, request.scale);
-  EngineWalk walk = engineWalk(engine, request);
+  const double scale = options.height > 0.0 ? options.height / data.stature : 1.0;
+  warn(engine, options.speed, scale);
   FootLock lock;
-  walk.clip = lockFeet(walk.clip, data.roles, plantsOf(walk.planted), &lock);
+  const EngineWalk walk =
+      lockedEngineWalk(engine, {options.speed, options.duration, 1.0 / options.fps, scale}, &lock);
   write(options.out, data, walk.clip);
   say(options.out.file == "-" ? stderr : stdout,
       "{}: {:.2f} s, {} frames, {:.1f} cycles, {:.2f} m; feet that stand are held, by {:.0f} mm at "

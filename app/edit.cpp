@@ -9,9 +9,9 @@
 
 #include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
-#include "animation/editing/edit_walk.h"
 #include "app/command.h"
 #include "app/edit_report.h"
+#include "app/edited.h"
 #include "app/motion_output.h"
 #include "app/read_options.h"
 #include "app/say.h"
@@ -58,36 +58,6 @@ EditRequest requestOf(const EditArguments& options) {
   return request;
 }
 
-// What is asked for must be within what captured walks are edited to (thesis, chapter 6).
-void checkAmount(const std::string& option, const std::optional<EditAmount>& asked, double captured,
-                 double least, double most) {
-  if (!asked) return;
-  const Ramp factor = asked->factorOf(captured);
-  for (const double value : {factor.from, factor.to}) {
-    if (value >= least - 1e-9 && value <= most + 1e-9) continue;
-    throw InputError("amble edit: " + option, 0,
-                     fmt::format("is {:.3g} of what was captured", value),
-                     fmt::format("{:g}x to {:g}x, {:.3f} to {:.3f} m, of the {:.3f} m in this clip",
-                                 least, most, least * captured, most * captured, captured));
-  }
-}
-
-void checkRequest(const EditRequest& request, const CapturedWalk& walk, const std::string& file) {
-  if (request.foot_lock && walk.analysis.gait.plants.empty()) {
-    throw InputError(file, 0, "shows no foot that stands", "a motion with feet to be held");
-  }
-  if (!request.changesWalk()) return;
-  const std::string why = whyNoWalk(walk);
-  if (!why.empty()) {
-    throw InputError(file, 0, "is no walk: it " + why,
-                     "a walk of two steps or more; --footlock alone takes any motion");
-  }
-  checkAmount("--stride", request.stride, walk.analysis.gait.step_length, EditLimits::kShortest,
-              EditLimits::kLongest);
-  checkAmount("--lift", request.lift, walk.analysis.gait.lift, EditLimits::kLowest,
-              EditLimits::kHighest);
-}
-
 void write(const MotionOutput& output, Clip clip, const JointRoles& roles) {
   const std::filesystem::path file = output.file;
   if (!output.names.empty()) {
@@ -110,9 +80,8 @@ int run(const EditArguments& options) {
   CapturedMotion motion = readMotion(options.in, options.read.forReader());
   const CapturedWalk walk = captureWalk(motion, options.in);
   const EditRequest request = requestOf(options);
-  checkRequest(request, walk, options.in);
   for (const std::string& warning : motion.warnings) say(stderr, "warning: {}\n", warning);
-  const EditedWalk edited = editWalk(walk, request);
+  const EditedWalk edited = editCapture(walk, request, options.in);
   if (!edited.refused.empty()) {
     say(stderr, "amble edit: there is no such walk: {}\n", edited.refused);
     return kExitNone;

@@ -56,15 +56,19 @@ void measurePhases(const GraftSource& base, const GraftSource& upper, Grafted& g
 
 }  // namespace
 
-GraftSource readGraftSource(const std::filesystem::path& file, const MotionReadOptions& options) {
+GraftSource graftSource(CapturedMotion motion, const std::filesystem::path& file) {
   GraftSource source;
   source.file = file;
-  source.motion = readMotion(file, options);
+  source.motion = std::move(motion);
   source.clip = locomotiveClip(std::move(source.motion.clip), source.motion.roles, file.string());
   const Clip& clip = source.clip.clip;
   source.body =
       capturedBody(clip, source.clip.roles, 0.0, statureOf(clip.skeleton, source.clip.roles));
   return source;
+}
+
+GraftSource readGraftSource(const std::filesystem::path& file, const MotionReadOptions& options) {
+  return graftSource(readMotion(file, options), file);
 }
 
 Grafted graftOn(const GraftSource& base, const GraftSource& upper, const GraftWishes& wishes,

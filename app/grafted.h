@@ -21,7 +21,9 @@ struct GraftSource {
   Body body;
 };
 
-/// @throws InputError as readMotion does, and for a clip without frames
+/// @param file  that it is from. @throws InputError for a clip without frames
+GraftSource graftSource(CapturedMotion motion, const std::filesystem::path& file);
+/// The same of a file. @throws InputError as readMotion does too
 GraftSource readGraftSource(const std::filesystem::path& file, const MotionReadOptions& options);
 
 /// Frames in which a part of an arm is deeper in another part than in both sources.

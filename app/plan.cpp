@@ -16,7 +16,7 @@
 #include "app/shell_word.h"
 #include "app/stop.h"
 #include "app/unit_text.h"
-#include "app/view_of.h"
+#include "app/write_formats.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
 #include "base/parallel.h"
@@ -41,17 +41,6 @@ struct PlanArguments {
   bool no_scene = false;
   bool formats_given = false, json = false, list_planners = false;
 };
-
-bool wants(const PlanArguments& options, const std::string& format) {
-  if (format == "views" && !options.views.empty()) return true;
-  const auto named = [&](std::string_view name) {
-    return std::find(options.formats.begin(), options.formats.end(), name) != options.formats.end();
-  };
-  const auto brings = [&](const ResultFormat& other) {
-    return other.with != nullptr && other.with == format && named(other.name);
-  };
-  return named(format) || std::any_of(resultFormats().begin(), resultFormats().end(), brings);
-}
 
 Scenario readAsked(const PlanArguments& options) {
   Scenario scenario = readScenario(options.scenario);
@@ -93,33 +82,13 @@ std::string commandOf(const PlanArguments& options, const Report& report) {
   return command;
 }
 
-void writeAll(const PlanArguments& options, RunResult& result,
-              const std::filesystem::path& folder) {
-  const bool loaded = result.problem != nullptr;
-  const WalkView view = loaded ? viewOf(result) : WalkView{};
-  WriteOptions write;
-  write.bvh = wants(options, "bvh");
-  write.json = wants(options, "json");
-  write.names = resultFileNames();
-  const ResultSubject subject{.result = result,
-                              .view = view,
-                              .threads = options.threads,
-                              .command = commandOf(options, result.report),
-                              .views = options.views.empty() ? viewNames() : options.views,
-                              .scene_in_glb = !options.no_scene};
-  for (const ResultFormat& format : resultFormats()) {
-    const bool there = format.of_walk ? view.hasBody() : loaded;
-    if (format.add && there && wants(options, format.name)) format.add(subject, write.more);
-  }
-  writeResults(result, folder, write);
-}
-
 // What was asked for by name and is not there.
-void sayWhatIsMissing(const PlanArguments& options, const Report& report) {
+void sayWhatIsMissing(const PlanArguments& options, const ResultWishes& wishes,
+                      const Report& report) {
   if (report.status == PlanStatus::kSolved || !options.formats_given) return;
   std::vector<std::string> missing;
   for (const ResultFormat& format : resultFormats()) {
-    if (format.of_walk && wants(options, format.name))
+    if (format.of_walk && isWanted(wishes, format.name))
       missing.insert(missing.end(), format.files.begin(), format.files.end());
   }
   if (missing.empty()) return;
@@ -184,8 +153,13 @@ int conclude(const PlanArguments& options, RunResult& result, const std::filesys
     say(stderr, "amble plan: stopped; nothing was written to {}\n", folder.string());
     return kExitStopped;
   }
-  writeAll(options, result, folder);
-  sayWhatIsMissing(options, report);
+  const ResultWishes wishes{.formats = options.formats,
+                            .views = options.views,
+                            .threads = options.threads,
+                            .command = commandOf(options, report),
+                            .scene_in_glb = !options.no_scene};
+  writeFormats(result, folder, wishes);
+  sayWhatIsMissing(options, wishes, report);
   return report.status == PlanStatus::kSolved ? kExitDone : kExitNone;
 }
 

@@ -4,10 +4,10 @@
 
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/command.h"
 #include "app/say.h"
+#include "app/validation_report.h"
 #include "base/rotation.h"
 #include "scenarios/standing_feet.h"
 #include "scenarios/validate_walk.h"
@@ -23,7 +23,7 @@ struct ValidateArguments {
   std::string up = "y";
   double floor = 0.0;
   bool has_floor = false, json = false;
-  bool allow_hover = false, allow_slide = false, allow_pops = false;
+  AllowedFindings allowed;
   double max_slope_deg = 20.0;
   ValidateOptions validate;
 };
@@ -70,41 +70,6 @@ void printText(const std::string& walk, const WalkValidation& result, const Grou
   say(stdout, "  penetration  {:.1f} mm largest\n", 1000.0 * result.ground_penetration);
 }
 
-void printJson(const std::string& walk, const WalkValidation& result) {
-  Json contacts = Json::array();
-  for (const ContactSpan& contact : result.contacts) {
-    contacts.push_back({{"start", contact.start},
-                        {"end", contact.end},
-                        {"part", contact.part},
-                        {"object", contact.object}});
-  }
-  const Json all = {
-      {"file", walk},
-      {"frames", result.frames},
-      {"frame_time", result.frame_time},
-      {"poses_checked", result.poses_checked},
-      {"bvh_unit", result.metres_per_unit},
-      {"stature", result.stature},
-      {"floor", result.floor},
-      {"contacts", contacts},
-      {"clearance",
-       {{"min", result.clearance},
-        {"part", result.clearance_part},
-        {"object", result.clearance_object},
-        {"time", result.clearance_time}}},
-      {"plants", result.feet.plants},
-      {"foot_skate",
-       {{"mean", result.feet.skate_mean}, {"max", result.feet.skate_max}, {"limit", kSlideLimit}}},
-      {"pops", {{"value", result.pops}, {"limit", kPopsLimit}}},
-      {"hover",
-       {{"max", result.feet.hover_max},
-        {"share", result.feet.hover_share},
-        {"limit", kHoverLimit}}},
-      {"steps", {{"up", result.steps.up}, {"down", result.steps.down}}},
-      {"ground_penetration", {{"max", result.ground_penetration}}}};
-  std::cout << all.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-}
-
 int run(ValidateArguments options) {
   ValidateOptions& how = options.validate;
   if (options.unit > 0.0) how.metres_per_unit = options.unit;
@@ -113,14 +78,13 @@ int run(ValidateArguments options) {
   how.up = options.up == "y" ? UpAxis::kY : UpAxis::kZ;
   const WalkValidation result = validateWalk(options.walk, options.scene, how);
   if (options.json) {
-    printJson(options.walk, result);
+    std::cout
+        << validationJson(options.walk, result).dump(2, ' ', false, Json::error_handler_t::replace)
+        << '\n';
   } else {
     printText(options.walk, result, how.limits);
   }
-  const bool holds = result.contacts.empty() && (options.allow_hover || !result.hovers()) &&
-                     (options.allow_slide || !result.slides()) &&
-                     (options.allow_pops || !result.hasPops()) && !result.oversteps(how.limits);
-  return holds ? kExitDone : kExitNone;
+  return isClean(result, how.limits, options.allowed) ? kExitDone : kExitNone;
 }
 
 }  // namespace
@@ -158,11 +122,11 @@ void addValidate(CLI::App& app, Command& chosen) {
       ->add_option("--max-drop", options->validate.limits.max_drop, "Highest step down of the walk")
       ->check(number(0, 1, "m"))
       ->capture_default_str();
-  command->add_flag("--allow-hover", options->allow_hover,
+  command->add_flag("--allow-hover", options->allowed.hover,
                     "Feet in the air are said, and are no failure");
-  command->add_flag("--allow-slide", options->allow_slide,
+  command->add_flag("--allow-slide", options->allowed.slide,
                     "Feet that slide are said, and are no failure");
-  command->add_flag("--allow-pops", options->allow_pops,
+  command->add_flag("--allow-pops", options->allowed.pops,
                     "Joints that jump are said, and are no failure");
   command->add_flag("--json", options->json, "Print results for machines");
   const std::string example =
