@@ -1,10 +1,10 @@
 #include "animation/preparation/foot_cycle_fit.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "animation/preparation/swing_fit.h"
 #include "base/ease.h"
 #include "base/error.h"
 #include "base/rotation.h"
@@ -15,15 +15,7 @@ namespace {
 // A pitch below this is how a flat foot wobbles in a capture, not a rise of the heel; by trial
 // [rad].
 constexpr double kFlatPitch = 5.0 * kDegree;
-// How far any point of the sole stays above the ground in the middle of a swing, and less towards
-// its ends, where captured heels come down to 2 mm [m].
-constexpr double kSwingClearance = 0.012;
-constexpr int kPitchPasses = 2;   // of a mean of neighbours: captures shake
-constexpr int kSwingPoints = 33;  // at which a swing is fitted
-// Coefficients that a captured swing is fitted with: along and up, where feet go quickly at first;
-// and beside that.
-constexpr int kProgressTerms = 4, kHeightTerms = 5, kStrayTerms = 3;
-
+constexpr int kPitchPasses = 2;  // of a mean of neighbours: captures shake
 // Captured soles slide before they rest and before they leave, which detectors count to a plant,
 // and ours do not: they rest so much later and leave so much earlier [cycles].
 constexpr double kSlides = 0.01;
@@ -106,24 +98,6 @@ class SwingView {
   GaitTrack::FlatFoot from_, to_;
 };
 
-// Least squares of tau^2 (1 - tau)^2 (c0 + c1 tau + ...) to values at even tau, with `terms`
-// coefficients.
-SwingTerms fitSwing(const std::vector<double>& values, int terms) {
-  const int n = static_cast<int>(values.size());
-  Eigen::MatrixXd basis(n, terms);
-  Eigen::VectorXd target(n);
-  for (int i = 0; i < n; ++i) {
-    const double tau = static_cast<double>(i) / (n - 1);
-    const double window = tau * tau * (1.0 - tau) * (1.0 - tau);
-    for (int k = 0; k < terms; ++k) basis(i, k) = window * std::pow(tau, k);
-    target[i] = values[i];
-  }
-  const Eigen::VectorXd solved = basis.colPivHouseholderQr().solve(target);
-  SwingTerms coefficients = {};
-  for (int k = 0; k < terms; ++k) coefficients[k] = solved[k];
-  return coefficients;
-}
-
 // Small pitches are a flat foot's; large ones stay as they are.
 double flatten(double pitch) {
   return pitch * pitch * pitch / (pitch * pitch + kFlatPitch * kFlatPitch);
@@ -157,33 +131,6 @@ std::vector<double> pitchSamples(const SwingView& view) {
     if (x > 0.3) smooth[i] = std::max(smooth[i], 0.0);
   }
   return smooth;
-}
-
-// Lowest point of heel, ball and toe tip over the ground in a swing.
-double soleClearance(const FootShape& shape, double pitch, double height) {
-  const double pivot = pitch < 0.0 ? shape.heel_x : shape.ball_x;
-  const double s = std::sin(pitch);
-  const double heel = -s * (shape.heel_x - pivot), ball = -s * (shape.ball_x - pivot);
-  return height + std::min(heel, ball);
-}
-
-// The height over a swing that the captured one comes nearest to and that clears the ground:
-// low-pass and marker noise let toes dip.
-SwingTerms fitHeight(const FootShape& shape, const FootCycle& foot, std::vector<double> height) {
-  constexpr int kRounds = 20;  // of raising what dips; by then a tenth of a millimetre is missing
-  SwingTerms fitted = fitSwing(height, kHeightTerms);
-  for (int round = 0; round < kRounds; ++round) {
-    for (int i = 0; i < kSwingPoints; ++i) {
-      const double tau = static_cast<double>(i) / (kSwingPoints - 1);
-      const double window = tau * tau * (1.0 - tau) * (1.0 - tau);
-      const double wanted = kSwingClearance * 256.0 * window * window;
-      const double have =
-          soleClearance(shape, footPitch(foot, 1.0 + tau), swingPolynomial(fitted, tau));
-      height[i] += std::max(0.0, wanted - have);
-    }
-    fitted = fitSwing(height, kHeightTerms);
-  }
-  return fitted;
 }
 
 }  // namespace
@@ -221,11 +168,11 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
   foot.strike = phase(swing.to.strike);
   foot.lift_off = phase(swing.from.lift_off);
   foot.pitch = pitchSamples(view);
-  foot.progress = fitSwing(progress, kProgressTerms);
-  foot.height = fitHeight(shape, foot, height);
-  foot.sideways = fitSwing(sideways, kStrayTerms);
-  foot.roll = fitSwing(roll, kStrayTerms);
-  foot.yaw = fitSwing(yaw, kStrayTerms);
+  foot.progress = fitProgress(progress);
+  foot.height = fitSwingHeight(shape, foot, height);
+  foot.sideways = fitStray(sideways);
+  foot.roll = fitStray(roll);
+  foot.yaw = fitStray(yaw);
   return foot;
 }
 
@@ -257,6 +204,7 @@ FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Ve
     }
   }
   placing.width = print[kLeft].y() - print[kRight].y();
+  placing.left = 0.5 * (print[kLeft].y() + print[kRight].y());
   placing.height = 0.5 * (height[kLeft] + height[kRight]);
   placing.forward = {print[kLeft].x(), print[kRight].x()};
   return placing;

@@ -23,6 +23,7 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
 /// Where a walk puts its feet.
 struct FootPlacing {
   double width = 0.0;                      ///< between the lines of left and right footprints [m]
+  double left = 0.0;                       ///< of the path, where their middle is [m]
   double height = 0.0;                     ///< mean of the two footprints over the floor [m]
   std::array<double, 2> forward = {0, 0};  ///< before the path's point, by Side [m]
   std::array<double, 2> toe_out = {0, 0};  ///< by Side, left positive [rad]

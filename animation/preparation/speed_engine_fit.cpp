@@ -12,6 +12,7 @@
 #include "animation/library/foot_numbers.h"
 #include "animation/preparation/cycle_samples.h"
 #include "animation/preparation/foot_cycle_fit.h"
+#include "animation/preparation/heel_rise_fit.h"
 #include "animation/preparation/motion_library_add.h"
 #include "animation/preparation/walk_cycle_fit.h"
 #include "base/error.h"
@@ -175,15 +176,40 @@ struct Captured {
 
 // The samples of a cycle without what its capture shakes (kMaxHarmonics), nor the edge where its
 // ends are put together.
-Eigen::MatrixXd smoothed(const Eigen::MatrixXd& samples) {
+FourierSeries seriesOf(const Eigen::MatrixXd& samples) {
   std::vector<double> phases;
   for (Eigen::Index i = 0; i < samples.cols(); ++i) {
     phases.push_back(static_cast<double>(i) / static_cast<double>(samples.cols()));
   }
-  const FourierSeries series = fitFourier(samples, phases, kMaxHarmonics);
-  Eigen::MatrixXd smooth(samples.rows(), samples.cols());
-  for (Eigen::Index i = 0; i < samples.cols(); ++i) smooth.col(i) = fourierAt(series, phases[i]);
-  return smooth;
+  return fitFourier(samples, phases, kMaxHarmonics);
+}
+
+Eigen::MatrixXd samplesOf(const FourierSeries& series, Eigen::Index count) {
+  Eigen::MatrixXd samples(series.channels(), count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    samples.col(i) = fourierAt(series, static_cast<double>(i) / static_cast<double>(count));
+  }
+  return samples;
+}
+
+// How the feet of a walk swing and roll, and where they are put down, as walks of libraries have
+// it.
+void takeFeet(const GaitTrack& track, const Stretch& stretch, const MotionLibrary& rig,
+              const std::string& clip, const FourierSeries& series, EngineCycle& cycle) {
+  WalkCycle walk;
+  walk.speed = cycle.speed;
+  walk.period = cycle.period;
+  walk.series = series;
+  walk.step_width = cycle.step_width;
+  walk.toe_out = cycle.toe_out;
+  for (const Side side : {kLeft, kRight}) {
+    FootCycle& foot = walk.feet[side];
+    foot = fitFootCycle(track, side, rig.feet()[side], stretch.begin, stretch.end, clip);
+    walk.foot_forward[side] = cycle.foot_forward[side] - 0.5 * foot.slip;
+  }
+  fitHeelRise(rig.skeleton, rig.roles, rig.feet(), rig.stand().rotations, walk);
+  cycle.feet = walk.feet;
+  cycle.foot_forward = walk.foot_forward;
 }
 
 // `level` is on the engine's skeleton; its first frame is `first_frame` of the file.
@@ -203,21 +229,17 @@ void takeCycles(const MotionLibrary& rig, const Clip& level, int first_frame,
     auto& frames = clip.source.frames;
     frames[0] = std::min(frames[0], first_frame + static_cast<int>(stretch.begin));
     frames[1] = std::max(frames[1], first_frame + static_cast<int>(stretch.end));
+    const FourierSeries series = seriesOf(samples.channels);
     EngineCycle cycle{static_cast<int>(out.clips.size()),
                       samples.speed,
                       samples.period,
-                      smoothed(samples.channels),
+                      samplesOf(series, samples.channels.cols()),
                       samples.support,
                       samples.step_width,
                       samples.foot_forward,
                       samples.toe_out,
                       {}};
-    for (const Side side : {kLeft, kRight}) {
-      if (gait == Gait::kRun) continue;
-      cycle.feet[side] =
-          fitFootCycle(track, side, feet[side], stretch.begin, stretch.end, options.clip);
-      cycle.foot_forward[side] -= 0.5 * cycle.feet[side].slip;  // as walks of libraries have it
-    }
+    if (gait == Gait::kWalk) takeFeet(track, stretch, rig, options.clip, series, cycle);
     out.cycles.push_back(std::move(cycle));
   }
   clip.speed /= clip.cycles;

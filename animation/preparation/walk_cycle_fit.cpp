@@ -10,6 +10,7 @@
 #include "animation/preparation/cycle_path.h"
 #include "animation/preparation/foot_cycle_fit.h"
 #include "animation/preparation/gait_track.h"
+#include "animation/preparation/heel_rise_fit.h"
 #include "base/error.h"
 #include "base/rotation.h"
 
@@ -86,17 +87,17 @@ void fitFeet(const GaitTrack& track, const std::vector<Stretch>& stretches,
   }
 }
 
-// @return height of the footprints [m]
-double fitPlacing(const GaitTrack& track, const std::vector<Stretch>& stretches,
-                  const std::vector<FittedPath>& paths, WalkCycle& cycle) {
+// @return the middle of the footprints, to the left of the path and over the floor [m]
+Eigen::Vector2d fitPlacing(const GaitTrack& track, const std::vector<Stretch>& stretches,
+                           const std::vector<FittedPath>& paths, WalkCycle& cycle) {
   const double share = 1.0 / static_cast<double>(stretches.size());
-  double height = 0.0;
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (size_t k = 0; k < stretches.size(); ++k) {
     const Stretch& s = stretches[k];
     const FootPlacing placing =
         measurePlacing(track, s.begin, paths[k].start, paths[k].heading, s.leading);
     cycle.step_width += share * placing.width;
-    height += share * placing.height;
+    middle += share * Eigen::Vector2d(placing.left, placing.height);
     for (const Side side : {kLeft, kRight}) {
       const double half_step = (side == s.leading ? 0.5 : -0.5) * cycle.stepLength();
       cycle.foot_forward[side] += share * (placing.forward[side] - half_step);
@@ -107,7 +108,7 @@ double fitPlacing(const GaitTrack& track, const std::vector<Stretch>& stretches,
   // Halfway to where the captured feet are as they land: neither then nor later do legs have to be
   // much longer than captured.
   for (const Side side : {kLeft, kRight}) cycle.foot_forward[side] -= 0.5 * cycle.feet[side].slip;
-  return height;
+  return middle;
 }
 
 CaptureQuality measureCapture(const Clip& level, const JointRoles& roles) {
@@ -142,12 +143,15 @@ WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
   const std::vector<Eigen::MatrixXd> samples = cycleSamples(track, stretches, paths, reference);
   fitSeries(meanOf(samples), options.harmonics, cycle);
   fitFeet(track, stretches, feet, options.clip, cycle);
-  const double floor = fitPlacing(track, stretches, paths, cycle);
-  // Heights are over the soles' ground, which a levelled floor is within some millimetres of.
-  cycle.series.alpha(2, 0) -= floor;
+  // Heights are over the soles' ground, which a levelled floor is within some millimetres of; a
+  // straight walk's path is midway between its footprints, whichever foot the walker leans over.
+  Eigen::Vector2d middle = fitPlacing(track, stretches, paths, cycle);
+  if (options.turning) middle[0] = 0.0;
+  cycle.series.alpha.col(0).segment<2>(1) -= middle;
+  if (!options.turning) fitHeelRise(level.skeleton, roles, feet, reference, cycle);
   for (size_t k = 0; captured != nullptr && k < samples.size(); ++k) {
     captured->push_back(fitFourier(samples[k], evenPhases(), kAllHarmonics));
-    captured->back().alpha(2, 0) -= floor;
+    captured->back().alpha.col(0).segment<2>(1) -= middle;
   }
   cycle.capture = measureCapture(level, roles);
   if (used_frames != nullptr) {

@@ -146,15 +146,6 @@ bool FootController::tryLegs(AnimationBuffer& buffer, LaneLegFrames& legs, Trial
   return true;
 }
 
-// How long a leg behind may be before its heel rises [m].
-double FootController::heelReach(double at, double captured, double longest) {
-  constexpr double kFrom = LegReach::kPreSwingFrom, kTo = LegReach::kPreSwingTo;
-  const double rise = smoothstep((at - kFrom) / (1.0 - kFrom));
-  const double fall = smoothstep((kTo - at) / (kTo - 1.0));
-  const double share = LegReach::kPreSwing * rise * fall;
-  return longest + share * (std::min(captured, longest) - longest);
-}
-
 // Where the legs are and their feet are to be. Behind the walker, where a leg would be too long,
 // the heel rises: only there it is asked how far.
 void FootController::aim(const AnimationBuffer& buffer, const Four& frames,
@@ -175,23 +166,22 @@ void FootController::aim(const AnimationBuffer& buffer, const Four& frames,
     kernel.aim(lanes_[side], lanes, legs);
     bool risen = false;
     for (int i = 0; i < 4; ++i) {
-      const double at = buffer.states[frames[i]].feet[side].at;
       legs.targets[side].longest[i] =
           std::clamp(legs.targets[side].captured[i], LegReach::kStraight * leg_lengths_[side],
                      LegReach::kLongest * leg_lengths_[side]);
-      lanes.pitch[i] = risenPitch(soles[i], at, side, i, legs);
+      lanes.pitch[i] = risenPitch(soles[i], side, i, legs);
       risen = risen || lanes.pitch[i] != soles[i].pitch;
     }
     if (risen) kernel.aim(lanes_[side], lanes, legs);
   }
 }
 
-// Of one of four soles, at a time of its foot (FootState::at).
-double FootController::risenPitch(const Sole& sole, double at, Side side, int lane,
+// Of one of four soles.
+double FootController::risenPitch(const Sole& sole, Side side, int lane,
                                   const LaneLegFrames& legs) const {
   const LaneLegFrames::Target& target = legs.targets[side];
   const double distance = target.distance[lane];
-  const double longest = heelReach(at, target.captured[lane], target.longest[lane]);
+  const double longest = target.longest[lane];
   if (distance < longest - kHeelRests) return sole.pitch;
   const LaneLeg& leg = lanes_[side];
   const Eigen::Vector3d hip(legs.hip(leg, 0, lane), legs.hip(leg, 1, lane), legs.hip(leg, 2, lane));

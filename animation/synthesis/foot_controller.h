@@ -36,11 +36,9 @@ class FootController : public SubController {
   LaneLeg laneLeg(Side side, const Eigen::Vector3d& knee_axis) const;
   LaneLegs view() const;
   void aim(const AnimationBuffer& buffer, const Four& frames, LaneLegFrames& legs) const;
-  double risenPitch(const Sole& sole, double at, Side side, int lane,
-                    const LaneLegFrames& legs) const;
+  double risenPitch(const Sole& sole, Side side, int lane, const LaneLegFrames& legs) const;
   void turn(const Four& frames, const LaneLegFrames& legs, AnimationBuffer& buffer,
             bool reached[4]) const;
-  static double heelReach(double at, double captured, double longest);
   // Legs under hips that are where they were.
   struct Trial {
     std::vector<Eigen::Quaterniond> captured;  // [frame][chain_], as they were

@@ -16,12 +16,6 @@ struct LegReach {
   static constexpr double kLongest = 0.9995;
   /// A leg stretched farther is refused (WalkRule::kReach).
   static constexpr double kRefused = 0.9999;
-  /// From so late in its stance to so late in its swing (FootState::at) a leg behind is shortened
-  /// towards the captured one, whose knee flexes before the toe leaves (pre-swing), by such a share
-  /// of the difference: its heel rises. By trial: with all of it feet go up on their toes' tips,
-  /// since captured ones slide on by then.
-  static constexpr double kPreSwing = 0.3;
-  static constexpr double kPreSwingFrom = 0.75, kPreSwingTo = 1.5;
 };
 
 /// How hips give way where a leg would be longer than it may. By trial.
