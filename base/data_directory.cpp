@@ -13,7 +13,14 @@ bool holdsData(const std::filesystem::path& folder) {
   return std::filesystem::is_directory(folder / "animation" / "motions", ignored);
 }
 
+std::filesystem::path& namedFolder() {
+  static std::filesystem::path folder;
+  return folder;
+}
+
 }  // namespace
+
+void useDataDirectory(const std::filesystem::path& folder) { namedFolder() = folder; }
 
 std::filesystem::path dataDirectory() {
   if (const char* named = std::getenv("AMBLE_DATA"); named != nullptr && *named != '\0') {
@@ -26,10 +33,10 @@ std::filesystem::path dataDirectory() {
   std::error_code unknown;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
   const std::filesystem::path candidates[] = {
-      program.parent_path().parent_path() / "share" / "amble", AMBLE_SOURCE_DATA,
+      program.parent_path().parent_path() / "share" / "amble", namedFolder(), AMBLE_SOURCE_DATA,
       AMBLE_INSTALLED_DATA};
   for (const auto& folder : candidates) {
-    if (holdsData(folder)) return folder;
+    if (!folder.empty() && holdsData(folder)) return folder;
   }
   throw InputError(AMBLE_INSTALLED_DATA, 0, "Amble's data is not there",
                    "an installed Amble, or its folder in AMBLE_DATA");

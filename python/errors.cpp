@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/text.h"
 #include "python/module.h"
 #include "python/text.h"
 
@@ -7,11 +8,14 @@ namespace {
 
 namespace py = pybind11;
 
+// As the program prints it: on one line, whatever a file's name holds.
+py::str shown(const std::string& text) { return toText(withoutControls(text)); }
+
 void raiseInputError(const InputError& error) {
   const py::object kind = py::module_::import("amble._errors").attr("InputError");
   const py::object line = error.line() > 0 ? py::object(py::int_(error.line())) : py::none();
-  const py::object made = kind(toText(error.what()), toText(error.file()), line,
-                               toText(error.problem()), toText(error.expected()));
+  const py::object made = kind(shown(error.what()), toText(error.file()), line, shown(error.problem()),
+                               shown(error.expected()));
   PyErr_SetObject(kind.ptr(), made.ptr());
 }
 

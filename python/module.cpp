@@ -1,14 +1,19 @@
 #include "python/module.h"
 
+#include <pybind11/stl/filesystem.h>
+
 #include "base/data_directory.h"
 #include "base/parallel.h"
 #include "base/version.h"
 
 PYBIND11_MODULE(_amble, module) {
   module.attr("version") = amble::version();
-  module.def("data_directory", [] { return amble::dataDirectory().string(); });
+  module.def("use_data_directory", &amble::useDataDirectory);
+  module.def("data_directory", &amble::dataDirectory);
   module.def("usual_threads", &amble::usualThreads);
   amble::bindErrors(module);
   amble::bindWalk(module);
   amble::bindPlan(module);
+  amble::bindClips(module);
+  amble::bindAnimate(module);
 }

@@ -17,6 +17,7 @@ struct Asked {
   std::optional<double> time_limit;
   double fps = 60.0;
   std::string names;
+  std::string command;  ///< that repeats the run
   std::filesystem::path roadmap;
   int threads = 1;
 };
@@ -47,6 +48,7 @@ RunOptions optionsOf(const Asked& asked, const std::atomic<bool>& stop) {
 std::shared_ptr<PythonWalk> plan(const std::filesystem::path& file,
                                  const std::optional<std::string>& text, const Asked& asked) {
   const auto walk = std::make_shared<PythonWalk>();
+  walk->command = asked.command;
   runStoppable([&](const std::atomic<bool>& stop) {
     walk->result = runScenario(scenarioOf(file, text, asked), optionsOf(asked, stop));
   });
@@ -63,6 +65,7 @@ void bindPlan(py::module_& module) {
       .def_readwrite("time_limit", &Asked::time_limit)
       .def_readwrite("fps", &Asked::fps)
       .def_readwrite("names", &Asked::names)
+      .def_readwrite("command", &Asked::command)
       .def_readwrite("roadmap", &Asked::roadmap)
       .def_readwrite("threads", &Asked::threads);
   module.def("plan", &plan);

@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-import os
-from typing import Any, Mapping, Optional
+from typing import Any, Dict, Optional
 
-from . import _amble, _scenarios
+from . import _amble, _check, _scenarios
 from ._errors import InputError
-from ._walk import Walk
+from ._walk import Path, Walk
 
 
-def _threads(threads: Optional[int]) -> int:
-    return _amble.usual_threads() if threads is None else threads
+def _command(scenario: Any, changed: Dict[str, Any]) -> str:
+    """That gives the same walk again."""
+    return "amble.plan(" + ", ".join([repr(scenario)] + [f"{key}={value!r}" for key, value in changed.items()]) + ")"
 
 
 def plan(scenario: _scenarios.Scenario, *, planner: Optional[str] = None, seed: Optional[int] = None,
          time_limit: Optional[float] = None, fps: float = 60.0, names: str = "",
-         roadmap: Optional["os.PathLike[str] | str"] = None, threads: Optional[int] = None,
-         name: str = "scenario") -> Walk:
+         roadmap: Optional[Path] = None, threads: Optional[int] = None, name: str = "scenario") -> Walk:
     """Plans one walk, as `amble plan` does: the same bytes.
 
     scenario:   a scenario file; the name of one that comes with Amble ("living-room"); or a dict of
@@ -25,8 +24,8 @@ def plan(scenario: _scenarios.Scenario, *, planner: Optional[str] = None, seed: 
                 current folder
     planner, seed, time_limit [s]: in place of the scenario's
     fps:        frames a second [24 to 240]
-    names:      names joints as "mixamo", "vrm", "unreal", "unity" or "acclaim" do; "": as they are
-    roadmap:    file of a kept roadmap, which is asked first (`amble roadmap build`)
+    names:      names joints as "mixamo", "vrm", ... do; "": as they are
+    roadmap:    file of a kept roadmap, which is asked first (Planner.save, `amble roadmap build`)
     threads:    changes no result; None: as many as there are cores
     name:       of a scenario that is a dict
 
@@ -34,15 +33,16 @@ def plan(scenario: _scenarios.Scenario, *, planner: Optional[str] = None, seed: 
     Raises InputError; KeyboardInterrupt at Ctrl-C, which ends the planning.
     """
     asked = _amble.Asked()
-    asked.planner, asked.seed, asked.time_limit = planner, seed, time_limit
-    asked.fps, asked.names, asked.threads = fps, names, _threads(threads)
+    asked.planner = planner
+    asked.seed = None if seed is None else _check.whole("seed", seed, 0, 2**31 - 1)
+    asked.time_limit = _check.optional("time_limit", time_limit, 0.001, 86400, "s")
+    asked.fps, asked.names, asked.threads = _check.fps(fps), _check.naming(names), _check.threads(threads)
     if roadmap is not None:
         asked.roadmap = roadmap
+    changed = {"planner": planner, "seed": seed, "time_limit": time_limit, "roadmap": roadmap}
+    asked.command = _command(scenario, {key: value for key, value in changed.items() if value is not None})
     file, text = _scenarios.find(scenario, name)
     try:
         return Walk(_amble.plan(file, text, asked))
     except InputError as error:
-        if text is None or error.file != file:
-            raise
-        raise InputError(f"{file}: {error.problem}; expected {error.expected}", file, None, error.problem,
-                         error.expected) from None
+        raise _scenarios.without_line(error, file, text) from None

@@ -7,6 +7,7 @@ import os
 from typing import Any, Mapping, Optional, Tuple, Union
 
 from . import _amble
+from ._errors import InputError
 
 Scenario = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 
@@ -36,3 +37,11 @@ def find(scenario: Scenario, name: str) -> Tuple[str, Optional[str]]:
         if os.path.exists(shipped):
             return shipped, None
     return file, None
+
+
+def without_line(error: InputError, file: str, text: Optional[str]) -> InputError:
+    """Of a dict: its text has lines that nobody has seen."""
+    if text is None or error.file != file:
+        return error
+    expected = f"; expected {error.expected}" if error.expected else ""
+    return InputError(f"{file}: {error.problem}{expected}", file, None, error.problem, error.expected)
