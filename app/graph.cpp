@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "animation/graph/transition_search.h"
 #include "app/clip_sources.h"
 #include "app/graph_play.h"
 #include "app/graph_words.h"

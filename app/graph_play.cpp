@@ -9,6 +9,7 @@
 #include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
 #include "animation/editing/foot_lock.h"
+#include "animation/graph/transition_search.h"
 #include "app/graph_words.h"
 #include "app/motion_output.h"
 #include "app/say.h"
@@ -36,16 +37,10 @@ GraphClips readAgain(const KeptGraph& kept, const PlayOptions& options,
                      std::vector<NamedRange>& ranges) {
   std::set<int> wanted = {0};
   for (const NamedRange& range : ranges) wanted.insert(range.clip);
-  std::vector<std::filesystem::path> files;
-  for (const int clip : wanted) files.push_back(inputFile(options.graph, kept.inputs[clip][0]));
   for (NamedRange& range : ranges)
     range.clip = static_cast<int>(std::distance(wanted.begin(), wanted.find(range.clip)));
-  MotionReadOptions reading = kept.reading;
-  if (!reading.asf.empty()) reading.asf = inputFile(options.graph, {reading.asf.string(), ""});
-  if (!reading.roles.empty())
-    reading.roles = inputFile(options.graph, {reading.roles.string(), ""});
   const double frame_time = options.fps > 0.0 ? 1.0 / options.fps : kept.graph.frame_time;
-  return readGraphClips(files, reading, frame_time, usualThreads());
+  return readKeptClips(kept, options.graph, wanted, frame_time, usualThreads());
 }
 
 std::vector<PlayedRange> inFrames(const GraphClips& clips, const std::vector<NamedRange>& ranges) {

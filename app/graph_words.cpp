@@ -118,19 +118,4 @@ std::vector<NamedRange> rangesNamed(const KeptGraph& kept, const std::string& te
   return ranges;
 }
 
-std::string frameName(const ClusterGraph& graph, int frame) {
-  const GraphClip& clip = graph.clips[graph.clipOf(frame)];
-  return fmt::format("{}:{}", clip.name, clip.inFile(frame));
-}
-
-std::string rangesText(const ClusterGraph& graph, const std::vector<PlayedRange>& ranges) {
-  std::vector<std::string> parts;
-  for (const PlayedRange& range : ranges) {
-    const GraphClip& clip = graph.clips[range.clip];
-    parts.push_back(fmt::format("{}:{}-{}", clip.name, clip.inFile(clip.first + range.first),
-                                clip.inFile(clip.first + range.last)));
-  }
-  return joined(parts, ",");
-}
-
 }  // namespace amble

@@ -5,10 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "animation/graph/graph_clips.h"
-#include "animation/graph/graph_file.h"
-#include "animation/graph/play_graph.h"
-#include "animation/graph/transition_search.h"
+#include "animation/graph/kept_clips.h"
 
 namespace amble {
 
@@ -28,10 +25,5 @@ struct NamedRange {
 /// CLIP:A-B,CLIP:C-D; names may hold commas and colons. @throws InputError
 std::vector<NamedRange> rangesNamed(const KeptGraph& kept, const std::string& text,
                                     const std::string& option);
-
-/// "Walk1:147", of a frame among those of all clips.
-std::string frameName(const ClusterGraph& graph, int frame);
-/// "Walk1:100-147,Run:69-120": what `amble graph play` takes.
-std::string rangesText(const ClusterGraph& graph, const std::vector<PlayedRange>& ranges);
 
 }  // namespace amble

@@ -1,14 +1,17 @@
-// amble view DIR | WALK.bvh | CLIP...: a page to look at results and captures with, in a browser.
+// amble view DIR | WALK.bvh | CLIP... | LIBRARY.yaml | GRAPH: a page to look at results and
+// captures with, in a browser.
 
 #include <fmt/format.h>
 
 #include <fstream>
 #include <memory>
+#include <set>
 
 #include "animation/captures/capture_file.h"
 #include "animation/library/motion_library_reader.h"
 #include "app/clip_sources.h"
 #include "app/command.h"
+#include "app/graph_words.h"
 #include "app/open_file.h"
 #include "app/read_options.h"
 #include "app/result_folder.h"
@@ -18,6 +21,7 @@
 #include "base/error.h"
 #include "base/keep_inputs.h"
 #include "base/output_file.h"
+#include "base/parallel.h"
 #include "base/text.h"
 #include "viz/page/clip_page.h"
 #include "viz/page/thin_clips.h"
@@ -31,6 +35,7 @@ struct ViewArguments {
   std::vector<std::string> paths;
   ReadOptions read;
   std::string scene, captures, out;
+  double error = kGraphError;  // [m]
   bool open = false, json = false;
 };
 
@@ -104,25 +109,68 @@ bool isYaml(const std::string& path) {
   return ending == ".yaml" || ending == ".yml";
 }
 
-int viewLibrary(const ViewArguments& options) {
-  const fs::path file = options.paths[0];
-  const MotionLibrary library = readMotionLibrary(file);
-  const BenchLibrary shown = benchOfLibrary(library, capturesOf(file, options.captures));
-  const Bench bench = benchOf(shown);
+// A workbench that is of one file: its page, or all that it shows for machines.
+int showBench(const ViewArguments& options, PageSubject page, const Bench& bench,
+              const std::vector<fs::path>& inputs) {
   if (options.json) printBench(bench);
   if (options.json && options.out.empty()) return kExitDone;
+  const fs::path file = options.paths[0];
   const fs::path out = options.out.empty() ? file.stem().concat(".html") : fs::path(options.out);
-  if (out != "-") keepInputs(out, {file, file.parent_path() / library.skeleton_file});
-  PageSubject page = clipPage(shown.clips);
+  if (out != "-") keepInputs(out, inputs);
   page.title = file.filename().string();
-  page.description = "Motion library " + page.title + ": " +
-                     counted(static_cast<long long>(library.motions.size()), "motion") + ".";
   page.bench = &bench;
   writeFile(out, [&](std::ostream& stream) { writePage(stream, page); });
   if (out == "-") return kExitDone;
   if (!options.json) say(stdout, "{}: open it in a browser\n", out.string());
   if (options.open) openFile(out);
   return kExitDone;
+}
+
+int viewLibrary(const ViewArguments& options) {
+  const fs::path file = options.paths[0];
+  const MotionLibrary library = readMotionLibrary(file);
+  const BenchLibrary shown = benchOfLibrary(library, capturesOf(file, options.captures));
+  PageSubject page = clipPage(shown.clips);
+  page.description = "Motion library " + file.filename().string() + ": " +
+                     counted(static_cast<long long>(library.motions.size()), "motion") + ".";
+  return showBench(options, std::move(page), benchOf(shown),
+                   {file, file.parent_path() / library.skeleton_file});
+}
+
+std::string joinsNote(const BenchGraph& shown) {
+  const size_t made = shown.joins.size();
+  if (shown.joins_found == 0)
+    return fmt::format("No frames are alike at error {:g} m but those that follow one another.",
+                       shown.cut.error);
+  if (static_cast<int>(made) == shown.joins_found) return "";
+  return fmt::format("{} of {} transitions can be played: of each two clips the smoothest.", made,
+                     shown.joins_found);
+}
+
+int viewGraph(const ViewArguments& options) {
+  const KeptGraph kept = readFreshGraph(options.paths[0]);
+  std::set<int> all;
+  std::vector<fs::path> inputs = {options.paths[0]};
+  for (size_t i = 0; i < kept.inputs.size(); ++i) {
+    all.insert(static_cast<int>(i));
+    for (const GraphInput& input : kept.inputs[i])
+      inputs.push_back(inputFile(options.paths[0], input));
+  }
+  const GraphClips clips =
+      readKeptClips(kept, options.paths[0], all, kept.graph.frame_time, usualThreads());
+  BenchGraph shown = benchOfGraph(kept.graph, clips, options.error);
+  const Bench bench = benchOf(shown);
+  const bool exactly = fitExactly(shown.clips);
+  std::vector<std::string> notes = thinClips(shown.clips);
+  PageSubject page = clipPage(shown.clips);
+  for (PageTake& take : page.takes) take.coarse = !exactly;
+  page.description =
+      fmt::format("Cluster graph of {}: {} of frames that are alike.",
+                  counted(static_cast<long long>(kept.graph.clips.size()), "clip"),
+                  counted(static_cast<long long>(shown.cut.clusters.size()), "cluster"));
+  page.notes = std::move(notes);
+  if (std::string note = joinsNote(shown); !note.empty()) page.notes.push_back(std::move(note));
+  return showBench(options, std::move(page), bench, inputs);
 }
 
 // Of a folder of results the page that came with them, which knows more than its walk tells.
@@ -144,6 +192,7 @@ int run(const ViewArguments& options) {
   if (options.json && options.out == "-")
     throw InputError("--json", 0, "with a page on standard output", "-o FILE, or no page");
   if (options.paths.size() == 1 && isYaml(options.paths[0])) return viewLibrary(options);
+  if (options.paths.size() == 1 && looksLikeGraph(options.paths[0])) return viewGraph(options);
   if (options.paths.size() == 1 && options.scene.empty() && !options.json) {
     if (const auto page = pageOfResult(options.paths[0])) return showPage(*page, options);
   }
@@ -171,9 +220,10 @@ void addView(CLI::App& app, Command& chosen) {
   CLI::App* command =
       app.add_subcommand("view", "Write a page to look at a result or at captures, in a browser");
   command
-      ->add_option("PATH", options->paths,
-                   "A folder of results (its page, or one made of its walk), a walk, captures and "
-                   "folders of them, or a motion library (YAML); - is standard input")
+      ->add_option(
+          "PATH", options->paths,
+          "A folder of results (its page, or one made of its walk), a walk, captures and "
+          "folders of them, a motion library (YAML), or a cluster graph; - is standard input")
       ->type_name("FILE")
       ->required();
   command->add_option("--scene", options->scene, "Scene file (YAML) that the walk is in")
@@ -187,6 +237,11 @@ void addView(CLI::App& app, Command& chosen) {
                    "The page; - is standard output; default: walk.html of the folder of results, "
                    "or STEM.html")
       ->type_name("FILE");
+  command
+      ->add_option("--error", options->error,
+                   "Of a cluster graph: frames that differ by less are alike")
+      ->check(number(0, 100, "m"))
+      ->capture_default_str();
   command->add_flag("--open", options->open, "Open it in the browser");
   command->add_flag("--json", options->json,
                     "Print what the page of captures shows, for machines; a page only with -o");
@@ -194,7 +249,8 @@ void addView(CLI::App& app, Command& chosen) {
   addExamples(*command, {"amble view out/living-room --open",
                          "amble view walk.bvh --scene scene.yaml -o walk.html",
                          "amble view captures/walk1.bvh captures/walk2.bvh -o walks.html",
-                         "amble view animation/motions/default.yaml --captures captures"});
+                         "amble view animation/motions/default.yaml --captures captures",
+                         "amble view walks.graph -o graph.html"});
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -76,6 +76,12 @@ Bench benchOf(const std::vector<ShownClip>& clips) {
   return bench;
 }
 
+Bench benchOf(const BenchGraph& graph) {
+  Bench bench = benchOf(graph.clips);
+  bench.graph = &graph;
+  return bench;
+}
+
 Bench benchOf(const BenchLibrary& library) {
   Bench bench;
   bench.library = &library;
@@ -98,7 +104,7 @@ std::filesystem::path capturesOf(const std::filesystem::path& library, const std
 }
 
 void printBench(const Bench& bench) {
-  if (bench.library != nullptr) {
+  if (bench.library != nullptr || bench.graph != nullptr) {
     std::cout << benchJson(bench, plainNumbers()) << '\n';
     return;
   }

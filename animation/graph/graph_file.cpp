@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <fstream>
 #include <set>
 
 #include "base/byte_pack.h"
@@ -233,6 +234,14 @@ void writeGraph(const KeptGraph& kept, const fs::path& file) {
 
 KeptGraph readGraph(const fs::path& file) {
   return unpackGraph(readWholeFile(file, kGraphKind), file.string());
+}
+
+bool looksLikeGraph(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return false;
+  std::string begin(kAnyTitle.size(), '\0');
+  std::ifstream in(file, std::ios::binary);
+  return in.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == kAnyTitle;
 }
 
 fs::path inputFile(const fs::path& graph_file, const GraphInput& input) {

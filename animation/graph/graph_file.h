@@ -43,6 +43,9 @@ KeptGraph unpackGraph(std::string_view bytes, const std::string& name);
 void writeGraph(const KeptGraph& kept, const std::filesystem::path& file);
 KeptGraph readGraph(const std::filesystem::path& file);
 
+/// Whether a regular file begins as a graph's does, of whatever format; pipes are not opened.
+bool looksLikeGraph(const std::filesystem::path& file);
+
 /// An input of a graph that lies at `graph_file`, and such an input of a file.
 std::filesystem::path inputFile(const std::filesystem::path& graph_file, const GraphInput& input);
 GraphInput graphInput(const std::filesystem::path& graph_file, const std::filesystem::path& file);

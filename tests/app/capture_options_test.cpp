@@ -190,6 +190,14 @@ TEST_F(CaptureOptions, OfView) {
     const std::string shown = "view " AMBLE_SOURCE_DIR "/animation/motions/default.yaml --json ";
     EXPECT_NE(good(shown + "--captures " + captureFolder()).out, good(shown + "--captures in").out);
   };
+  uses["--error"] = [&] {  // of a cluster graph: what differs by less is one cluster
+    good("graph build in/walk.bvh -o it.graph");
+    const auto clusters = [&](const std::string& error) {
+      return printed("view it.graph --json --error " + error)["graph"]["clusters"].size();
+    };
+    EXPECT_LT(clusters("0.2"), clusters("0.05"));
+    expectRefused("view it.graph --error=-1", {"--error"});
+  };
   uses["--open"] = [&] {
     write("bin/xdg-open", "#!/bin/sh\necho \"$1\" > opened\n");
     good("view in/walk.bvh -o new.html --open", 0, "chmod +x bin/xdg-open; PATH=$PWD/bin:$PATH;");

@@ -76,6 +76,28 @@ TEST_F(GraphCommand, ALoopIsAsLongAsItsTimes) {
   EXPECT_EQ(frames(5), once + 4 * (twice - once));
 }
 
+TEST_F(GraphCommand, APageShowsWhatGraphShowPrintsAndPlaysWhatGraphPlayWrites) {
+  for (const std::string error : {"0.08", "0.15"}) {
+    const json graph = shown("--error " + error);
+    const json page = printed("view it.graph --json --error " + error)["graph"];
+    ASSERT_EQ(page["clusters"].size(), graph["clusters"].size());
+    for (size_t i = 0; i < page["clusters"].size(); ++i) {
+      EXPECT_EQ(page["clusters"][i]["state"], graph["clusters"][i]["state"]);
+      EXPECT_EQ(page["clusters"][i]["next"], graph["clusters"][i]["next"]);
+    }
+  }
+  const json page = printed("view it.graph --json");
+  const json join = page["graph"]["joins"][0];
+  good("graph play it.graph '" + join["play"].get<std::string>() + "' -o out.bvh");
+  const Clip written = this->written();
+  const json& x = page["clips"][join["take"].get<int>()]["root"]["x"];
+  ASSERT_EQ(static_cast<size_t>(written.frames()), x.size());
+  for (int i = 0; i < written.frames(); ++i)
+    EXPECT_NEAR(x[i].get<double>(), written.poses.p_WR(i).x(), 1e-4);
+  good("view it.graph -o page.html");
+  EXPECT_NE(read("page.html").find("fast, 1:2 \\\"x\\\""), std::string::npos);
+}
+
 TEST_F(GraphCommand, WhatIsStaleDamagedOrMisspeltIsOneLineAndNothingIsWritten) {
   const std::string play = "graph play it.graph slow:1-20 -o new.bvh";
   const std::string clip = read("slow.bvh"), whole = read("it.graph");

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/text.h"
+#include "viz/page/graph_bench.h"
 #include "viz/page/library_bench.h"
 
 namespace amble {
@@ -48,6 +49,7 @@ std::string benchJson(const Bench& bench, const NumbersText& numbers) {
   }
   text += "]";
   if (bench.library != nullptr) text += ",\"library\":" + benchLibraryJson(*bench.library, numbers);
+  if (bench.graph != nullptr) text += ",\"graph\":" + benchGraphJson(*bench.graph, numbers);
   return text + "}";
 }
 

@@ -18,6 +18,7 @@
 namespace amble {
 
 struct BenchLibrary;  // viz/page/library_bench.h
+struct BenchGraph;    // viz/page/graph_bench.h
 
 /// An array of numbers as JSON, of which so many digits behind the point can be seen.
 using NumbersText = std::function<std::string(std::span<const double> values, int digits)>;
@@ -38,6 +39,7 @@ struct BenchClip {
 struct Bench {
   std::vector<BenchClip> clips;           ///< in the order of the page's takes
   const BenchLibrary* library = nullptr;  ///< that they are of; null: they are captures
+  const BenchGraph* graph = nullptr;      ///< the same
 };
 
 std::string benchClipJson(const BenchClip& clip, const NumbersText& numbers);

@@ -38,6 +38,10 @@ export async function tryBench({ browser, context, open, claim, amble, work, sou
   const library = join(work, 'library.html');
   run(['view', 'animation/motions/default.yaml', '--captures', join(source, 'nowhere'), '-o', library]);
   await tryLibrary(context, open, claim, library);
+  const graph = join(work, 'walks.graph');
+  run(['graph', 'build', ...clips, '-o', graph]);
+  run(['view', graph, '-o', join(work, 'graph.html')]);
+  await tryGraph(context, open, claim, join(work, 'graph.html'));
 }
 
 async function tryList(page, claim, said) {
@@ -172,5 +176,46 @@ async function tryLibrary(context, open, claim, file) {
   claim('cycles and the law of steps are drawn', (await page.evaluate(drawing)) !== cycle);
   await page.click('#bench-tree [data-key=facts]');
   claim('with their credits', /Open Motion Project/.test(await page.textContent('#bench-facts')));
+  await page.close();
+}
+
+// A point of the drawing that a function of the graph's drawing gives.
+async function clickAt(page, find) {
+  const [x, y] = await page.evaluate(find);
+  const box = await page.locator('#bench-canvas').boundingBox();
+  await page.mouse.click(box.x + x, box.y + y);
+}
+
+async function tryGraph(context, open, claim, file) {
+  const page = await open(context, file, '#t=0');
+  const before = await page.evaluate(drawing);
+  await clickAt(page, () => window.amble.bench.curves.graph.nodes.at(-1).at);
+  const chosen = await page.evaluate(() => [window.amble.bench.curves.graph.cluster, window.amble.page.bench.graph.clusters.length]);
+  claim('a click chooses a cluster', chosen[0] === chosen[1] - 1, chosen);
+  claim('which is seen in the drawing', (await page.evaluate(drawing)) !== before);
+  claim('and told', /^Cluster [0-9]+, [LRN][BN]?: [0-9]+ frame/.test(await page.textContent('#bench-curves .title')));
+  await clickAt(page, () => [window.amble.bench.curves.graph.xOf(20.5), window.amble.bench.curves.graph.yOf(1) + 3]);
+  const shown = await page.evaluate(() => [window.amble.index, window.amble.player.time / window.amble.page.bench.graph.frame_time]);
+  claim('a click on a clip is that frame of it', shown[0] === 1 && Math.abs(shown[1] - 20) < 1e-6, shown);
+  await clickAt(page, () => {
+    const { graph } = window.amble.bench.curves;
+    graph.cluster = graph.graph.joins[0].cluster;
+    graph.bench.curves.draw();
+    const { points } = graph.lines.find((line) => line.join === 0);
+    return points.find(([x, y]) => graph.find(x, y).join === 0);
+  });
+  const played = await page.evaluate(() => [window.amble.index, window.amble.page.bench.graph.joins[0].take, window.amble.player.playing]);
+  claim('a click on a transition plays it', played[0] === played[1] && played[2], played);
+  const places = await page.evaluate(() => {
+    const { graph } = window.amble.bench.curves, [join] = graph.graph.joins;
+    window.amble.player.playing = false;
+    return [0, join.meeting, window.amble.take.frames - 1].map((frame) => {
+      window.amble.player.seek(frame * graph.graph.frame_time);
+      return graph.now.map(({ clip }) => clip);
+    });
+  });
+  claim('it comes from one clip, is both, and ends in the other', places.map((one) => one.length).join() === '1,2,1', places);
+  await page.click('#bench-tree [data-key=facts]');
+  claim('the command that writes it is told', /amble graph play GRAPH '.+' -o FILE.bvh/.test(await page.textContent('#bench-facts')));
   await page.close();
 }

@@ -1,5 +1,6 @@
 // The curves under the picture: of a joint, of the root, of the feet with what plants are told by.
 
+import { BenchGraph } from './bench_graph.js';
 import { Curves } from './curves.js';
 import { choice, make } from './dom.js';
 import { drawCharts } from './scatter.js';
@@ -11,13 +12,16 @@ const kDashed = [6, 4];
 export class BenchCurves {
   constructor(bench) {
     this.bench = bench;
-    this.tab = 'joint';
     this.title = make('span', { className: 'title' });
     this.canvas = make('canvas', { id: 'bench-canvas', role: 'img', tabIndex: 0 });
     this.library = bench.viewer.page.bench.library ?? null;
+    const { graph } = bench.viewer.page.bench;
+    this.graph = graph ? new BenchGraph(bench, graph) : null;
+    this.tab = graph ? 'graph' : 'joint';
     const tabs = [['joint', 'Joint'], this.library ? ['cycle', 'Cycle'] : ['feet', 'Feet'], ['root', 'Root']];
     if (this.library) tabs.push(['law', 'Speeds']);
-    this.tabs = choice('Curves', tabs, 'joint', (key) => this.choose(key));
+    if (graph) tabs.unshift(['graph', 'Graph']);
+    this.tabs = choice('Curves', tabs, this.tab, (key) => this.choose(key));
     const whole = make('button', {
       type: 'button', textContent: 'Whole', title: 'All of its time (double click)', on: { click: () => this.fit() },
     });
@@ -67,8 +71,9 @@ export class BenchCurves {
   }
 
   draw() {
-    this.curves.instead = this.tab === 'law' ? () => drawCharts(this.canvas, this.charts()) : null;
-    if (this.tab !== 'law') {
+    this.canvas.style.cursor = '';
+    this.curves.instead = this.drawingOf(this.tab);
+    if (!this.curves.instead) {
       this.curves.panels = {
         joint: () => this.ofJoint(), feet: () => this.ofFeet(), root: () => this.ofRoot(), cycle: () => this.ofCycle(),
       }[this.tab]();
@@ -79,6 +84,12 @@ export class BenchCurves {
     this.curves.draw();
   }
 
+  // What is drawn in place of curves, if anything is.
+  drawingOf(tab) {
+    if (tab === 'law') return { draw: () => drawCharts(this.canvas, this.charts()) };
+    return tab === 'graph' ? this.graph : null;
+  }
+
   titleOf() {
     const { clip, companion, jointName } = this.bench;
     const pair = companion.index >= 0 && (this.tab === 'joint' || this.tab === 'root') ? ` · dashed: ${companion.clip.name}` : '';
@@ -86,6 +97,7 @@ export class BenchCurves {
       case 'joint': return `${jointName}, rotation in its parent${pair}`;
       case 'root': return `Pelvis over the floor${pair}`;
       case 'feet': return 'Ankle and toe; below the dotted lines a foot may be planted; marks: lift, lift-off, strike, landing';
+      case 'graph': return this.graph.title;
       case 'law': return 'The law of steps through the captured walks; how fast they turn';
       default: return this.titleOfCycle(clip, jointName);
     }

@@ -15,6 +15,7 @@ export class BenchClip {
     this.from = json.first_frame * json.frame_time;  // that the analysis begins at [s]
     this.joints = json.joints;
     this.motion = page.bench.library?.motions[index] ?? null;
+    this.join = page.bench.graph?.joins.find(({ take }) => take === index) ?? null;
     this.floor = json.floor;
     this.analysis = json.analysis;
     this.phase = json.phase.map(([frame, phase]) => [frame * json.frame_time, phase]);
@@ -45,7 +46,7 @@ export class BenchClip {
   }
 
   get type() {
-    return this.analysis?.class.type ?? '';
+    return this.join ? 'transition' : this.analysis?.class.type ?? '';
   }
 
   get gait() {

@@ -7,7 +7,7 @@ const kBeside = '<svg viewBox="0 0 16 16" aria-hidden="true"><rect x="2" y="2" w
 
 /** What a clip can be sorted by: key, label, its value, its text. */
 export const kColumns = [
-  ['name', 'Name', (clip) => clip.name.toLowerCase(), (clip) => clip.name],
+  ['name', 'Name', (clip) => (clip.join ? '\uffff' : '') + clip.name.toLowerCase(), (clip) => clip.name],  // transitions last
   ['type', 'Type', (clip) => clip.type, (clip) => clip.type || 'nobody'],
   ['duration', 'Duration', (clip) => clip.duration, (clip) => number(clip.duration, 1, 's')],
   ['speed', 'Speed', (clip) => clip.gait.speed, (clip) => number(clip.gait.speed, 2, 'm/s')],
@@ -76,10 +76,11 @@ export class BenchList {
       aria: { label: `Compare with ${clip.name}`, pressed: 'false' },
       on: { click: () => this.bench.compare({ with: this.bench.companion.index === clip.index ? -1 : clip.index }) },
     });
-    return { clip, beside, show, element: make('li', {}, show, beside), sorted: show.lastElementChild };
+    return { clip, beside, show, element: make('li', { className: clip.join ? 'join' : '' }, show, beside), sorted: show.lastElementChild };
   }
 
   summaryOf(clip) {
+    if (clip.join) return `${number(1000 * clip.join.error, 0, 'mm')} · root ${clip.join.glide.toFixed(2)}`;
     const parts = clip.motion ? [] : [number(clip.duration, 1, 's')];
     if (typeof clip.gait.speed === 'number') parts.push(number(clip.gait.speed, 2, 'm/s'));
     if (clip.motion?.turning) parts.push(`${clip.gait.turn_rate.toFixed(0)}°/s`);

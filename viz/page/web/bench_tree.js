@@ -1,5 +1,6 @@
 // The skeleton as a tree, of which a joint is chosen; and what analysis says in words.
 
+import { factsOfJoin } from './bench_graph.js';
 import { kColumns } from './bench_list.js';
 import { choice, make } from './dom.js';
 
@@ -73,7 +74,8 @@ export class BenchTree {
 }
 
 // Label and value: of a capture what `amble analyse` says, of a library's motion what it holds.
-function factsOf({ json, motion }) {
+function factsOf({ json, motion, join, page }) {
+  if (join) return factsOfJoin(join, page.bench.graph);
   if (!motion) return [['file', json.file], ...json.facts];
   const { source, measures: m } = motion;
   const facts = [

@@ -17,7 +17,7 @@ export class Curves {
     this.range = [0, 1];
     this.at = 0;
     this.pointers = new Map();
-    this.instead = null;  // draws something else on the canvas
+    this.instead = null;  // draws something else on the canvas: { draw(canvas), onDown, onMove, onWheel }
     this.listen();
   }
 
@@ -35,6 +35,7 @@ export class Curves {
 
   onWheel(event) {
     event.preventDefault();
+    if (this.instead) return void this.instead.onWheel?.(event);
     if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
       this.pan(((event.deltaX || event.deltaY) * this.length) / 1000);
     } else {
@@ -43,6 +44,7 @@ export class Curves {
   }
 
   onDown(event) {
+    if (this.instead) return void this.instead.onDown?.(event);
     this.canvas.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, event.offsetX);
     this.panning = event.button === 2 || event.button === 1;
@@ -50,6 +52,7 @@ export class Curves {
   }
 
   onMove(event) {
+    if (this.instead) return void this.instead.onMove?.(event);
     if (!this.pointers.has(event.pointerId)) return;
     const before = this.pointers.get(event.pointerId);
     const all = [...this.pointers.values()];
@@ -118,7 +121,8 @@ export class Curves {
 
   draw() {
     if (this.instead) {
-      this.instead();
+      this.instead.draw(this.canvas);
+      this.drawnAt = this.at;
       return;
     }
     const { canvas } = this;

@@ -105,7 +105,7 @@ export class Viewer {
     let before = performance.now();
     const loop = (now) => {
       requestAnimationFrame(loop);
-      const elapsed = Math.min(0.1, (now - before) / 1000);
+      const elapsed = Math.max(0, Math.min(0.1, (now - before) / 1000));  // the first frame may be dated before
       before = now;
       this.frame(elapsed);
     };
