@@ -209,36 +209,85 @@ double chooseFloor(const Scene& scene, const SceneGround& ground, const Scenario
   return nearest;
 }
 
-Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& limits,
-                 Checker checker)
-    : Problem(problem, frame_time, limits, checker, Stopwatch(), beginScene(problem, limits)) {}
+ProblemInputs readInputs(const Scenario& scenario, const LoadLimits& limits) {
+  const Stopwatch begun;
+  SceneReading reading = beginScene(scenario, limits);  // other processes read its meshes meanwhile
+  ProblemInputs inputs;
+  inputs.library = timed(inputs.times.library, [&] {
+    return std::make_shared<const MotionLibrary>(loadLibrary(scenario));
+  });
+  inputs.scene = std::make_shared<const Scene>(reading.finish());
+  inputs.times.scene = begun.seconds() - inputs.times.library;
+  return inputs;
+}
+
+struct Problem::Parts {
+  Parts(const Scenario& scenario, double frame_time, ProblemInputs read, const LoadLimits& limits,
+        Checker checker, LoadTimes& times)
+      : inputs(std::move(read)),
+        ground(timed(
+            times.ground,
+            [&] { return makeGround(*inputs.scene, scenario, *inputs.library, limits.stop); })),
+        synthesizer(timed(times.character,
+                          [&] {
+                            return WalkSynthesizer(*inputs.library, ground,
+                                                   settingsOf(scenario, frame_time));
+                          })),
+        body(checkedBody(synthesizer, *inputs.library, mayStoop(scenario, *inputs.library))),
+        world(timed(times.collision, [&] {
+          return CollisionWorld(*inputs.scene, ground, synthesizer.skeleton(), body, limits.stop,
+                                checker);
+        })) {}
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  const ProblemInputs inputs;
+  const SceneGround ground;
+  const WalkSynthesizer synthesizer;
+  const Body body;
+  const CollisionWorld world;
+};
+
+namespace {
+
+// With the speed that a style has of its own, where none is said.
+Scenario withSpeed(Scenario scenario, const MotionLibrary& library) {
+  if (scenario.walk.own_speed) scenario.walk.speed = ownSpeed(library, scenario.character.height);
+  return scenario;
+}
+
+}  // namespace
 
 Problem::Problem(const Scenario& problem, double frame_time, const LoadLimits& limits,
-                 Checker checker, const Stopwatch& begun, SceneReading reading)
+                 Checker checker)
+    : Problem(problem, frame_time, readInputs(problem, limits), limits, checker) {}
+
+Problem::Problem(const Scenario& problem, double frame_time, ProblemInputs inputs,
+                 const LoadLimits& limits, Checker checker)
     : keys(problem.queries.empty() ? "" : keysOf(0)),
-      scenario(problem),
-      library(timed(times.library,
-                    [&] {
-                      MotionLibrary read = loadLibrary(scenario);
-                      if (scenario.walk.own_speed)
-                        scenario.walk.speed = ownSpeed(read, scenario.character.height);
-                      return read;
-                    })),
-      scene([&] {
-        Scene read = reading.finish();
-        times.scene = begun.seconds() - times.library;
-        return read;
-      }()),
-      ground(
-          timed(times.ground, [&] { return makeGround(scene, scenario, library, limits.stop); })),
+      times(inputs.times),
+      scenario(withSpeed(problem, *inputs.library)),
+      parts_(std::make_shared<const Parts>(scenario, frame_time, std::move(inputs), limits, checker,
+                                           times)),
+      library(*parts_->inputs.library),
+      scene(*parts_->inputs.scene),
+      ground(parts_->ground),
       floor(startFloor(scene, ground, scenario, keys)),
-      synthesizer(timed(
-          times.character,
-          [&] { return WalkSynthesizer(library, ground, settingsOf(scenario, frame_time)); })),
-      body(checkedBody(synthesizer, library, mayStoop(scenario, library))),
-      world(timed(times.collision, [&] {
-        return CollisionWorld(scene, ground, synthesizer.skeleton(), body, limits.stop, checker);
-      })) {}
+      synthesizer(parts_->synthesizer),
+      body(parts_->body),
+      world(parts_->world) {}
+
+Problem::Problem(const Problem& other, const Scenario& asked)
+    : keys(asked.queries.empty() ? "" : keysOf(0)),
+      scenario(withSpeed(asked, other.library)),
+      parts_(other.parts_),
+      library(other.library),
+      scene(other.scene),
+      ground(other.ground),
+      floor(startFloor(scene, ground, scenario, keys)),
+      synthesizer(other.synthesizer),
+      body(other.body),
+      world(other.world) {}
 
 void Problem::ask(size_t query) {
   const ScenarioQuery& asked = scenario.queries.at(query);

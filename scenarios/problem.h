@@ -2,6 +2,8 @@
 /// pictures are drawn of.
 #pragma once
 
+#include <memory>
+
 #include "animation/library/motion_library.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "base/stopwatch.h"
@@ -15,27 +17,51 @@
 
 namespace amble {
 
-/// Its parts know one another by address, so that it stays where it was made. Const after
-/// construction, but for which of its scenario's queries is asked.
+/// What a problem is read from; problems may share it.
+struct ProblemInputs {
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const MotionLibrary> library;
+  LoadTimes times = {};  ///< of reading these
+};
+/// @throws InputError; Stopped
+ProblemInputs readInputs(const Scenario& scenario, const LoadLimits& limits);
+
+/// Const after construction, but for which of its scenario's queries is asked.
 struct Problem {
+ private:
+  struct Parts;  // they know one another by address, and stay where they were made
+
+ public:
   /// @param frame_time  of the animation [s, 1/240 to 1/24].
   /// @throws InputError: what is not there or broken; a place outside of the bounds or where no
   /// floor is, or several without a z that says which; an unknown planner. @throws Stopped
   Problem(const Scenario& scenario, double frame_time, const LoadLimits& limits = {},
           Checker checker = Checker::kFast);
+  /// The same of what is read already. @pre it is what the scenario names
+  Problem(const Scenario& scenario, double frame_time, ProblemInputs inputs,
+          const LoadLimits& limits = {}, Checker checker = Checker::kFast);
+  /// Another walk of the same walker in the same scene: all that was made is shared, for as long as
+  /// either is there. What of the scene is ground is what it is to `other`.
+  /// @pre but for name, source, ends, planner and expectations the scenarios are the same
+  Problem(const Problem& other, const Scenario& scenario);
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 
   std::string keys;  ///< of the query that is asked, before its places' own: "queries[1]."
   LoadTimes times;   ///< what making the parts below took; first, since they tell it
   Scenario scenario;
-  const MotionLibrary library;  // read while other processes read the scene's meshes
-  const Scene scene;
-  const SceneGround ground;  ///< what the character can stand on, in all layers
-  double floor;              ///< height of that which the start stands on [m, World]
-  const WalkSynthesizer synthesizer;
-  const Body body;
-  const CollisionWorld world;
+
+ private:
+  std::shared_ptr<const Parts> parts_;
+
+ public:
+  const MotionLibrary& library;
+  const Scene& scene;
+  const SceneGround& ground;  ///< what the character can stand on, in all layers
+  double floor;               ///< height of that which the start stands on [m, World]
+  const WalkSynthesizer& synthesizer;
+  const Body& body;
+  const CollisionWorld& world;
 
   /// From now on start, goal and via of the scenario are those of its query of that index; at the
   /// begin they are those of the first. @throws InputError
@@ -52,10 +78,6 @@ struct Problem {
   std::vector<std::filesystem::path> inputs() const;
   /// Where to look: the scenario's bounds, or the extent of what can be walked on [m].
   Eigen::AlignedBox2d bounds() const;
-
- private:
-  Problem(const Scenario& scenario, double frame_time, const LoadLimits& limits, Checker checker,
-          const Stopwatch& begun, SceneReading reading);
 };
 
 /// What a scenario names, as Problem reads it. @throws InputError; Stopped

@@ -132,9 +132,23 @@ Json searchJson(const Report& report) {
           {"poses_checked", report.poses_checked}};
 }
 
+Json timesJson(const RunTimes& times) {
+  const LoadTimes& loading = times.loading;
+  return {{"load", number(times.load)},
+          {"scene", number(loading.scene)},
+          {"library", number(loading.library)},
+          {"ground", number(loading.ground)},
+          {"character", number(loading.character)},
+          {"collision", number(loading.collision)},
+          {"roadmap", number(times.roadmap)},
+          {"search", number(times.search)},
+          {"refine", number(times.refine)},
+          {"export", number(times.export_)}};
+}
+
 }  // namespace
 
-void writeJson(std::ostream& out, const Report& report) {
+void writeJson(std::ostream& out, const Report& report, bool with_times) {
   Json json = {{"status", statusName(report.status)},
                {"scenario", report.scenario},
                {"seed", report.seed},
@@ -153,13 +167,7 @@ void writeJson(std::ostream& out, const Report& report) {
   json["bvh_unit"] = number(report.bvh_unit);
   json["stature"] = number(report.stature);
   json["body"] = bodyJson(report);
-  const LoadTimes& loading = report.times.loading;
-  json["times"] = {
-      {"load", number(report.times.load)},       {"scene", number(loading.scene)},
-      {"library", number(loading.library)},      {"ground", number(loading.ground)},
-      {"character", number(loading.character)},  {"collision", number(loading.collision)},
-      {"roadmap", number(report.times.roadmap)}, {"search", number(report.times.search)},
-      {"refine", number(report.times.refine)},   {"export", number(report.times.export_)}};
+  if (with_times) json["times"] = timesJson(report.times);
   // Names come from files: what is no UTF-8 in them is replaced, not thrown at.
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }

@@ -95,6 +95,7 @@ struct Report {
 
 /// Indented JSON with the fields of DESIGN.md, `times` last. Numbers are the shortest that read
 /// back the same, of values rounded to a nanometre: the same report gives the same bytes.
-void writeJson(std::ostream& out, const Report& report);
+/// @param with_times  false leaves out all that the clock says, so that the same walk gives them
+void writeJson(std::ostream& out, const Report& report, bool with_times = true);
 
 }  // namespace amble

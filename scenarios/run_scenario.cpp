@@ -194,6 +194,23 @@ RunResult runScenario(const Scenario& scenario, const RunOptions& options) {
   return result;
 }
 
+RunResult runProblem(std::unique_ptr<const Problem> problem,
+                     const std::map<std::string, std::string>& inputs, const Planner* planner,
+                     const RunOptions& options) {
+  RunResult result;
+  result.report = reportFor(problem->scenario, options);
+  result.report.inputs = inputs;
+  result.problem = std::move(problem);
+  const Problem& asked = *result.problem;
+  const PlanQuery query = asked.query();
+  PlanRequest request = requestOf(asked, options);
+  request.limits.deadline = deadlineIn(asked.scenario.planner.time_limit);
+  result.outcome = planner ? planWith(*planner, query, request.limits)
+                           : planWalk(withEnds(std::move(request), query));
+  finish(options, result);
+  return result;
+}
+
 void runQueries(const Scenario& scenario, const RunOptions& options, const QueryVisitor& visit) {
   requireKnownPlanner(scenario);
   RunResult result;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -42,6 +43,14 @@ struct RunResult {
 /// was stopped, by `stop` or by the scenario's time limit.
 /// @pre the scenario has no queries, or the first of them is meant
 RunResult runScenario(const Scenario& scenario, const RunOptions& options = {});
+
+/// The same of a problem that is read already, by a planner of its own scene, walker and settings
+/// where there is one, which other runs may share: from nothing else.
+/// @param inputs  file: SHA-256, for the report. Of the options those that loading needs are not
+/// looked at. @throws InputError for a place where nobody can stand
+RunResult runProblem(std::unique_ptr<const Problem> problem,
+                     const std::map<std::string, std::string>& inputs, const Planner* planner,
+                     const RunOptions& options);
 
 /// Told of each query when it has been run; the result is the visitor's until it returns.
 using QueryVisitor = std::function<void(const ScenarioQuery&, RunResult&)>;

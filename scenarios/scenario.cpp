@@ -22,6 +22,8 @@ double asAngle(const YamlNode& node, double min_deg, double max_deg, const char*
   return node.asDouble(min_deg, max_deg, what) * kDegree;
 }
 
+}  // namespace
+
 Place readPlace(const YamlNode& node, bool with_heading) {
   if (with_heading) {
     node.requireKeys({"at", "heading"});
@@ -49,6 +51,14 @@ Place readPlace(const YamlNode& node, bool with_heading) {
   }
   return place;
 }
+
+std::vector<Place> readVia(const YamlNode& node) {
+  std::vector<Place> via;
+  for (const YamlNode& place : node.items()) via.push_back(readPlace(place, false));
+  return via;
+}
+
+namespace {
 
 CharacterSpec readCharacter(const YamlNode& node) {
   node.requireKeys({"height", "library", "max_slope", "max_climb", "max_drop"});
@@ -112,12 +122,6 @@ PlannerSpec readPlanner(const YamlNode& node) {
   }
   if (const YamlNode n = node["time_limit"]) planner.time_limit = n.asPositive("time [s]", 86400.0);
   return planner;
-}
-
-std::vector<Place> readVia(const YamlNode& node) {
-  std::vector<Place> via;
-  for (const YamlNode& place : node.items()) via.push_back(readPlace(place, false));
-  return via;
 }
 
 // A name is a folder's, on any system.

@@ -16,6 +16,8 @@
 
 namespace amble {
 
+class YamlNode;
+
 /// Where to be, and facing where.
 struct Place {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< [m]
@@ -114,6 +116,11 @@ ScenarioFile readScenarioFile(const std::filesystem::path& file);
 Scenario readScenario(const ScenarioFile& file);
 /// Both at once.
 Scenario readScenario(const std::filesystem::path& file);
+
+/// Parts of it, for other files that hold such: {at, heading}, and a list of {at}. @throws
+/// InputError
+Place readPlace(const YamlNode& node, bool with_heading);
+std::vector<Place> readVia(const YamlNode& node);
 
 /// Whether it is a scenario: YAML with `scene:` and `start:` or `queries:`. Other files are passed
 /// over by `amble check`, so one that is no such YAML is none here unless a line of it begins with
