@@ -28,6 +28,7 @@ void addInspect(CLI::App& app, Command& chosen);
 void addRoadmap(CLI::App& app, Command& chosen);
 void addGraph(CLI::App& app, Command& chosen);
 void addView(CLI::App& app, Command& chosen);
+void addBatch(CLI::App& app, Command& chosen);
 void addHelp(CLI::App& app, Command& chosen);        ///< after those that it helps with
 void addCompletion(CLI::App& app, Command& chosen);  ///< after those that it completes
 

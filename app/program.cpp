@@ -52,6 +52,7 @@ void addCommands(CLI::App& app, Command& chosen) {
   addRoadmap(app, chosen);
   addGraph(app, chosen);
   addView(app, chosen);
+  addBatch(app, chosen);
   addHelp(app, chosen);
   addCompletion(app, chosen);
 }
