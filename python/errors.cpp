@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/stop_request.h"
 #include "base/text.h"
 #include "python/module.h"
 #include "python/text.h"
@@ -14,8 +15,8 @@ py::str shown(const std::string& text) { return toText(withoutControls(text)); }
 void raiseInputError(const InputError& error) {
   const py::object kind = py::module_::import("amble._errors").attr("InputError");
   const py::object line = error.line() > 0 ? py::object(py::int_(error.line())) : py::none();
-  const py::object made = kind(shown(error.what()), toText(error.file()), line, shown(error.problem()),
-                               shown(error.expected()));
+  const py::object made = kind(shown(error.what()), toText(error.file()), line,
+                               shown(error.problem()), shown(error.expected()));
   PyErr_SetObject(kind.ptr(), made.ptr());
 }
 
@@ -27,6 +28,8 @@ void bindErrors(py::module_&) {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const InputError& error) {
       raiseInputError(error);
+    } catch (const Stopped& stopped) {
+      PyErr_SetString(PyExc_TimeoutError, stopped.what());
     }
   });
 }

@@ -14,6 +14,7 @@ PYBIND11_MODULE(_amble, module) {
   amble::bindErrors(module);
   amble::bindWalk(module);
   amble::bindPlan(module);
+  amble::bindPlanner(module);
   amble::bindClips(module);
   amble::bindAnimate(module);
 }

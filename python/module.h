@@ -11,6 +11,7 @@ namespace amble {
 void bindErrors(pybind11::module_& module);
 void bindWalk(pybind11::module_& module);
 void bindPlan(pybind11::module_& module);
+void bindPlanner(pybind11::module_& module);
 void bindClips(pybind11::module_& module);
 void bindAnimate(pybind11::module_& module);
 

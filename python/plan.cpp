@@ -1,8 +1,10 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "python/asked.h"
 #include "python/module.h"
 #include "python/stoppable.h"
+#include "python/text.h"
 #include "python/walk.h"
 
 namespace amble {
@@ -10,22 +12,58 @@ namespace {
 
 namespace py = pybind11;
 
-/// What the caller asks for in place of what the scenario has.
-struct Asked {
-  std::optional<std::string> planner;
-  std::optional<int> seed;
-  std::optional<double> time_limit;
-  double fps = 60.0;
-  std::string names;
-  std::string command;  ///< that repeats the run
-  std::filesystem::path roadmap;
-  int threads = 1;
-};
+std::shared_ptr<PythonWalk> plan(const std::filesystem::path& file,
+                                 const std::optional<std::string>& text, const Asked& asked) {
+  const auto walk = std::make_shared<PythonWalk>();
+  walk->command = asked.command;
+  runStoppable([&](const std::atomic<bool>& stop) {
+    const Scenario scenario = scenarioOf(file, text, asked);
+    if (!scenario.queries.empty()) {
+      scenario.source.fail("queries", "it asks for several walks", "amble.plan_queries()");
+    }
+    walk->result = runScenario(scenario, optionsOf(asked, stop));
+  });
+  return walk;
+}
 
-// @param text  of the scenario, for one that is in no file; it is called `name` then
+// A walk of its own, of what the visitor of a query is shown: what was loaded they share.
+std::shared_ptr<PythonWalk> walkOf(RunResult& result, const std::string& command) {
+  const auto walk = std::make_shared<PythonWalk>();
+  walk->command = command;
+  if (result.problem)
+    walk->result.problem =
+        std::make_unique<const Problem>(*result.problem, result.problem->scenario);
+  walk->result.outcome = std::move(result.outcome);
+  walk->result.report = result.report;
+  walk->result.joint_names = result.joint_names;
+  walk->result.bvh = std::move(result.bvh);
+  return walk;
+}
+
+py::dict planQueries(const std::filesystem::path& file, const std::optional<std::string>& text,
+                     const Asked& asked) {
+  std::vector<std::pair<std::string, std::shared_ptr<PythonWalk>>> walks;
+  runStoppable([&](const std::atomic<bool>& stop) {
+    const Scenario scenario = scenarioOf(file, text, asked);
+    if (scenario.queries.empty()) {
+      scenario.source.fail("start", "it asks for one walk", "'queries:', or amble.plan()");
+    }
+    runQueries(scenario, optionsOf(asked, stop),
+               [&](const ScenarioQuery& query, RunResult& result) {
+                 walks.emplace_back(query.name, walkOf(result, asked.command));
+               });
+  });
+  py::dict out;
+  for (const auto& [name, walk] : walks) out[toText(name)] = walk;
+  return out;
+}
+
+}  // namespace
+
 Scenario scenarioOf(const std::filesystem::path& file, const std::optional<std::string>& text,
                     const Asked& asked) {
   Scenario scenario = text ? readScenario(ScenarioFile{file, *text}) : readScenario(file);
+  if (text) scenario.name = file.string().substr(1, file.string().size() - 2);  // of "<name>"
   if (asked.planner) {
     scenario.planner.name = *asked.planner;
     scenario.source.lines.erase("planner.name");
@@ -45,18 +83,6 @@ RunOptions optionsOf(const Asked& asked, const std::atomic<bool>& stop) {
   return options;
 }
 
-std::shared_ptr<PythonWalk> plan(const std::filesystem::path& file,
-                                 const std::optional<std::string>& text, const Asked& asked) {
-  const auto walk = std::make_shared<PythonWalk>();
-  walk->command = asked.command;
-  runStoppable([&](const std::atomic<bool>& stop) {
-    walk->result = runScenario(scenarioOf(file, text, asked), optionsOf(asked, stop));
-  });
-  return walk;
-}
-
-}  // namespace
-
 void bindPlan(py::module_& module) {
   py::class_<Asked>(module, "Asked")
       .def(py::init<>())
@@ -69,6 +95,13 @@ void bindPlan(py::module_& module) {
       .def_readwrite("roadmap", &Asked::roadmap)
       .def_readwrite("threads", &Asked::threads);
   module.def("plan", &plan);
+  module.def("plan_queries", &planQueries);
+  module.def("planners", [] {
+    py::dict out;
+    for (const PlannerInfo& planner : listPlanners())
+      out[toText(planner.name)] = toText(planner.explanation);
+    return out;
+  });
 }
 
 }  // namespace amble

@@ -18,7 +18,8 @@ from ._animate import Animation, Engine, EngineWalk, Library, animate
 from ._clips import Analysis, Clip, Validation, analyse, edit, graft, read_clip, validate
 from ._errors import Error, InputError, NoWalkError
 from ._motion import Motion, Steps
-from ._plan import plan
+from ._plan import plan, plan_queries, planners
+from ._planner import Planner
 from ._walk import Walk
 
 FORMATS = tuple(_amble.format_names())
@@ -29,5 +30,5 @@ if _os.path.isdir(_data):  # where pip has put it
     _amble.use_data_directory(_data)
 
 __all__ = ["Analysis", "Animation", "Clip", "Engine", "EngineWalk", "Error", "FORMATS", "InputError", "Library",
-           "Motion", "NoWalkError", "Steps", "Validation", "Walk", "analyse", "animate", "edit", "graft", "plan",
-           "read_clip", "validate"]
+           "Motion", "NoWalkError", "Planner", "Steps", "Validation", "Walk", "analyse", "animate", "edit", "graft",
+           "plan", "plan_queries", "planners", "read_clip", "validate"]
