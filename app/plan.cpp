@@ -38,6 +38,7 @@ struct PlanArguments {
   std::string names, bvh_units = "m", checker = "fast";
   std::vector<std::string> formats = usualFormats();
   std::vector<std::string> views;  // empty: all, where the format is asked for
+  std::string film = "corner";
   bool no_scene = false;
   bool formats_given = false, json = false, list_planners = false;
 };
@@ -157,7 +158,8 @@ int conclude(const PlanArguments& options, RunResult& result, const std::filesys
                             .views = options.views,
                             .threads = options.threads,
                             .command = commandOf(options, report),
-                            .scene_in_glb = !options.no_scene};
+                            .scene_in_glb = !options.no_scene,
+                            .film_follows = options.film == "follow"};
   writeFormats(result, folder, wishes);
   sayWhatIsMissing(options, wishes, report);
   return report.status == PlanStatus::kSolved ? kExitDone : kExitNone;
@@ -309,7 +311,12 @@ void addPlan(CLI::App& app, Command& chosen) {
                    "writes all)")
       ->delimiter(',')
       ->check(choice(viewNames()));
-  command->add_flag("--no-scene", options->no_scene, "walk.glb without the scene");
+  command->add_flag("--no-scene", options->no_scene, "walk.glb and walk.sdf without the scene");
+  command
+      ->add_option("--film", options->film,
+                   "Where the eye of walk.mp4 is: in a corner, or going along with the walker")
+      ->check(choice({"corner", "follow"}))
+      ->capture_default_str();
   command
       ->add_option("--checker", options->checker,
                    "Who is asked about contacts: our own trees, or FCL, with which they agree")

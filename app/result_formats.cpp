@@ -135,7 +135,14 @@ void addArrays(const ResultSubject& subject, std::vector<ResultFile>& files) {
 
 void addActor(const ResultSubject& subject, std::vector<ResultFile>& files) {
   const Report* const report = &subject.result.report;
-  files.push_back({"walk.sdf", [=](std::ostream& out) { writeActorSdf(out, report->bvh_unit); }});
+  const bool with_room = subject.scene_in_glb;
+  files.push_back(
+      {"walk.sdf", [=](std::ostream& out) { writeActorSdf(out, report->bvh_unit, with_room); }});
+  if (with_room) {
+    files.push_back({"room.dae", [view = &subject.view](std::ostream& out) {
+                       writeRoomCollada(out, *view->scene, view->floor);
+                     }});
+  }
   files.push_back({"walk.dae", [=](std::ostream& out) {
                      writeSkinCollada(out, *subject.view.skeleton, figureOf(subject),
                                       report->joint_names);
@@ -146,6 +153,7 @@ void addActor(const ResultSubject& subject, std::vector<ResultFile>& files) {
 void addFilm(const ResultSubject& subject, std::vector<ResultFile>& files) {
   FilmSettings settings;
   settings.threads = subject.threads;
+  settings.follow = subject.film_follows;
   const StopRequest stop{.flag = stopFlag() ? nullptr : &stopFlag(), .deadline = {}};
   files.push_back({"walk.mp4", [subject, settings, stop](std::ostream& out) {
                      writeMp4(out, subject.view, figureOf(subject), settings, stop);
@@ -211,8 +219,8 @@ const std::vector<ResultFormat>& resultFormats() {
        .usual = false,
        .add = addArrays},
       {.name = "sdf",
-       .files = {"walk.sdf", "walk.dae"},
-       .what = "an actor for Gazebo, with its BVH",
+       .files = {"walk.sdf", "walk.dae", "room.dae"},
+       .what = "an actor for Gazebo, with its BVH and the room",
        .usual = false,
        .with = "bvh",
        .add = addActor},

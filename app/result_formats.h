@@ -31,7 +31,8 @@ struct ResultSubject {
   int threads = 1;                               ///< that may be used; changes no byte
   std::string command = {};                      ///< that repeats the run
   std::vector<std::string> views = viewNames();  ///< that "views" writes
-  bool scene_in_glb = true;
+  bool scene_in_glb = true;                      ///< and beside the actor for Gazebo
+  bool film_follows = false;                     ///< the eye of walk.mp4 goes along
   std::shared_ptr<SharedParts> shared = std::make_shared<SharedParts>();
 };
 

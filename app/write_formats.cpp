@@ -21,7 +21,8 @@ ResultSubject subjectOf(const RunResult& result, const WalkView& view, const Res
           .threads = wishes.threads,
           .command = wishes.command,
           .views = wishes.views.empty() ? viewNames() : wishes.views,
-          .scene_in_glb = wishes.scene_in_glb};
+          .scene_in_glb = wishes.scene_in_glb,
+          .film_follows = wishes.film_follows};
 }
 
 /// Of the format itself, not of what goes with it: "walk.dae" has the skin of "walk.sdf".

@@ -13,10 +13,11 @@ namespace amble {
 struct ResultWishes {
   std::vector<std::string> formats = usualFormats();  ///< of formatNames()
   std::vector<std::string> views =
-      {};                    ///< of viewNames(); none: all, where the format is asked for
-  int threads = 1;           ///< [1 to 64]; changes no byte
-  std::string command = {};  ///< that repeats the run
-  bool scene_in_glb = true;
+      {};                     ///< of viewNames(); none: all, where the format is asked for
+  int threads = 1;            ///< [1 to 64]; changes no byte
+  std::string command = {};   ///< that repeats the run
+  bool scene_in_glb = true;   ///< and beside the actor for Gazebo
+  bool film_follows = false;  ///< the eye of walk.mp4 goes along
 };
 
 /// Whether it is asked for, or written with what is.

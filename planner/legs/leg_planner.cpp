@@ -21,15 +21,6 @@ int findNode(const Roadmap& roadmap, const Waypoint& at, bool last) {
   return found;
 }
 
-// The root path of an edge; nothing where it only turns.
-std::vector<Eigen::Vector2d> lineOf(const WalkEdge& walk) {
-  std::vector<Eigen::Vector2d> line;
-  if (walk.path.empty()) return line;
-  const int count = 1 + static_cast<int>(walk.length / kLineSpacing);
-  for (int i = 0; i <= count; ++i) line.push_back(walk.path.at(walk.length * i / count).position);
-  return line;
-}
-
 RoadmapPicture::Node pictureOf(const Waypoint& at, NodeKind kind) {
   return {at.stance, kind, at.any_heading, at.any_leading};
 }
@@ -59,6 +50,14 @@ std::vector<const RefusedEdge*> nearest(const std::vector<const RefusedEdge*>& e
 }
 
 }  // namespace
+
+std::vector<Eigen::Vector2d> lineOf(const WalkEdge& walk) {
+  std::vector<Eigen::Vector2d> line;
+  if (walk.path.empty()) return line;
+  const int count = 1 + static_cast<int>(walk.length / kLineSpacing);
+  for (int i = 0; i <= count; ++i) line.push_back(walk.path.at(walk.length * i / count).position);
+  return line;
+}
 
 std::vector<SteeringFailure> failuresOf(const std::vector<RefusedEdge>& refused) {
   std::vector<SteeringFailure> failures;

@@ -40,6 +40,9 @@ std::vector<SteeringFailure> failuresOf(const std::vector<RefusedEdge>& refused)
 std::vector<SteeringFailure> inTheWay(const SampledRoadmap& roadmap, const Waypoint& from,
                                       const Waypoint& to);
 
+/// The root path of an edge, to be drawn; nothing where it only turns [m].
+std::vector<Eigen::Vector2d> lineOf(const WalkEdge& walk);
+
 /// Writes graph and counts of a roadmap.
 void describeRoadmap(const SampledRoadmap& roadmap, PlanOutcome& outcome);
 /// Writes refused edges: the nearest to where a walk was stopped, if it was.

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "planner/legs/kept_legs.h"
+#include "planner/legs/leg_planner.h"
 #include "planner/legs/plan_run.h"
 #include "planner/roadmap/visibility_roadmap.h"
+#include "planner/steering/walk_proposals.h"
 
 namespace amble {
 namespace {
@@ -76,10 +78,11 @@ RoadmapPicture Planner::picture() const {
   for (const KeptRoadmap::Node& node : roadmap().nodes)
     picture.nodes.push_back({node.stance, node.kind});
   for (const KeptRoadmap::Edge& edge : roadmap().edges) {
-    const auto at = [&](int node) -> Eigen::Vector2d {
-      return roadmap().nodes[node].stance.position.head<2>();
-    };
-    picture.edges.push_back({edge.from, edge.to, {at(edge.from), at(edge.to)}});
+    const Waypoint from{.stance = roadmap().nodes[edge.from].stance},
+        to{.stance = roadmap().nodes[edge.to].stance};
+    const std::vector<Way> ways = waysBetween(from, to);
+    picture.edges.push_back({edge.from, edge.to, {}});
+    if (!ways.empty()) picture.edges.back().line = lineOf(makeEdge(from, to, ways.front()));
   }
   return picture;
 }

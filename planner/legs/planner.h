@@ -52,7 +52,8 @@ class Planner {
 
   const SearchLimits& limits() const;  ///< the problem's
   const KeptRoadmap& roadmap() const;
-  /// The roadmap to look at; edges are straight lines.
+  /// The roadmap to look at. A file holds no curves: each edge is drawn along the root path that is
+  /// the likeliest between its ends (walk_proposals.h).
   RoadmapPicture picture() const;
 
  private:

@@ -11,13 +11,20 @@
 #include <span>
 #include <string>
 
+#include "environments/scene/scene.h"
 #include "viz/figure/figure.h"
 
 namespace amble {
 
-/// walk.sdf: a world with the sun and the actor, whose files are walk.dae and walk.bvh beside it.
-/// @param bvh_unit  length of the BVH's unit [m, > 0]
-void writeActorSdf(std::ostream& out, double bvh_unit);
+/// walk.sdf: a world with the sun and the actor, whose files are walk.dae and walk.bvh beside it,
+/// and the room to look at, room.dae, which nothing bumps into.
+/// @param bvh_unit  length of the BVH's unit [m, > 0] @param with_room  whether the room is there
+void writeActorSdf(std::ostream& out, double bvh_unit, bool with_room);
+
+/// room.dae: the scene as pictures show it, in World; of more than kMostRoomTriangles fewer
+/// (thinRoom).
+void writeRoomCollada(std::ostream& out, const Scene& scene, double floor);
+inline constexpr size_t kMostRoomTriangles = 300'000;
 
 /// walk.dae: COLLADA 1.4.1, z up, metres; the figure in the skeleton's rest pose, and the joints in
 /// the order in which a BVH has them.

@@ -7,10 +7,8 @@
 #include "animation/body/foot_shape.h"
 #include "animation/body/joint_names.h"
 #include "base/rotation.h"
-#include "base/text.h"
 #include "viz/exchange/glb_file.h"
 #include "viz/pictures/room.h"
-#include "viz/pictures/thin_mesh.h"
 
 namespace amble {
 
@@ -134,7 +132,7 @@ class GlbMaker {
     const int parent = static_cast<int>(file_.nodes.size());
     addNode("scene", -1, -1);
     std::vector<RoomSurface> room = sortRoom(scene, floor);
-    if (const std::string said = thinned(room); !said.empty())
+    if (const std::string said = thinRoom(room, kMostGlbTriangles); !said.empty())
       file_.nodes[parent].extras = nlohmann::json{{"thinned", said}}.dump();
     std::map<int, std::vector<const RoomSurface*>> by_object;
     for (const RoomSurface& surface : room)
@@ -199,25 +197,6 @@ class GlbMaker {
     if (still(track.translations) && !is_root) track.translations.clear();
     if (!track.rotations.empty() || !track.translations.empty())
       file_.tracks.push_back(std::move(track));
-  }
-
-  // To kMostGlbTriangles. What was done; empty: nothing.
-  static std::string thinned(std::vector<RoomSurface>& room) {
-    std::vector<const TriangleMesh*> meshes;
-    size_t all = 0, left = 0;
-    for (const RoomSurface& surface : room) {
-      meshes.push_back(&surface.mesh);
-      all += surface.mesh.triangles.size();
-    }
-    const double cell = thinningCell(meshes, kMostGlbTriangles);
-    if (cell == 0.0) return {};
-    for (RoomSurface& surface : room) {
-      surface.mesh = thinMesh(surface.mesh, cell);
-      left += surface.mesh.triangles.size();
-    }
-    return std::to_string(left) + " of " + std::to_string(all) +
-           " triangles, for looking at; no corner moved by more than " +
-           shortNumber(1e3 * std::sqrt(3.0) * cell, 3) + " mm";
   }
 
   int addSole(Side side, double length) {

@@ -5,6 +5,7 @@
 #include "animation/body/foot_shape.h"
 #include "animation/clips/good_frames.h"
 #include "animation/clips/level_capture.h"
+#include "animation/clips/mirror_clip.h"
 #include "base/error.h"
 #include "scenarios/captured_body.h"
 #include "scenarios/standing_feet.h"
@@ -84,12 +85,14 @@ PageTake takeOf(const ShownClip& shown, int actor) {
 
 }  // namespace
 
-ShownClip readShownClip(const std::filesystem::path& file, const MotionReadOptions& options) {
-  ShownClip shown = readClip(file, options);
+namespace {
+
+// What is known of a clip that has been read.
+void analyse(ShownClip& shown) {
   const Clip& clip = shown.motion.clip;
   if (!hasPerson(shown)) {
     shown.floor = lowestJoint(clip);
-    return shown;
+    return;
   }
   const JointRoles& roles = shown.motion.roles;
   shown.floor = lowestAnkle(clip, roles) - kAnkleHeightOfLeg * legOf(clip.skeleton, roles);
@@ -101,6 +104,29 @@ ShownClip readShownClip(const std::filesystem::path& file, const MotionReadOptio
     shown.motion.warnings.push_back("the floor " + doubt);
   shown.analysis = analyseClip(level, roles);
   shown.feet = tracePlants(footPaths(level, roles), legLengths(level, roles), level.frame_time);
+}
+
+}  // namespace
+
+ShownClip readShownClip(const std::filesystem::path& file, const MotionReadOptions& options) {
+  ShownClip shown = readClip(file, options);
+  analyse(shown);
+  return shown;
+}
+
+ShownClip readShownPart(const std::filesystem::path& file, const ShownPart& part) {
+  ShownClip shown = readClip(file, {});
+  Clip& clip = shown.motion.clip;
+  const auto [first, last] = part.frames;
+  if (first < 0 || first > last || last >= clip.frames()) {
+    throw InputError(file.string(), 0, fmt::format("has no frames {} to {}", first, last),
+                     fmt::format("frames 0 to {}", clip.frames() - 1));
+  }
+  clip = trimmed(clip, first, last);
+  if (part.mirrored && hasPerson(shown) && clip.joint_positions.empty())
+    clip = mirrorClip(clip, shown.motion.roles);
+  shown.file_frames = clip.frames();
+  analyse(shown);
   return shown;
 }
 

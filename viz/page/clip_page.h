@@ -1,6 +1,7 @@
 /// The page of captured motion: whoever moves in each clip, and what analysis finds in it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,13 @@ struct ShownClip {
 
 /// Reads a capture, finds its floor, body, plants and events. @throws InputError as readMotion
 ShownClip readShownClip(const std::filesystem::path& file, const MotionReadOptions& options);
+/// The same of a part of it, of the file's frames, which is then all that there is; as in a mirror
+/// if that is asked for. @throws InputError where the part is not within the file
+struct ShownPart {
+  std::array<int, 2> frames = {0, 0};  ///< first and last [>= 0]
+  bool mirrored = false;
+};
+ShownClip readShownPart(const std::filesystem::path& file, const ShownPart& part);
 /// The same of a walk in a scene: floor and plants are over its ground.
 ShownClip readWalkIn(const Scene& scene, const std::filesystem::path& file,
                      const MotionReadOptions& options);

@@ -1,11 +1,15 @@
 #include "viz/page/library_bench.h"
 
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "animation/body/foot_shape.h"
 #include "animation/library/library_style.h"
 #include "animation/preparation/motion_library_add.h"
+#include "animation/synthesis/action.h"
 #include "animation/synthesis/gait_blend.h"
 #include "base/error.h"
 #include "base/rotation.h"
@@ -53,6 +57,24 @@ Pose poseOf(const WalkCycle& cycle, const std::vector<Eigen::Quaterniond>& refer
   return pose;
 }
 
+// The straight walk, of no style, that a movement is laid over: that of the nearest speed.
+const WalkCycle& walkUnder(const MotionLibrary& library, const Motion& movement) {
+  const WalkCycle* nearest = &movement.cycle;
+  double away = std::numeric_limits<double>::infinity();
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kWalk || motion.turning || !motion.style.empty()) continue;
+    const double off = std::abs(motion.cycle.speed - movement.cycle.speed);
+    if (off < away) nearest = &motion.cycle;
+    away = std::min(away, off);
+  }
+  return *nearest;
+}
+
+// What is played: of a movement the walk that it is laid over, as MovementController does.
+const WalkCycle& playedCycle(const MotionLibrary& library, const Motion& motion) {
+  return motion.kind == MotionKind::kMovement ? walkUnder(library, motion) : motion.cycle;
+}
+
 Clip clipOf(const MotionLibrary& library, const Motion& motion) {
   Clip clip{motion.name, library.skeleton, kFrameTime, PoseArray(library.skeleton.size()), {}};
   if (isPose(motion)) {
@@ -63,15 +85,24 @@ Clip clipOf(const MotionLibrary& library, const Motion& motion) {
     for (int i = 0; i < 2; ++i) clip.poses.append(pose);
     return clip;
   }
-  const int frames = static_cast<int>(std::lround(kCycles * motion.cycle.period / kFrameTime));
-  clip.frame_time = kCycles * motion.cycle.period / frames;
-  for (int i = 0; i <= frames; ++i)
-    clip.poses.append(poseOf(motion.cycle, library.stand().rotations, i * clip.frame_time));
+  const WalkCycle& walk = playedCycle(library, motion);
+  const std::vector<Eigen::Quaterniond>& reference = library.stand().rotations;
+  const int frames = static_cast<int>(std::lround(kCycles * walk.period / kFrameTime));
+  clip.frame_time = kCycles * walk.period / frames;
+  for (int i = 0; i <= frames; ++i) {
+    const double phase = static_cast<double>(kCycles * i) / frames;
+    Pose pose = poseOf(walk, reference, phase * walk.period);
+    if (motion.kind == MotionKind::kMovement) {
+      const Pose own = poseOf(motion.cycle, reference, phase * motion.cycle.period);
+      for (const int j : movedJoints(library, motion)) pose.rotations[j] = own.rotations[j];
+    }
+    clip.poses.append(pose);
+  }
   return clip;
 }
 
 // Who stands when, as the cycle's feet say.
-FootPlants plantsOf(const Motion& motion, const Clip& clip) {
+FootPlants plantsOf(const MotionLibrary& library, const Motion& motion, const Clip& clip) {
   FootPlants plants;
   plants.frames = clip.frames();
   const int last = clip.frames() - 1;
@@ -80,8 +111,9 @@ FootPlants plantsOf(const Motion& motion, const Clip& clip) {
       plants.plants[side].push_back({0, last, -0.5, last + 0.5});
       continue;
     }
-    const FootCycle& foot = motion.cycle.feet[side];
-    const double cycle = motion.cycle.period / clip.frame_time;
+    const WalkCycle& walk = playedCycle(library, motion);
+    const FootCycle& foot = walk.feet[side];
+    const double cycle = walk.period / clip.frame_time;
     const double stance = std::fmod(foot.lift_off - foot.strike + 1.0, 1.0);
     for (int k = -1; k <= kCycles; ++k) {
       const double strike = (foot.strike + k) * cycle, leaves = strike + stance * cycle;
@@ -103,8 +135,37 @@ ShownClip shownOf(const MotionLibrary& library, const Motion& motion) {
   shown.body = capturedBody(shown.motion.clip, library.roles, 0.0, library.stature);
   shown.analysis = ClipAnalysis{};
   shown.analysis->frame_time = shown.motion.clip.frame_time;
-  shown.analysis->plants = plantsOf(motion, shown.motion.clip);
+  shown.analysis->plants = plantsOf(library, motion, shown.motion.clip);
   return shown;
+}
+
+bool isThere(const std::filesystem::path& captures, const std::filesystem::path& file) {
+  std::error_code ignored;
+  return !captures.empty() && std::filesystem::is_regular_file(file, ignored);
+}
+
+std::string notThere(const Motion& motion) {
+  return "The capture " + motion.source.clip + " is not there: --captures DIR says where";
+}
+
+// How walks begin and end, as they were captured; nothing where the capture is not there.
+std::optional<ShownClip> capturedPart(const MotionLibrary& library, BenchMotion& bench,
+                                      const std::filesystem::path& captures) {
+  const MotionSource& source = bench.motion->source;
+  const std::filesystem::path file = captures / source.clip;
+  if (!isThere(captures, file)) {
+    bench.lacking = notThere(*bench.motion);
+    return std::nullopt;
+  }
+  try {
+    ShownClip shown = readShownPart(file, {source.frames, source.mirrored});
+    shown.file = library.file.string();
+    shown.name = bench.motion->name;
+    return shown;
+  } catch (const InputError& error) {
+    bench.lacking = error.what();
+    return std::nullopt;
+  }
 }
 
 BenchMotion benchMotionOf(const MotionLibrary& library, const Motion& motion,
@@ -112,10 +173,8 @@ BenchMotion benchMotionOf(const MotionLibrary& library, const Motion& motion,
   BenchMotion bench{&motion, {}, ""};
   if (!isCycle(motion)) return bench;
   const std::filesystem::path file = captures / motion.source.clip;
-  std::error_code ignored;
-  if (captures.empty() || !std::filesystem::is_regular_file(file, ignored)) {
-    bench.lacking =
-        "The capture " + motion.source.clip + " is not there: --captures DIR says where";
+  if (!isThere(captures, file)) {
+    bench.lacking = notThere(motion);
     return bench;
   }
   try {
@@ -257,13 +316,19 @@ Json stepLawJson(const MotionLibrary& library, const NumbersText& numbers) {
 BenchLibrary benchOfLibrary(const MotionLibrary& library, const std::filesystem::path& captures) {
   BenchLibrary bench;
   bench.library = &library;
-  for (const bool played : {true, false}) {
-    for (const Motion& motion : library.motions) {
-      if ((isCycle(motion) || isPose(motion)) != played) continue;
-      bench.motions.push_back(benchMotionOf(library, motion, captures));
-      if (played) bench.clips.push_back(shownOf(library, motion));
+  std::vector<BenchMotion> unplayed;
+  for (const Motion& motion : library.motions) {
+    BenchMotion one = benchMotionOf(library, motion, captures);
+    std::optional<ShownClip> shown;
+    if (isCycle(motion) || isPose(motion)) {
+      shown = shownOf(library, motion);
+    } else {
+      shown = capturedPart(library, one, captures);
     }
+    if (shown) bench.clips.push_back(std::move(*shown));
+    (shown ? bench.motions : unplayed).push_back(std::move(one));
   }
+  std::move(unplayed.begin(), unplayed.end(), std::back_inserter(bench.motions));
   return bench;
 }
 
@@ -281,10 +346,11 @@ std::string motionAnalysisJson(const Motion& motion, const ShownClip& clip) {
   Json plants = Json::array();
   const double frame_time = clip.motion.clip.frame_time;
   for (const Side side : {kLeft, kRight}) {
+    if (!clip.analysis) continue;  // nobody is found in the capture
     for (const FootPlant& plant : clip.analysis->plants.plants[side])
       plants.push_back({{"foot", side == kLeft ? "left" : "right"},
-                        {"strike", plant.strike * frame_time},
-                        {"lift_off", plant.lift_off * frame_time}});
+                        {"strike", (plant.strike + clip.first_frame) * frame_time},
+                        {"lift_off", (plant.lift_off + clip.first_frame) * frame_time}});
   }
   Json json = {{"class", {{"type", motionKindNames()[static_cast<size_t>(motion.kind)]}}},
                {"gait", Json::object()},

@@ -22,7 +22,9 @@ struct BenchMotion {
 struct BenchLibrary {
   const MotionLibrary* library = nullptr;  ///< never null
   std::vector<BenchMotion> motions;
-  std::vector<ShownClip> clips;  ///< two cycles of each walk, each pose held for a second
+  /// Two cycles of each walk; of a movement those of the walk that it is laid over; each pose held
+  /// for a second; starts and stops as they were captured, where the capture is there.
+  std::vector<ShownClip> clips;
 };
 
 /// @param captures  the folder that its sources are looked for in; empty: none is

@@ -22,9 +22,10 @@ Vector3d faceNormal(const TriangleMesh& mesh, const std::array<int, 3>& t) {
   return (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);  // length: twice the area
 }
 
-// Of a capsule: its rim is never more than 2 % of the radius inside the circle.
-constexpr int kSegments = 16;               // round a limb
-constexpr int kQuarter = 4;                 // rings a cap, beside its pole
+// Of a capsule: its rim is never more than 4 % of the radius inside the circle, half a pixel of a
+// trunk in the largest pictures.
+constexpr int kSegments = 12;               // round a limb
+constexpr int kQuarter = 3;                 // rings a cap, beside its pole
 constexpr int kRings = 2 * (kQuarter + 1);  // the first half of them around its first end
 
 using Directions = std::array<std::array<Vector3f, kSegments>, kRings>;

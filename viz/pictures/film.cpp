@@ -123,27 +123,64 @@ SampleBuffer WalkFilm::samplesOf(const std::vector<DrawTriangle>& body, const Ca
   return samples;
 }
 
-Image WalkFilm::picture(int i) const {
-  const int last = view_.animation->size() - 1;
-  const double time = i / settings_.rate;
-  const int frame =
-      std::min(last, static_cast<int>(std::lround(time / view_.animation->frame_time)));
-  std::vector<DrawTriangle> body;
-  addFigure(view_, frame, figure_, body);
-  Image image = still_;
-  // What changes is told from as much again around it.
-  const Window inner = changedBy(body), outer = grown(inner, reach_);
-  if (inner.width() > 0 && inner.height() > 0) {
-    Camera camera = large_;
-    camera.centre -=
-        kSupersampling * Vector2f(static_cast<float>(outer.x0), static_cast<float>(outer.y0));
-    const Image changed = light_.light(samplesOf(body, camera, outer), camera, body);
-    for (int y = inner.y0; y < inner.y1; ++y) {
-      std::copy_n(changed.pixel(inner.x0 - outer.x0, y - outer.y0), 3 * inner.width(),
-                  image.pixel(inner.x0, y));
-    }
+int WalkFilm::frameOf(int picture) const {
+  const double time = picture / settings_.rate;
+  return std::min(view_.animation->size() - 1,
+                  static_cast<int>(std::lround(time / view_.animation->frame_time)));
+}
+
+// From where the corner's eye looks, but near; steady: by the mean of the walker's way about then.
+Camera WalkFilm::cameraAlong(int frame) const {
+  constexpr double kSteady = 0.4;  // before and after, of the mean [s]
+  constexpr float kAway = 5.0f;    // of the eye [m]
+  constexpr float kShown = 3.2f;   // height of what is shown where the walker is [m]
+  constexpr float kAim = 0.9f;     // over the ground [m]
+  const int reach = static_cast<int>(std::lround(kSteady / view_.animation->frame_time));
+  const int first = std::max(0, frame - reach);
+  const int last = std::min(view_.animation->size() - 1, frame + reach);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int i = first; i <= last; ++i) {
+    const Eigen::Vector3d& p_WR = view_.animation->poses.p_WR(i);
+    sum += Eigen::Vector3d(p_WR.x(), p_WR.y(), view_.animation->states[i].position.z());
   }
-  drawTime(image, time);
+  const Vector3f aim = (sum / (last - first + 1)).cast<float>() + kAim * Vector3f::UnitZ();
+  Camera camera = shot_.camera;
+  camera.eye = aim - kAway * camera.axes.row(2).transpose();
+  camera.centre =
+      Vector2f(static_cast<float>(settings_.width), static_cast<float>(settings_.height)) / 2;
+  camera.scale = static_cast<float>(settings_.height) * kAway / kShown;
+  return camera;
+}
+
+Image WalkFilm::drawnAlong(int frame, const std::vector<DrawTriangle>& body) const {
+  const Camera camera = cameraAlong(frame).enlarged(kSupersampling);
+  std::vector<DrawTriangle> all = shot_.triangles;
+  all.insert(all.end(), body.begin(), body.end());
+  const SampleBuffer samples = rasterize(all, camera, settings_.width * kSupersampling,
+                                         settings_.height * kSupersampling, settings_.threads);
+  return light_.light(samples, camera, body);
+}
+
+// What changes is told from as much again around it.
+void WalkFilm::drawChanged(const std::vector<DrawTriangle>& body, Image& image) const {
+  const Window inner = changedBy(body), outer = grown(inner, reach_);
+  if (inner.width() <= 0 || inner.height() <= 0) return;
+  Camera camera = large_;
+  camera.centre -=
+      kSupersampling * Vector2f(static_cast<float>(outer.x0), static_cast<float>(outer.y0));
+  const Image changed = light_.light(samplesOf(body, camera, outer), camera, body);
+  for (int y = inner.y0; y < inner.y1; ++y) {
+    std::copy_n(changed.pixel(inner.x0 - outer.x0, y - outer.y0), 3 * inner.width(),
+                image.pixel(inner.x0, y));
+  }
+}
+
+Image WalkFilm::picture(int i) const {
+  std::vector<DrawTriangle> body;
+  addFigure(view_, frameOf(i), figure_, body);
+  Image image = settings_.follow ? drawnAlong(frameOf(i), body) : still_;
+  if (!settings_.follow) drawChanged(body, image);
+  drawTime(image, i / settings_.rate);
   return image;
 }
 

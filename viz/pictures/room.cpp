@@ -1,11 +1,14 @@
 #include "viz/pictures/room.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "base/parallel.h"
+#include "base/text.h"
 #include "viz/pictures/draw_mesh.h"
+#include "viz/pictures/thin_mesh.h"
 
 namespace amble {
 namespace {
@@ -219,6 +222,24 @@ std::vector<RoomSurface> sortRoom(const Scene& scene, double floor) {
       if (room[i].part == RoomPart::kFurniture) room[i].color = kWallColor;
   }
   return room;
+}
+
+std::string thinRoom(std::vector<RoomSurface>& room, size_t most) {
+  std::vector<const TriangleMesh*> meshes;
+  size_t all = 0, left = 0;
+  for (const RoomSurface& surface : room) {
+    meshes.push_back(&surface.mesh);
+    all += surface.mesh.triangles.size();
+  }
+  const double cell = thinningCell(meshes, most);
+  if (cell == 0.0) return {};
+  for (RoomSurface& surface : room) {
+    surface.mesh = thinMesh(surface.mesh, cell);
+    left += surface.mesh.triangles.size();
+  }
+  return std::to_string(left) + " of " + std::to_string(all) +
+         " triangles, for looking at; no corner moved by more than " +
+         shortNumber(1e3 * std::sqrt(3.0) * cell, 3) + " mm";
 }
 
 DrawnSurfaces drawSurfaces(const std::vector<RoomSurface>& room, int threads) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <string>
 #include <vector>
 
 #include "environments/scene/scene.h"
@@ -32,6 +33,10 @@ struct RoomSurface {
 /// Every connected surface of the scene, with its colour. Cost: linear in triangles; a few ms for a
 /// room.
 std::vector<RoomSurface> sortRoom(const Scene& scene, double floor);
+
+/// Fewer triangles, `most` at most, for looking at (thin_mesh.h). @return what was done, for
+/// people; "" nothing
+std::string thinRoom(std::vector<RoomSurface>& room, size_t most);
 
 /// The triangles of each surface, whole and without flags: made once for all places that a picture
 /// may be taken from.

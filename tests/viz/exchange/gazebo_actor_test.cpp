@@ -140,7 +140,7 @@ TEST(GazeboActor, EveryVertexHangsOnJointsWithWeightsThatSumToOne) {
 
 TEST(GazeboActor, TheActorNamesItsFilesAndTheUnitOfTheBvh) {
   std::ostringstream out;
-  writeActorSdf(out, 0.01);
+  writeActorSdf(out, 0.01, true);
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(out.str().c_str()));
   const pugi::xml_node actor = document.child("sdf").child("world").child("actor");

@@ -92,11 +92,11 @@ export class BenchCurves {
 
   titleOf() {
     const { clip, companion, jointName } = this.bench;
-    const pair = companion.index >= 0 && (this.tab === 'joint' || this.tab === 'root') ? ` · dashed: ${companion.clip.name}` : '';
+    const pair = companion.index >= 0 && (this.tab === 'joint' || this.tab === 'root' || this.tab === 'feet') ? ` · dashed: ${companion.clip.name}` : '';
     switch (this.tab) {
       case 'joint': return `${jointName}, rotation in its parent${pair}`;
       case 'root': return `Pelvis over the floor${pair}`;
-      case 'feet': return 'Ankle and toe; below the dotted lines a foot may be planted; marks: lift, lift-off, strike, landing';
+      case 'feet': return 'Ankle and toe; below the dotted lines a foot may be planted; marks: lift, lift-off, strike, landing' + pair;
       case 'graph': return this.graph.title;
       case 'law': return 'The law of steps through the captured walks; how fast they turn';
       default: return this.titleOfCycle(clip, jointName);
@@ -188,8 +188,9 @@ export class BenchCurves {
   }
 
   ofFeet() {
-    const { clip } = this.bench;
+    const { clip, companion } = this.bench;
     if (!clip.json.feet) return [];
+    const other = companion.index >= 0 && companion.clip.json.feet ? companion.clip : null;
     const panel = (key, unit, digits, marks) => {
       const curves = [], limits = [];
       kSides.forEach(([side, color], i) => {
@@ -197,11 +198,13 @@ export class BenchCurves {
           const curve = clip.footCurve(i, point, key);
           curves.push({ ...curve, label: `${side} ${point}`, color, dash, width });
           if (typeof curve.limit === 'number') limits.push({ value: curve.limit, color });
+          if (other) curves.push({ ...this.second(other.footCurve(i, point, key), color), width: 1, alpha: 0.6 });
         }
       });
       return { label: key, unit, digits, least: 0.02, curves, limits, marks, zero: key === 'speed' };
     };
     const marks = kSides.flatMap(([, color], i) => clip.events(i).map((event) => ({ ...event, color })));
-    return [panel('height', 'm', 3, marks), panel('speed', 'm/s', 2, []), ...this.plantRows(clip)];
+    const second = other ? this.plantRows(other).map((row) => ({ ...row, label: `${row.label} 2`, bars: companion.spansOver(row.bars) })) : [];
+    return [panel('height', 'm', 3, marks), panel('speed', 'm/s', 2, []), ...this.plantRows(clip), ...second];
   }
 }

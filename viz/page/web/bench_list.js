@@ -54,9 +54,9 @@ export class BenchList {
       this.rows, ...this.others(page.bench.library), notes);
   }
 
-  // Motions of a library that are no poses: how walks begin and end.
+  // Motions of a library that cannot be played: how walks begin and end, where the captures are not there.
   others(library) {
-    return (library?.motions ?? []).filter((motion) => motion.transition).map(({ name, transition: t, source }) => make('p', {
+    return (library?.motions ?? []).slice(this.clips.length).map(({ name, transition: t, source }) => make('p', {
       className: 'no-clip', title: `${source.clip}, frames ${source.frames.join(' to ')}. ${source.credit}`,
     }, make('b', { textContent: name }), ` first step ${number(t.first_speed, 2, 'm/s')}, ${number(t.acceleration, 2, 'm/s²')}`));
   }
@@ -81,11 +81,12 @@ export class BenchList {
 
   summaryOf(clip) {
     if (clip.join) return `${number(1000 * clip.join.error, 0, 'mm')} · root ${clip.join.glide.toFixed(2)}`;
-    const parts = clip.motion ? [] : [number(clip.duration, 1, 's')];
+    const parts = clip.motion && !clip.motion.transition ? [] : [number(clip.duration, 1, 's')];
     if (typeof clip.gait.speed === 'number') parts.push(number(clip.gait.speed, 2, 'm/s'));
     if (clip.motion?.turning) parts.push(`${clip.gait.turn_rate.toFixed(0)}°/s`);
     if (typeof clip.gait.step_length === 'number') parts.push(`step\u00a0${number(clip.gait.step_length, 2, 'm')}`);
-    if (clip.motion && !clip.cycle) parts.push(clip.motion.chains.join(', ').replaceAll('_', ' ') || 'the whole body');
+    if (clip.motion?.transition) parts.push(`first step ${number(clip.motion.transition.first_speed, 2, 'm/s')}`);
+    else if (clip.motion && !clip.cycle) parts.push(clip.motion.chains.join(', ').replaceAll('_', ' ') || 'the whole body');
     return parts.join(' · ');
   }
 

@@ -101,6 +101,21 @@ export class Companion {
     return Math.min(this.take.duration, Math.max(0, interpolated(own, first + late, 1, 0)));
   }
 
+  /** Spans of the second clip's time as they lie over the first's, as often as they come [[from, to], ...] [s]. */
+  spansOver(spans) {
+    if (this.sync === 'time' || !this.hasPhase) return spans;
+    const first = this.clips[this.viewer.index].phase, own = this.clip.phase;
+    const cycles = Math.max(1, Math.floor(own.at(-1)[1] - own[0][1]));
+    const over = [];
+    for (const span of spans) {
+      const [from, to] = span.map((time) => interpolated(own, time, 0, 1));
+      if (from >= own[0][1] + cycles) continue;  // the second begins anew before
+      for (let k = Math.ceil((first[0][1] - to) / cycles); from + k * cycles <= first.at(-1)[1]; ++k)
+        over.push([from, to].map((phase) => interpolated(first, phase + k * cycles, 1, 0)));
+    }
+    return over;
+  }
+
   /** After the first has been posed. */
   follow(time) {
     const { viewer } = this;
