@@ -13,7 +13,7 @@ interpreter's lock: threads plan at the same time.
 import os as _os
 
 from . import _amble
-from ._amble import version as __version__
+from ._amble import data_directory, version as __version__
 from ._animate import Animation, Engine, EngineWalk, Library, animate
 from ._clips import Analysis, Clip, Validation, analyse, edit, graft, read_clip, validate
 from ._errors import Error, InputError, NoWalkError
@@ -30,5 +30,5 @@ if _os.path.isdir(_data):  # where pip has put it
     _amble.use_data_directory(_data)
 
 __all__ = ["Analysis", "Animation", "Clip", "Engine", "EngineWalk", "Error", "FORMATS", "InputError", "Library",
-           "Motion", "NoWalkError", "Planner", "Steps", "Validation", "Walk", "analyse", "animate", "edit", "graft",
-           "plan", "plan_queries", "planners", "read_clip", "validate"]
+           "Motion", "NoWalkError", "Planner", "Steps", "Validation", "Walk", "analyse", "animate", "data_directory",
+           "edit", "graft", "plan", "plan_queries", "planners", "read_clip", "validate"]
