@@ -1,6 +1,7 @@
 #include "planner/why/passage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/rotation.h"
@@ -23,6 +24,10 @@ constexpr double kAlong = 0.05;       // between places of it [m]
 constexpr double kMostAslant = 60 * kDegree;  // of a gap to the way through it
 constexpr double kHalfTurn = kPi / kDirections;
 constexpr double kDeepest = 3.0;  // of a gap [m]
+// In a gap as deep as most of a step arms swing whole wherever one steps; what is left to choose is
+// how long steps are: they differ by a few centimetres from one walk's length to another's.
+constexpr double kDeep = 0.5;                              // [m]
+constexpr std::array<double, 2> kOtherWalks = {2.8, 3.6};  // lengths, by trial [m]
 
 Eigen::Vector3d unit(double heading) { return {std::cos(heading), std::sin(heading), 0.0}; }
 
@@ -129,9 +134,22 @@ double PassageProbe::depth(const Gap& gap) const {
   return std::max(0.0, length - 2.0 * kPost);
 }
 
+// The least width that one gets through a gap of that depth by.
+double PassageProbe::neededFor(double depth) const {
+  const WalkSynthesizer& synthesizer = *request_.synthesizer;
+  const Body& body = request_.world->body();
+  double needed = passableBreadth(walk_, synthesizer.skeleton(), body, depth);
+  if (depth < kDeep) return needed;
+  for (const double length : kOtherWalks) {
+    const StraightWalk other = straightWalk(synthesizer, *request_.ground, length);
+    if (other.buffer.size() > 0)
+      needed = std::min(needed, passableBreadth(other, synthesizer.skeleton(), body, depth));
+  }
+  return needed;
+}
+
 bool PassageProbe::measureGap(const Gap& gap, Obstruction& why) const {
-  const double needed =
-      passableBreadth(walk_, request_.synthesizer->skeleton(), request_.world->body(), depth(gap));
+  const double needed = neededFor(depth(gap));
   if (gap.width >= needed) return false;
   const bool is_left = gap.left.distance <= gap.right.distance;
   why.object = name(is_left ? gap.left.object : gap.right.object);

@@ -49,6 +49,7 @@ class PassageProbe {
   std::optional<Gap> narrowest(const Eigen::Vector3d& ground, double heading) const;
   double depth(const Gap& gap) const;
   std::optional<double> headroom(const Eigen::Vector3d& ground, int& object) const;
+  double neededFor(double depth) const;
   bool measureGap(const Gap& gap, Obstruction& why) const;
   std::vector<Eigen::Vector3d> placesAround(const Eigen::Vector3d& ground, double heading) const;
   bool measureAbove(const std::vector<Eigen::Vector3d>& places, Obstruction& why) const;

@@ -135,12 +135,26 @@ PlanOptions::Uses PlanOptions::ofResults() const {
                          {"walk-first.png", "walk-top.png", "walk.bvh"});
              expectRefused(kPlan + "-o out --views above", {"--views", "above"});
            }},
+          {"--film",
+           [this] {  // the first picture, as ffmpeg is given it
+             write("bin/ffmpeg", "#!/bin/sh\nhead -c 2764800 > film.raw\nexit 1\n");
+             const std::string path = "chmod +x bin/ffmpeg; PATH=$PWD/bin:$PATH;";
+             good(kPlan + "--formats mp4 -o out", 2, path);
+             const std::string still = read("film.raw");
+             good(kPlan + "--formats mp4 --film corner -o out", 2, path);
+             EXPECT_EQ(read("film.raw"), still);
+             good(kPlan + "--formats mp4 --film follow -o out", 2, path);
+             EXPECT_NE(read("film.raw"), still);
+             expectRefused(kPlan + "-o out --film above", {"--film", "above"});
+           }},
           {"--no-scene",
            [this] {
              good(kPlan + "--formats glb -o out");
              EXPECT_NE(read("out/walk.glb").find("\"name\":\"scene\""), std::string::npos);
              good(kPlan + "--formats glb -o out --no-scene");
              EXPECT_EQ(read("out/walk.glb").find("\"name\":\"scene\""), std::string::npos);
+             expectFiles("--formats sdf", {"room.dae", "walk.bvh", "walk.dae", "walk.sdf"});
+             expectFiles("--formats sdf --no-scene", {"walk.bvh", "walk.dae", "walk.sdf"});
            }},
           {"--formats",
            [this] {

@@ -102,9 +102,9 @@ void writeColladaMesh(XmlWriter& xml, const std::string& name,
     xml.empty("input",
               {{"semantic", "NORMAL"}, {"source", "#" + name + "-normals"}, {"offset", 1}});
     ColladaList list;
-    for (const std::uint32_t corner : corners) {
-      list.put(size_t{corner});
-      list.put(size_t{corner});
+    for (const ColladaCorner& corner : corners) {
+      list.put(size_t{corner.position});
+      list.put(size_t{corner.normal});
     }
     xml.text("p", {}, list.text());
   }

@@ -37,8 +37,12 @@ struct ColladaKind {
 
 /// sRGB [0 to 255].
 using ColladaColor = std::array<std::uint8_t, 3>;
-/// Triangles by their colour, as indices of corners: three a triangle.
-using ColladaTriangles = std::map<ColladaColor, std::vector<std::uint32_t>>;
+/// A corner of a triangle: indices of its position and its normal.
+struct ColladaCorner {
+  std::uint32_t position = 0, normal = 0;
+};
+/// Triangles by their colour, three corners each.
+using ColladaTriangles = std::map<ColladaColor, std::vector<ColladaCorner>>;
 
 /// Of the document's element, COLLADA.
 XmlAttributes colladaAttributes();
@@ -49,7 +53,7 @@ void writeColladaAsset(XmlWriter& xml);
 void writeColladaColors(XmlWriter& xml, const ColladaTriangles& triangles);
 void writeColladaSource(XmlWriter& xml, const std::string& id, const ColladaKind& kind,
                         const ColladaList& list, size_t count);
-/// The geometry `NAME-mesh`. @param normals  as many as positions
+/// The geometry `NAME-mesh`.
 void writeColladaMesh(XmlWriter& xml, const std::string& name,
                       const std::vector<Eigen::Vector3f>& positions,
                       const std::vector<Eigen::Vector3f>& normals,

@@ -54,6 +54,11 @@ ColladaColor bytesOf(const Color& color) {
   return bytes;
 }
 
+// To the tenth of a millimetre, as what is for looking at is written.
+Vector3f rounded(const Vector3d& p) {
+  return ((p * 1e4).array().round() / 1e4).matrix().cast<float>();
+}
+
 class ColladaSkin {
  public:
   ColladaSkin(std::ostream& out, const Skeleton& skeleton, const Figure& figure,
@@ -63,10 +68,8 @@ class ColladaSkin {
         figure_(figure),
         names_(identifiers(joint_names)),
         frames_(restFrames(skeleton)) {
-    for (const auto& t : figure.triangles) {
-      std::vector<std::uint32_t>& corners = by_color_[figure.colors[t[0]]];
-      corners.insert(corners.end(), t.begin(), t.end());
-    }
+    for (const auto& t : figure.triangles)
+      for (const std::uint32_t v : t) by_color_[figure.colors[t[0]]].push_back({v, v});
   }
 
   void write() {
@@ -185,16 +188,16 @@ void writeRoomCollada(std::ostream& out, const Scene& scene, double floor) {
   std::vector<Vector3f> positions, normals;
   ColladaTriangles by_color;
   for (const RoomSurface& surface : room) {
-    std::vector<std::uint32_t>& corners = by_color[bytesOf(surface.color)];
+    std::vector<ColladaCorner>& corners = by_color[bytesOf(surface.color)];
+    const std::vector<Vector3d>& at = surface.mesh.vertices;
+    const auto first = static_cast<std::uint32_t>(positions.size());
+    for (const Vector3d& p : at) positions.push_back(rounded(p));
     for (const auto& t : surface.mesh.triangles) {
-      const std::vector<Vector3d>& at = surface.mesh.vertices;
       const Vector3d normal = (at[t[1]] - at[t[0]]).cross(at[t[2]] - at[t[0]]).normalized();
       if (normal.isZero()) continue;  // it has no area
-      for (const int v : t) {
-        corners.push_back(static_cast<std::uint32_t>(positions.size()));
-        positions.push_back(at[v].cast<float>());
-        normals.push_back(normal.cast<float>());
-      }
+      const auto flat = static_cast<std::uint32_t>(normals.size());
+      normals.push_back(rounded(normal));
+      for (const int v : t) corners.push_back({first + static_cast<std::uint32_t>(v), flat});
     }
   }
   XmlWriter xml(out);

@@ -125,6 +125,13 @@ async function tryPair(page, claim) {
     return Math.max(...moments.map((time) => Math.min(...whole.map((one) => Math.abs(one - time)))));
   });
   claim('by phase both have the left foot in front at one time', off < 1e-6, off);
+  await page.click('#bench-curves [data-key=feet]');
+  const feet = await page.evaluate(() => {
+    const { panels } = window.amble.bench.curves.curves;
+    return [panels[0].curves.length, panels.filter((panel) => panel.row && panel.bars.length > 0).length];
+  });
+  claim('feet of both are drawn, and who of them stands when', feet.join() === '8,4', feet);
+  await page.click('#bench-curves [data-key=joint]');
   await page.keyboard.press('Escape');
   claim('Esc leaves one of them', (await two()) === 1);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <thread>
 
@@ -145,6 +146,27 @@ TEST(Planner, AStopEndsItsOwnQueryOnly) {
   expectSame(planner().plan(queries().front()),
              Planner(problemIn(furnishedRoom()), planner().roadmap()).plan(queries().front()));
   EXPECT_TRUE(stopped.stopped);
+}
+
+TEST(Planner, ItsPictureDrawsEdgesFromNodeToNodeAsRootPathsGo) {
+  const RoadmapPicture picture = planner().picture();
+  int curved = 0;
+  for (const RoadmapPicture::Edge& edge : picture.edges) {
+    if (edge.line.empty()) continue;  // it only turns
+    const auto place = [&](int node) -> Eigen::Vector2d {
+      return picture.nodes[node].stance.position.head<2>();
+    };
+    EXPECT_LT((edge.line.front() - place(edge.from)).norm(), 1e-9);
+    EXPECT_LT((edge.line.back() - place(edge.to)).norm(), 1e-6);
+    const Eigen::Vector2d along = (place(edge.to) - place(edge.from)).normalized();
+    double aside = 0.0;
+    for (const Eigen::Vector2d& p : edge.line) {
+      const Eigen::Vector2d off = p - place(edge.from);
+      aside = std::max(aside, std::abs(along.x() * off.y() - along.y() * off.x()));
+    }
+    curved += aside > 0.02 ? 1 : 0;
+  }
+  EXPECT_GT(curved, 0);
 }
 
 }  // namespace

@@ -150,5 +150,57 @@ TEST(GazeboActor, TheActorNamesItsFilesAndTheUnitOfTheBvh) {
   EXPECT_FALSE(actor.child("script").child("trajectory")) << "the root's motion is the BVH's";
 }
 
+TEST(GazeboActor, TheRoomIsTheSceneInWorld) {
+  const Scene scene = testRoom();
+  std::ostringstream out;
+  writeRoomCollada(out, scene, 0.0);
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(out.str().c_str()));
+  const auto positions =
+      numbersOf(document.select_node("//source[@id='room-positions']/float_array").node());
+  const auto normals =
+      numbersOf(document.select_node("//source[@id='room-normals']/float_array").node());
+  Eigen::AlignedBox3d box;
+  for (size_t i = 0; i + 2 < positions.size(); i += 3)
+    box.extend(Vector3d(positions[i], positions[i + 1], positions[i + 2]));
+  EXPECT_TRUE(box.min().isApprox(scene.bounds().min(), 1e-4));
+  EXPECT_TRUE(box.max().isApprox(scene.bounds().max(), 1e-4));
+  // Corners in pairs, of a position and the normal of their triangle.
+  size_t triangles = 0;
+  double volume = 0.0;
+  for (const auto& group : document.select_nodes("//triangles/p")) {
+    const auto corners = numbersOf(group.node());
+    for (size_t i = 0; i + 5 < corners.size(); i += 6, ++triangles) {
+      std::array<Vector3d, 3> p;
+      for (size_t k = 0; k < 3; ++k)
+        p[k] = Eigen::Map<const Vector3d>(&positions[3 * static_cast<size_t>(corners[i + 2 * k])]);
+      const Vector3d across = (p[1] - p[0]).cross(p[2] - p[0]);
+      const Vector3d normal =
+          Eigen::Map<const Vector3d>(&normals[3 * static_cast<size_t>(corners[i + 1])]);
+      EXPECT_LT((across.normalized() - normal).norm(), 1e-3);
+      volume += p[0].dot(across) / 6.0;
+    }
+  }
+  EXPECT_EQ(triangles, 12 * scene.objects.size());
+  double boxes = 0.0;
+  for (const SceneObject& object : scene.objects) boxes += std::get<Box>(object.shape).size.prod();
+  EXPECT_NEAR(volume, boxes, 1e-3) << "each box is closed, its triangles turned outwards";
+}
+
+TEST(GazeboActor, TheRoomStandsStillAndIsLeftOutWhereItIsNotAskedFor) {
+  for (const bool with_room : {true, false}) {
+    std::ostringstream out;
+    writeActorSdf(out, 1.0, with_room);
+    pugi::xml_document document;
+    ASSERT_TRUE(document.load_string(out.str().c_str()));
+    const pugi::xml_node model = document.child("sdf").child("world").child("model");
+    EXPECT_EQ(static_cast<bool>(model), with_room);
+    if (!with_room) continue;
+    EXPECT_STREQ(model.child_value("static"), "true");
+    EXPECT_STREQ(model.select_node("link/visual/geometry/mesh/uri").node().child_value(),
+                 "room.dae");
+  }
+}
+
 }  // namespace
 }  // namespace amble

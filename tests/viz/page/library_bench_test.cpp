@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "animation/library/motion_library_reader.h"
+#include "animation/synthesis/action.h"
 #include "base/rotation.h"
+#include "tests/animation/captures.h"
 
 namespace amble {
 namespace {
@@ -81,6 +84,57 @@ TEST_F(LibraryBench, PlayedWalksGoAsFastAndTurnAsMuchAsTheySay) {
     const double way = (clip.poses.p_WR(last) - clip.poses.p_WR(middle)).norm();
     EXPECT_NEAR(way, motion.cycle.speed * motion.cycle.period, 1e-6) << motion.name;
   }
+}
+
+// As `animate --action` has it: legs and trunk are the walk's, arms the movement's.
+TEST_F(LibraryBench, AMovementIsPlayedOverAWalkAndMovesItsOwnJointsOnly) {
+  const auto played = [&](const Motion& motion) -> const Clip& {
+    for (size_t i = 0;; ++i)
+      if (bench_.motions[i].motion == &motion) return bench_.clips[i].motion.clip;
+  };
+  const Motion& carry = *library_.find("carry");
+  const std::vector<int> moved = movedJoints(library_, carry);
+  int walks = 0;
+  for (const Motion& motion : library_.motions) {
+    if (motion.kind != MotionKind::kWalk) continue;
+    const Clip &walk = played(motion), &clip = played(carry);
+    if (walk.frames() != clip.frames() || walk.frame_time != clip.frame_time) continue;
+    ++walks;
+    for (int frame = 0; frame < clip.frames(); ++frame) {
+      EXPECT_EQ(clip.poses.p_WR(frame), walk.poses.p_WR(frame));
+      for (int joint = 0; joint < clip.skeleton.size(); ++joint) {
+        if (std::find(moved.begin(), moved.end(), joint) != moved.end()) continue;
+        EXPECT_EQ(clip.poses.rotations(frame)[joint].coeffs(),
+                  walk.poses.rotations(frame)[joint].coeffs());
+      }
+    }
+    double most = 0.0;
+    for (const int joint : moved)
+      most = std::max(
+          most, clip.poses.rotations(0)[joint].angularDistance(walk.poses.rotations(0)[joint]));
+    EXPECT_GT(most, 20 * kDegree) << "arms that carry do not hang";
+  }
+  EXPECT_EQ(walks, 1);
+}
+
+TEST_F(LibraryBench, StartsAndStopsAreTheirFramesOfTheCapture) {
+  const std::filesystem::path captures = sharedFolder() / "mocap";
+  const BenchLibrary bench = benchOfLibrary(library_, captures);
+  ASSERT_EQ(bench.clips.size(), library_.motions.size());
+  int seen = 0;
+  for (size_t i = 0; i < bench.clips.size(); ++i) {
+    const Motion& motion = *bench.motions[i].motion;
+    if (motion.kind != MotionKind::kStart && motion.kind != MotionKind::kStop) continue;
+    ++seen;
+    const Clip& clip = bench.clips[i].motion.clip;
+    const Clip whole = readMotion(captures / motion.source.clip, {}).clip;
+    const auto [first, last] = motion.source.frames;
+    ASSERT_EQ(clip.frames(), last - first + 1);
+    const Eigen::Vector3d way = clip.poses.p_WR(last - first) - clip.poses.p_WR(0);
+    const Eigen::Vector3d captured = whole.poses.p_WR(last) - whole.poses.p_WR(first);
+    EXPECT_NEAR(way.norm(), captured.norm(), 1e-9) << motion.name;
+  }
+  EXPECT_GE(seen, 2);
 }
 
 TEST_F(LibraryBench, TheLawOfStepsIsNearTheWalksThatItIsFittedTo) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/viz/test_walk.h"
 #include "viz/pictures/draw_mesh.h"
 
@@ -58,6 +60,33 @@ TEST(WalkFilm, ShowsABodyThatMoves) {
   const auto walk = makeTestWalk();
   const WalkFilm film(walk->view, figureOfTestWalk(), kSmallFilm);
   EXPECT_NE(film.picture(3).rgb, film.picture(4).rgb);
+}
+
+// What the figure changes of a picture: where it is, and its shadow.
+TEST(WalkFilm, WhereTheEyeGoesAlongTheWalkerIsInTheMiddleOfEveryPicture) {
+  const auto walk = makeTestWalk();
+  FilmSettings along = kSmallFilm;
+  along.follow = true;
+  Figure nobody = figureOfTestWalk();
+  nobody.triangles.clear();
+  const WalkFilm film(walk->view, figureOfTestWalk(), along), empty(walk->view, nobody, along);
+  for (const int i : {0, 20, 40}) {
+    const Image with = film.picture(i), without = empty.picture(i);
+    double x_sum = 0.0, y_sum = 0.0;
+    int changed = 0;
+    for (int y = 0; y < kTimeRow; ++y) {
+      for (int x = 0; x < with.width; ++x) {
+        if (std::equal(with.pixel(x, y), with.pixel(x, y) + 3, without.pixel(x, y))) continue;
+        x_sum += x;
+        y_sum += y;
+        ++changed;
+      }
+    }
+    ASSERT_GT(changed, 1000) << "a person is large in picture " << i;
+    EXPECT_NEAR(x_sum / changed, 160.0, 40.0) << i;
+    EXPECT_NEAR(y_sum / changed, 100.0, 40.0) << i;
+  }
+  EXPECT_EQ(film.pictures(), 41);
 }
 
 TEST(WalkFilm, ThreadsChangeNoByte) {

@@ -56,9 +56,9 @@ export class BenchList {
 
   // Motions of a library that cannot be played: how walks begin and end, where the captures are not there.
   others(library) {
-    return (library?.motions ?? []).slice(this.clips.length).map(({ name, transition: t, source }) => make('p', {
+    return (library?.motions ?? []).slice(this.clips.length).map(({ name, kind, transition: t, source }) => make('p', {
       className: 'no-clip', title: `${source.clip}, frames ${source.frames.join(' to ')}. ${source.credit}`,
-    }, make('b', { textContent: name }), ` first step ${number(t.first_speed, 2, 'm/s')}, ${number(t.acceleration, 2, 'm/s²')}`));
+    }, make('b', { textContent: name }), ` ${kind === 'stop' ? 'last' : 'first'} step ${number(t.first_speed, 2, 'm/s')}, ${number(t.acceleration, 2, 'm/s²')}`));
   }
 
   columns() {
@@ -85,7 +85,7 @@ export class BenchList {
     if (typeof clip.gait.speed === 'number') parts.push(number(clip.gait.speed, 2, 'm/s'));
     if (clip.motion?.turning) parts.push(`${clip.gait.turn_rate.toFixed(0)}°/s`);
     if (typeof clip.gait.step_length === 'number') parts.push(`step\u00a0${number(clip.gait.step_length, 2, 'm')}`);
-    if (clip.motion?.transition) parts.push(`first step ${number(clip.motion.transition.first_speed, 2, 'm/s')}`);
+    if (clip.motion?.transition) parts.push(`${clip.motion.kind === 'stop' ? 'last' : 'first'} step ${number(clip.motion.transition.first_speed, 2, 'm/s')}`);
     else if (clip.motion && !clip.cycle) parts.push(clip.motion.chains.join(', ').replaceAll('_', ' ') || 'the whole body');
     return parts.join(' · ');
   }

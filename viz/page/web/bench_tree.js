@@ -92,7 +92,7 @@ function factsOf({ json, motion, join, page }) {
       ['closure', `${(1000 * m.closure).toFixed(1)} mm; feet slide ${(1000 * m.slide).toFixed(1)} mm, as they land ${m.slip.map((way) => (1000 * way).toFixed(0)).join(' and ')} mm`],
     );
   }
-  if (motion.transition) facts.push(['played', 'as it was captured'], ['first step', `${motion.transition.first_speed.toFixed(2)} m/s, ${motion.transition.acceleration.toFixed(2)} m/s²`]);
+  if (motion.transition) facts.push(['played', 'as it was captured'], [motion.kind === 'stop' ? 'last step' : 'first step', `${motion.transition.first_speed.toFixed(2)} m/s, ${motion.transition.acceleration.toFixed(2)} m/s²`]);
   if (motion.kind === 'movement') facts.push(['played', 'over the walk of the nearest speed']);
   facts.push(['captured', `${source.clip}, frames ${source.frames.join(' to ')}${source.mirrored ? ', mirrored' : ''}`]);
   if (motion.lacking) facts.push(['not shown', motion.lacking]);
