@@ -9,6 +9,7 @@
 
 #include "app/batch_job_options.h"
 #include "app/batch_merge.h"
+#include "app/batch_stats.h"
 #include "app/command.h"
 #include "app/output_folder.h"
 #include "app/progress.h"
@@ -131,6 +132,7 @@ void addBatch(CLI::App& app, Command& chosen) {
                          "amble batch merge examples/batch/rooms.yaml -o rooms"});
   addExitStatus(*command, "all walks of the job or the shard are there, or why they are not");
   addBatchMerge(*command, chosen);
+  addBatchStats(*command, chosen);
   command->callback([command, job, options, &chosen] {
     if (!command->get_subcommands().empty()) return;
     options->job.require(*job);

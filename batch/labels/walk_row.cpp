@@ -92,7 +92,7 @@ std::string rowJson(const WalkRow& row) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-WalkRow readRow(const std::string& text, const std::string& file) {
+WalkRow readRow(const std::string& text, const std::string& file, int line) {
   try {
     const Json json = Json::parse(text);
     WalkRow row;
@@ -120,7 +120,7 @@ WalkRow readRow(const std::string& text, const std::string& file) {
     row.caption = json.at("caption");
     return row;
   } catch (const Json::exception&) {
-    throw InputError(file, 0, "is no row of a batch", "what amble batch has written");
+    throw InputError(file, line, "is no row of a batch", "what amble batch has written");
   }
 }
 

@@ -40,8 +40,8 @@ void fillRow(const RunResult& result, WalkRow& row);
 
 /// One line of JSON, the same for the same row.
 std::string rowJson(const WalkRow& row);
-/// @throws InputError where `file` holds no such line
-WalkRow readRow(const std::string& json, const std::string& file);
+/// @param file, line  for messages. @throws InputError where it is no such line
+WalkRow readRow(const std::string& json, const std::string& file, int line = 1);
 
 /// Heads of the table's columns, and a row's fields, as RFC 4180 has them, without line ends.
 std::string rowCsvHead();

@@ -1,5 +1,10 @@
 #include "batch/run/batch_folder.h"
 
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -10,7 +15,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kUnfinished = ".part";  // behind the name of a folder that is being filled
+constexpr const char* kUnfinished = ".part-";  // behind the name of a folder that is being filled
+
+// As no other who may fill a folder for the same walk has it: on this machine or another, since a
+// shard may be at work twice where a machine was given up too early.
+std::string unfinishedMark() {
+  static std::atomic<unsigned> count{0};
+  std::array<char, 256> host{};
+  if (::gethostname(host.data(), host.size() - 1) != 0) host[0] = '\0';
+  return kUnfinished + std::string(host.data()) + "-" + std::to_string(::getpid()) + "-" +
+         std::to_string(count++);
+}
 
 void makeFolder(const fs::path& folder) {
   std::error_code error;
@@ -41,11 +56,16 @@ void BatchFolder::make(const std::string& key,
                        const std::function<void(const fs::path&)>& write) const {
   const fs::path folder = folderOf(key);
   fs::path beside = folder;
-  beside += kUnfinished;
+  beside += unfinishedMark();
   std::error_code error;
   fs::remove_all(beside, error);
   makeFolder(beside);
-  write(beside);
+  try {
+    write(beside);
+  } catch (const InputError&) {
+    if (!has(key)) throw;  // else another has made it, and swept this away
+    return;
+  }
   fs::rename(beside, folder, error);
   if (!error) return;
   std::error_code unknown;
@@ -60,7 +80,7 @@ int BatchFolder::sweep(const std::function<bool(const std::string&)>& keep) cons
   std::error_code error;
   for (const fs::path& shelf : foldersIn(walks())) {
     for (const fs::path& walk : foldersIn(shelf)) {
-      const bool finished = walk.extension() != kUnfinished;
+      const bool finished = walk.filename().string().find(kUnfinished) == std::string::npos;
       if (finished && keep(walk.filename().string())) continue;
       gone += finished ? 1 : 0;
       fs::remove_all(walk, error);

@@ -79,8 +79,10 @@ def run(*command, **environment):
 def configure(folder, count):
     control, *ports = free_ports(1 + count)
     names = [f"n{i + 1}" for i in range(count)]
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // (count << 20)  # [MB]
     nodes = "\n".join(
-        f"NodeName={name} NodeHostname=localhost NodeAddr=127.0.0.1 Port={port} CPUs=1" for name, port in zip(names, ports)
+        f"NodeName={name} NodeHostname=localhost NodeAddr=127.0.0.1 Port={port} CPUs=1 RealMemory={memory}"
+        for name, port in zip(names, ports)
     )
     user = pwd.getpwuid(os.getuid()).pw_name
     (folder / "state").mkdir(exist_ok=True)

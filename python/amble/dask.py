@@ -12,6 +12,7 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import re
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 from ._errors import Error, InputError
@@ -71,6 +72,9 @@ def _runner() -> Callable[[Sequence[str]], Tuple[int, str]]:
 def _expect_success(status: int, line: str) -> None:
     """By the program's exit status, and the last line that it said."""
     if status == 2:
-        raise InputError(line)
+        said = re.fullmatch(r"(?P<file>.*?):(?P<line>\d+)?:? (?P<problem>.*?)(; expected (?P<expected>.*))?", line)
+        parts = said.groupdict("") if said else {}
+        raise InputError(line, parts.get("file", ""), int(parts.get("line") or 0) or None, parts.get("problem", line),
+                         parts.get("expected", ""))
     if status != 0:
         raise Error(f"a shard ended with {status}: {line}")
