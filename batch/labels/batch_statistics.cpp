@@ -47,18 +47,21 @@ const FigureKind kFigures[] = {
 
 Spread spreadOf(const Measure& measure) {
   const std::vector<double>& values = measure.values;
-  return {values.front(),        quantile(values, 0.1), median(values),
-          quantile(values, 0.9), values.back(),         mean(values)};
+  const auto at = [&](double share) {
+    return values[static_cast<size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
+  };
+  return {values.front(), at(0.1), median(values), at(0.9), values.back(), mean(values)};
 }
 
 Histogram histogramOf(const Measure& measure, int most) {
   Histogram histogram;
   if (measure.values.empty()) return histogram;
   const double least = measure.values.front(), greatest = measure.values.back();
-  // Two bins more than the span fills, since the first and the last begin and end at round numbers.
-  constexpr double kLeastSpan = 1e-9;
-  histogram.width =
-      roundWidth(std::max(greatest - least, kLeastSpan * (1.0 + std::abs(least))) / (most - 2));
+  // Values that are all but the same are in one bin. Two bins more than the span fills, since the
+  // first and the last begin and end at round numbers.
+  constexpr double kLeastShare = 0.01, kLeastSpan = 1e-9;
+  const double span = std::max({greatest - least, kLeastShare * std::abs(greatest), kLeastSpan});
+  histogram.width = roundWidth(span / (most - 2));
   if (measure.unit.empty()) histogram.width = std::max(1.0, histogram.width);
   const double first = std::floor(least / histogram.width);
   histogram.from = first * histogram.width;

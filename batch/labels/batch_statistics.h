@@ -20,7 +20,7 @@ struct Measure {
   std::vector<double> values;  ///< ascending, one a walk at most
 };
 
-/// Of values that are not empty; quantiles without interpolation.
+/// Of values that are not empty; the nearest value to each share of them.
 struct Spread {
   double least = 0.0, tenth = 0.0, median = 0.0, ninetieth = 0.0, most = 0.0, mean = 0.0;
 };

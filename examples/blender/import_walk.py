@@ -57,8 +57,13 @@ def main():
     bpy.ops.wm.save_as_mainfile(filepath=blend)
 
 
-try:
-    main()
-except Exception as error:  # Blender itself would go on and end with 0
-    print(f"failed: {error!r}")
-    sys.exit(1)
+def run(what):
+    try:
+        what()
+    except Exception as error:  # Blender itself would go on and end with 0
+        print(f"failed: {error!r}")
+        sys.exit(1)
+
+
+if __name__ == "__main__":
+    run(main)

@@ -104,6 +104,19 @@ INSTANTIATE_TEST_SUITE_P(Values, HistogramOf,
                                          std::vector<double>{2, 3, 3, 8, 1000},
                                          std::vector<double>{1e5, 1e5 + 1e-3}));
 
+TEST(BatchStatistics, SharesOfASpreadAscend) {
+  for (int count = 1; count < 30; ++count) {
+    Measure measure{"length", "m", {}};
+    for (int i = 0; i < count; ++i) measure.values.push_back(i * i);
+    const Spread spread = spreadOf(measure);
+    EXPECT_LE(spread.least, spread.tenth);
+    EXPECT_LE(spread.tenth, spread.median);
+    EXPECT_LE(spread.median, spread.ninetieth);
+    EXPECT_LE(spread.ninetieth, spread.most);
+    EXPECT_EQ(spread.most, (count - 1) * (count - 1));
+  }
+}
+
 TEST(BatchStatistics, NamesOfAnyKindGiveADrawing) {
   std::vector<WalkRow> rows;
   for (const char* name :
