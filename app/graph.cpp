@@ -52,6 +52,11 @@ KeptGraph inputsOf(const GraphBuildOptions& options,
                        "files");
     std::vector<GraphInput> inputs;
     for (const std::filesystem::path& part : options.read.filesOf(file)) {
+      std::error_code ignored;
+      if (std::filesystem::exists(part, ignored) &&
+          !std::filesystem::is_regular_file(part, ignored))
+        throw InputError(part.string(), 0, "is no file that can be read again to be played",
+                         "a file");
       keepInputs(options.out, {part});
       inputs.push_back(graphInput(options.out, part));
     }

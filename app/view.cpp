@@ -188,11 +188,22 @@ int showPage(const fs::path& page, const ViewArguments& options) {
   return kExitDone;
 }
 
+void refuseScene(const ViewArguments& options, const char* shown) {
+  if (!options.scene.empty())
+    throw InputError("--scene", 0, fmt::format("with a {}", shown), "one walk");
+}
+
 int run(const ViewArguments& options) {
   if (options.json && options.out == "-")
     throw InputError("--json", 0, "with a page on standard output", "-o FILE, or no page");
-  if (options.paths.size() == 1 && isYaml(options.paths[0])) return viewLibrary(options);
-  if (options.paths.size() == 1 && looksLikeGraph(options.paths[0])) return viewGraph(options);
+  if (options.paths.size() == 1 && isYaml(options.paths[0])) {
+    refuseScene(options, "motion library");
+    return viewLibrary(options);
+  }
+  if (options.paths.size() == 1 && looksLikeGraph(options.paths[0])) {
+    refuseScene(options, "cluster graph");
+    return viewGraph(options);
+  }
   if (options.paths.size() == 1 && options.scene.empty() && !options.json) {
     if (const auto page = pageOfResult(options.paths[0])) return showPage(*page, options);
   }

@@ -13,6 +13,7 @@
 #include "animation/clips/resample_clip.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/text.h"
 
 namespace amble {
 namespace {
@@ -94,7 +95,7 @@ PlayableClip playable(const ReadClip& read, const ReadClip& first, double frame_
   PlayableClip result{resampleClip(full, frame_time), {}};
   if (result.clip.frames() < kFewestFrames)
     throw InputError(file.string(), 0,
-                     "lasts for " + std::to_string(result.clip.frames()) + " frames at " +
+                     "lasts for " + counted(result.clip.frames(), "frame") + " at " +
                          std::to_string(std::lround(1.0 / frame_time)) + " a second",
                      "at least " + std::to_string(kFewestFrames) + " frames to be compared");
   const FootPlants plants = detectPlants(full, first.capture.motion.roles);

@@ -99,6 +99,10 @@ TEST_F(GraphCommand, APageShowsWhatGraphShowPrintsAndPlaysWhatGraphPlayWrites) {
 }
 
 TEST_F(GraphCommand, WhatIsStaleDamagedOrMisspeltIsOneLineAndNothingIsWritten) {
+  expectRefused("graph build pipe -o new.graph", {"pipe: is no file that can be read again"},
+                "mkfifo pipe;");
+  fs::remove(folder_ / "pipe");
+  expectRefused("view it.graph --scene in/room.yaml", {"--scene: with a cluster graph"});
   const std::string play = "graph play it.graph slow:1-20 -o new.bvh";
   const std::string clip = read("slow.bvh"), whole = read("it.graph");
   write("slow.bvh", clip + "\n");

@@ -1,5 +1,10 @@
 // What is in the results' folder after runs that end well, badly, or not at all.
 
+#include <algorithm>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
 #include "tests/app/program.h"
 
 namespace amble {
@@ -71,6 +76,46 @@ TEST_F(Results, AnUpdateThatIsInterruptedChangesNoScenario) {
   EXPECT_EQ(ran.status, 130) << ran.err;
   EXPECT_EQ(ran.out.find("differs"), std::string::npos) << ran.out;
   EXPECT_EQ(read("in/scenario.yaml"), before);
+}
+
+// A hall of 1,500 posts, whose names are all that markup, tables and paths trip over.
+TEST_F(Results, OddNamesOfManyObjectsDoNoHarmInAnyFile) {
+  const std::vector<std::string> odd = {"a'b`c",        "<script>alert(1)</script>",
+                                        "\u691c\u5b50", "with space",
+                                        "]]>--&amp;",   "}}{{",
+                                        "new\\nline",   "a, b: #c",
+                                        "../up/{0}%s",  "\\\"quoted\\\"",
+                                        "\\x01\\x7f"};
+  std::string room =
+      "objects:\n  - {name: floor, box: {size: [30, 30, 0.1]}, at: [15, 15, -0.05]}\n";
+  for (int i = 0; i < 1500; ++i) {
+    const double x = 0.3 + 0.6 * (i % 50), y = 0.3 + 0.6 * (i / 50) + (i / 50 < 22 ? 0 : 11);
+    room += "  - {name: \"" + odd[i % odd.size()] + std::to_string(i) +
+            "\", box: {size: [0.1, 0.1, 0.4]}, at: [" + std::to_string(x) + ", " +
+            std::to_string(y) + ", 0.2]}\n";
+  }
+  write("in/room.yaml", room);
+  write("in/<b> \u691c 'x'.yaml",
+        "scene: room.yaml\nstart: {at: [14, 16], heading: 0}\ngoal: {at: [16, 16], heading: 0}\n");
+  const Ran ran =
+      run("plan \"in/<b> \u691c 'x'.yaml\" -o out "
+          "--formats bvh,json,svg,png,html,report,strip,glb,csv,npz,sdf");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  for (const char* name : {"top.svg", "walk.sdf", "walk.dae", "room.dae"}) {
+    pugi::xml_document document;
+    EXPECT_TRUE(document.load_file((folder_ / "out" / name).c_str())) << name;
+    EXPECT_FALSE(document.select_node("//script")) << name;
+  }
+  EXPECT_TRUE(nlohmann::json::accept(read("out/report.json")));
+  const std::string glb = read("out/walk.glb");
+  std::uint32_t size = 0;
+  std::memcpy(&size, glb.data() + 12, sizeof size);
+  const auto names = nlohmann::json::parse(glb.substr(20, size))["nodes"];
+  EXPECT_GT(names.size(), 1500u);
+  for (const char* page : {"out/walk.html", "out/report.html"})
+    EXPECT_EQ(read(page).find("<script>alert"), std::string::npos) << page;
+  const std::string steps = read("out/steps.csv");
+  EXPECT_EQ(std::count(steps.begin(), steps.end(), '\x01'), 0);
 }
 
 class Films : public Results {

@@ -235,9 +235,9 @@ export class Controls {
     const { time, duration, take, playing } = this.player;
     if (!take) return;
     this.timeline.update();
-    const tenth = playing ? Math.floor(time * 10) : time;
-    if (tenth === this.said) return;
-    this.said = tenth;
+    const now = playing ? `${Math.floor(time * 10)} tenths` : time;
+    if (now === this.said) return;
+    this.said = now;
     const frame = take.frameAt(time);
     this.byId('time').textContent = `${time.toFixed(2)} / ${duration.toFixed(2)} s`;
     this.byId('frame').textContent = `frame ${frame * take.every}`;
