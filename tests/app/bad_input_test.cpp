@@ -57,7 +57,7 @@ TEST_F(BadInput, AWrongCommandLineIsRefused) {
                 {"amble plan: ", "--sede", "; expected ", "--seed"});
   expectRefused("animate --speed nan -o a.bvh", {"--speed", "'nan'; expected 0 to 12"});
   expectRefused("animate --speed 20 -o a.bvh", {"--speed", "'20'; expected 0 to 12"});
-  expectRefused("animate --speed 2.1 -o a.bvh", {"--speed", "'2.1'; expected 0.3 to 2 m/s"});
+  expectRefused("animate --speed 2.1 -o a.bvh", {"--speed", "2.1 m/s; expected 0.3 to 2 m/s"});
   expectRefused("animate --fps 0 -o a.bvh", {"--fps", "'0'; expected 24 to 240"});
   expectRefused("animate --duration 1e999 -o a.bvh", {"--duration", "'1e999'"});
   expectRefused("animate --turn 170 -o a.bvh", {"--turn", "170", "; expected "});
