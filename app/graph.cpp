@@ -9,7 +9,9 @@
 
 #include "animation/graph/transition_search.h"
 #include "app/clip_sources.h"
+#include "app/graph_made.h"
 #include "app/graph_play.h"
+#include "app/graph_ways.h"
 #include "app/graph_words.h"
 #include "app/progress.h"
 #include "app/read_options.h"
@@ -27,45 +29,11 @@ using Json = nlohmann::ordered_json;
 struct GraphBuildOptions {
   std::vector<std::string> clips;
   std::string out;
-  ReadOptions read;
-  double fps = 0.0;  // [1/s]; 0: kGraphRate or that of the slowest clip
-  int threads = 1;
+  GraphMaking making;
 };
 
 void print(const Json& data) {
   std::cout << data.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-}
-
-// The clips' files, each once, with what is read for them.
-KeptGraph inputsOf(const GraphBuildOptions& options,
-                   const std::vector<std::filesystem::path>& files) {
-  KeptGraph kept;
-  kept.reading = options.read.forReader();
-  const auto beside = [&](const std::string& file) {
-    return file.empty() ? std::string() : graphInput(options.out, file).path;
-  };
-  kept.reading.asf = beside(options.read.asf);
-  kept.reading.roles = beside(options.read.roles);
-  for (const std::filesystem::path& file : files) {
-    if (file == "-")
-      throw InputError("amble graph build", 0, "a clip on standard input cannot be played later",
-                       "files");
-    std::vector<GraphInput> inputs;
-    for (const std::filesystem::path& part : options.read.filesOf(file)) {
-      std::error_code ignored;
-      if (std::filesystem::exists(part, ignored) &&
-          !std::filesystem::is_regular_file(part, ignored))
-        throw InputError(part.string(), 0, "is no file that can be read again to be played",
-                         "a file");
-      keepInputs(options.out, {part});
-      inputs.push_back(graphInput(options.out, part));
-    }
-    for (const std::vector<GraphInput>& other : kept.inputs)
-      if (other[0].path == inputs[0].path)
-        throw InputError(file.string(), 0, "is given twice", "each clip once");
-    kept.inputs.push_back(inputs);
-  }
-  return kept;
 }
 
 std::string summary(const ClusterGraph& graph, const GraphCut& cut) {
@@ -81,18 +49,13 @@ std::string summary(const ClusterGraph& graph, const GraphCut& cut) {
 int build(const GraphBuildOptions& options) {
   const std::vector<std::filesystem::path> files = findClips(options.clips);
   const Stopwatch watch;
-  KeptGraph kept = inputsOf(options, files);
   Progress progress;
-  progress.update(fmt::format("reading {}", counted(static_cast<long long>(files.size()), "clip")),
-                  -1.0);
-  std::optional<double> frame_time;
-  if (options.fps > 0.0) frame_time = 1.0 / options.fps;
-  const GraphClips clips =
-      readGraphClips(files, options.read.forReader(), frame_time, options.threads);
-  progress.update("clustering", -1.0);
-  kept.graph = makeGraph(clips, options.threads);
+  GraphMaking making = options.making;
+  making.stage = [&](const std::string& stage) { progress.update(stage, -1.0); };
+  std::vector<std::string> warnings;
+  const KeptGraph kept = makeKeptGraph(files, options.out, making, warnings);
   progress.clear();
-  for (const std::string& warning : clips.warnings) say(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : warnings) say(stderr, "warning: {}\n", warning);
   writeGraph(kept, options.out);
   if (options.out != "-")
     say(stdout, "{}: {}, in {:.2f} s\n", options.out,
@@ -189,24 +152,6 @@ struct QueryOptions {
   bool json = false;
 };
 
-struct NamedWay {
-  const char* name;  // for machines
-  const char* title;
-  std::optional<GraphWay> way;
-};
-
-Json toJson(const ClusterGraph& graph, const GraphWay& way, int from, int to) {
-  Json jumps = Json::array();
-  for (const FrameJump& jump : way.jumps)
-    jumps.push_back({{"leave", frameName(graph, jump.leave)},
-                     {"enter", frameName(graph, jump.enter)},
-                     {"error", std::sqrt(jump.error)}});
-  return {{"jumps", jumps},
-          {"error", std::sqrt(way.error)},
-          {"wait", way.wait * graph.frame_time},
-          {"play", rangesText(graph, rangesOf(graph, way, from, to))}};
-}
-
 std::string jumpsText(const ClusterGraph& graph, const GraphWay& way) {
   if (way.jumps.empty()) return "the clip goes there itself";
   std::vector<std::string> parts;
@@ -219,37 +164,22 @@ std::string jumpsText(const ClusterGraph& graph, const GraphWay& way) {
 int query(const QueryOptions& options) {
   const KeptGraph kept = readFreshGraph(options.graph);
   const ClusterGraph& graph = kept.graph;
-  const int from = frameNamed(kept, options.from, "--from");
-  const int to = frameNamed(kept, options.to, "--to");
-  const GraphCut cut = cutAt(graph, options.error);
-  const WaySearch search{static_cast<int>(std::lround(options.stay / graph.frame_time))};
-  const std::vector<NamedWay> ways = {
-      {"cluster", "both in a cluster", wayWithin(graph, cut, from, to)},
-      {"nearest", "nearest", nearestWay(graph, cut, from, to)},
-      {"best", "smoothest", bestWay(graph, cut, from, to)},
-      {"through", "through others", wayThrough(graph, cut, from, to, search)}};
-  Json data = {{"from", frameName(graph, from)},
-               {"to", frameName(graph, to)},
-               {"error", options.error},
-               {"difference", std::sqrt(graph.error(from, to))},
-               {"ways", Json::object()}};
-  const GraphWay* usual = nullptr;  // the first there is, as the thesis asks for them
-  for (const NamedWay& way : ways) {
-    if (!way.way) continue;
-    data["ways"][way.name] = toJson(graph, *way.way, from, to);
-    if (usual == nullptr) usual = &*way.way;
-    if (!options.json) say(stdout, "{:<18} {}\n", way.title, jumpsText(graph, *way.way));
+  const GraphWays ways = waysBetween(kept, options.from, options.to, {options.error, options.stay});
+  if (options.json) {
+    print(ways.data);
+  } else {
+    for (const NamedWay& way : ways.all)
+      say(stdout, "{:<18} {}\n", way.title, jumpsText(graph, way.way));
   }
-  if (options.json) print(data);
-  if (usual == nullptr) {
+  if (ways.all.empty()) {
     say(stderr,
         "amble graph query: no way from {} to {} at error {:g} m; they differ by {:.3f} m\n",
-        options.from, options.to, options.error, std::sqrt(graph.error(from, to)));
+        options.from, options.to, options.error, ways.difference);
     return kExitNone;
   }
   if (!options.json)
     say(stdout, "to play: amble graph play {} {} -o FILE.bvh\n", options.graph,
-        rangesText(graph, rangesOf(graph, *usual, from, to)));
+        rangesText(graph, rangesOf(graph, ways.all.front().way, ways.from, ways.to)));
   return kExitDone;
 }
 
@@ -261,7 +191,7 @@ void addErrorOption(CLI::App& command, double& error) {
 
 void addGraphBuild(CLI::App& graph, Command& chosen) {
   const auto options = std::make_shared<GraphBuildOptions>();
-  options->threads = usualThreads();
+  options->making.threads = usualThreads();
   CLI::App* command = graph.add_subcommand(
       "build", "Find which frames of some clips are alike, and keep that as a graph");
   command->add_option("CLIPS", options->clips, "Captures, and folders of them")
@@ -271,12 +201,12 @@ void addGraphBuild(CLI::App& graph, Command& chosen) {
       ->type_name("FILE")
       ->required();
   command
-      ->add_option("--fps", options->fps,
+      ->add_option("--fps", options->making.fps,
                    "Frames a second that are compared; default: 30, or those of the slowest clip")
       ->check(number(1, 1000, "1/s"));
-  command->add_option("--threads", options->threads, "Threads; changes no result")
+  command->add_option("--threads", options->making.threads, "Threads; changes no result")
       ->check(wholeNumber(1, 64));
-  addReadOptions(*command, options->read);
+  addReadOptions(*command, options->making.read);
   addExamples(*command, {"amble graph build Walk1.bvh WalkToRun.bvh -o walks.graph",
                          "amble graph build captures/ -o all.graph"});
   command->callback([options, &chosen] { chosen = [options] { return build(*options); }; });

@@ -4,14 +4,13 @@
 
 #include <cmath>
 #include <memory>
-#include <set>
 
 #include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
-#include "animation/editing/foot_lock.h"
 #include "animation/graph/transition_search.h"
 #include "app/graph_words.h"
 #include "app/motion_output.h"
+#include "app/played_graph.h"
 #include "app/say.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
@@ -26,36 +25,8 @@ namespace {
 struct PlayOptions {
   std::string graph;
   MotionOutput out;
-  double blend = kGraphBlend;  // [s]
-  double fps = 0.0;            // [1/s]; 0: the graph's
-  bool foot_lock = false;
+  GraphPlaying how;
 };
-
-// The clips of these ranges, read again as they were for the graph, after the first clip, whose
-// skeleton they are on.
-GraphClips readAgain(const KeptGraph& kept, const PlayOptions& options,
-                     std::vector<NamedRange>& ranges) {
-  std::set<int> wanted = {0};
-  for (const NamedRange& range : ranges) wanted.insert(range.clip);
-  for (NamedRange& range : ranges)
-    range.clip = static_cast<int>(std::distance(wanted.begin(), wanted.find(range.clip)));
-  const double frame_time = options.fps > 0.0 ? 1.0 / options.fps : kept.graph.frame_time;
-  return readKeptClips(kept, options.graph, wanted, frame_time, usualThreads());
-}
-
-std::vector<PlayedRange> inFrames(const GraphClips& clips, const std::vector<NamedRange>& ranges) {
-  std::vector<PlayedRange> frames;
-  for (const NamedRange& range : ranges) {
-    const GraphClip& clip = clips.about[range.clip];
-    // At a lower rate a clip may end before its last frame.
-    const auto frame = [&](int in_file) {
-      const int found = clip.fromFile(in_file);
-      return found < 0 ? clip.frames - 1 : found - clip.first;
-    };
-    frames.push_back({range.clip, frame(range.first), frame(range.last)});
-  }
-  return frames;
-}
 
 void writePlayed(const MotionOutput& out, Clip clip, const JointRoles& roles) {
   const std::filesystem::path file = out.file;
@@ -101,7 +72,8 @@ void report(const PlayOptions& options, const ClusterGraph& graph, const JoinedC
   if (motion.joins.size() > kMostTold) say(out, "  {} more\n", motion.joins.size() - kMostTold);
 }
 
-int playRanges(const KeptGraph& kept, const PlayOptions& options, std::vector<NamedRange> ranges) {
+int playRanges(const KeptGraph& kept, const PlayOptions& options,
+               const std::vector<NamedRange>& ranges) {
   const std::filesystem::path out = options.out.file;
   if (out != "-" && out.extension() != ".bvh" && !options.out.isGlb())
     throw InputError(out.string(), 0, "no format that is written", ".bvh or .glb");
@@ -117,22 +89,19 @@ int playRanges(const KeptGraph& kept, const PlayOptions& options, std::vector<Na
     meetings.emplace_back(frame(ranges[i - 1].clip, ranges[i - 1].last),
                           frame(ranges[i].clip, ranges[i].first));
   }
-  const GraphClips clips = readAgain(kept, options, ranges);
-  const int blend = static_cast<int>(std::lround(options.blend / clips.frame_time));
-  JoinedClip motion = played(clips, inFrames(clips, ranges), blend);
-  if (options.foot_lock) motion.clip = lockFeet(motion.clip, clips.roles, plantsOf(motion.planted));
-  writePlayed(options.out, motion.clip, clips.roles);
-  report(options, kept.graph, motion, meetings);
+  const PlayedGraph played = playGraph(kept, options.graph, ranges, options.how);
+  writePlayed(options.out, played.motion.clip, played.roles);
+  report(options, kept.graph, played.motion, meetings);
   return kExitDone;
 }
 
 void addPlaying(CLI::App& command, PlayOptions& options) {
-  command.add_option("--blend", options.blend, "Time over which two clips are mixed at a join")
+  command.add_option("--blend", options.how.blend, "Time over which two clips are mixed at a join")
       ->check(number(0, 10, "s"))
       ->capture_default_str();
-  command.add_option("--fps", options.fps, "Frames a second; default: the graph's")
+  command.add_option("--fps", options.how.fps, "Frames a second; default: the graph's")
       ->check(number(1, 1000, "1/s"));
-  command.add_flag("--footlock", options.foot_lock,
+  command.add_flag("--footlock", options.how.foot_lock,
                    "Hold planted feet where they stand, what slips at joins too");
 }
 

@@ -13,6 +13,7 @@ void bindWalk(pybind11::module_& module);
 void bindPlan(pybind11::module_& module);
 void bindPlanner(pybind11::module_& module);
 void bindClips(pybind11::module_& module);
+void bindGraph(pybind11::module_& module);
 void bindAnimate(pybind11::module_& module);
 
 }  // namespace amble

@@ -3,14 +3,31 @@
 
     /usr/bin/python3 examples/python/dataset.py FOLDER
 
-The files are those of `amble plan --formats npz`, of a batch, or of many_walks.py. `WalkWindows` has what PyTorch asks of a
-data set, so that `torch.utils.data.DataLoader(WalkWindows(folder))` takes it; `batches()` does without.
+The files are those of `amble plan --formats npz`, of many_walks.py, or of a batch: its packs, which hold fifty walks each
+(`amble batch --pack`), where it has them. `WalkWindows` has what PyTorch asks of a data set, so that
+`torch.utils.data.DataLoader(WalkWindows(folder))` takes it; `batches()` does without.
 """
 
 import pathlib
 import sys
 
 import numpy as np
+
+ARRAYS = ("positions", "quaternions", "planted", "phases", "path_headings", "path_positions")
+
+
+def walks_in(folder):
+    """A file and what the names of its arrays begin with, for each walk: "" where the file is of one."""
+    folder = pathlib.Path(folder)
+    files = sorted((folder / "packs").glob("*.npz"))
+    if not files:  # a walk's labels hold its arrays too
+        files = [file for file in sorted(folder.rglob("*.npz"))
+                 if file.name != "labels.npz" or not (file.parent / "walk.npz").exists()]
+    for file in files:
+        with np.load(file) as arrays:
+            for name in sorted(arrays.files):
+                if name == "phases" or name.endswith("/phases") and name.count("/") == 1:
+                    yield file, name[:-len("phases")], len(arrays[name])
 
 
 class WalkWindows:
@@ -19,12 +36,9 @@ class WalkWindows:
 
     def __init__(self, folder, frames=60, step=30):
         self.frames = frames
-        self.files = sorted(pathlib.Path(folder).rglob("*.npz"))
-        self.windows = []
-        for index, file in enumerate(self.files):
-            with np.load(file) as walk:
-                length = len(walk["phases"])
-            self.windows += [(index, first) for first in range(0, length - frames + 1, step)]
+        self.walks = list(walks_in(folder))
+        self.windows = [(index, first) for index, (_, _, length) in enumerate(self.walks)
+                        for first in range(0, length - frames + 1, step)]
         self._open = (-1, None)
 
     def __len__(self):
@@ -32,8 +46,8 @@ class WalkWindows:
 
     def __getitem__(self, index):
         """positions (frames, joints, 3) [m], quaternions (frames, joints, 4), planted (frames, 2), phases (frames,)."""
-        file, first = self.windows[index]
-        walk = self._walk(file)
+        number, first = self.windows[index]
+        walk = self._walk(number)
         frames = slice(first, first + self.frames)
         heading, origin = walk["path_headings"][first], walk["path_positions"][first]
         turn = np.array([[np.cos(heading), np.sin(heading), 0], [-np.sin(heading), np.cos(heading), 0], [0, 0, 1]])
@@ -45,12 +59,12 @@ class WalkWindows:
                 "quaternions": quaternions.astype(np.float32),
                 "planted": walk["planted"][frames], "phases": walk["phases"][frames].astype(np.float32)}
 
-    def _walk(self, file):
-        """The arrays of a file; those of the last one are kept, since its windows are often asked for one after another."""
-        if self._open[0] != file:
-            with np.load(self.files[file]) as walk:
-                self._open = (file, {name: walk[name] for name in ("positions", "quaternions", "planted", "phases",
-                                                                    "path_headings", "path_positions")})
+    def _walk(self, number):
+        """Its arrays; those of the last one are kept, since its windows are often asked for one after another."""
+        if self._open[0] != number:
+            file, prefix, _ = self.walks[number]
+            with np.load(file) as arrays:
+                self._open = (number, {name: arrays[prefix + name] for name in ARRAYS})
         return self._open[1]
 
 
@@ -76,7 +90,7 @@ def main(folder):
     for batch in batches(dataset, size=4):
         count += len(batch["phases"])
         planted += batch["planted"].mean() * len(batch["phases"])
-    print(f"{len(dataset)} windows of {len(dataset.files)} walks; {count} in batches; a foot is planted for "
+    print(f"{len(dataset)} windows of {len(dataset.walks)} walks; {count} in batches; a foot is planted for "
           f"{planted / max(1, count):.0%} of the time")
 
 

@@ -17,6 +17,7 @@ from ._amble import data_directory, version as __version__
 from ._animate import Animation, Engine, EngineWalk, Library, animate
 from ._clips import Analysis, Clip, Validation, analyse, edit, graft, read_clip, validate
 from ._errors import Error, InputError, NoWalkError
+from ._graph import Graph
 from ._motion import Motion, Steps
 from ._plan import plan, plan_queries, planners
 from ._planner import Planner
@@ -29,6 +30,6 @@ _data = _os.path.join(_os.path.dirname(_os.path.abspath(__file__)), "data")
 if _os.path.isdir(_data):  # where pip has put it
     _amble.use_data_directory(_data)
 
-__all__ = ["Analysis", "Animation", "Clip", "Engine", "EngineWalk", "Error", "FORMATS", "InputError", "Library",
-           "Motion", "NoWalkError", "Planner", "Steps", "Validation", "Walk", "analyse", "animate", "data_directory",
+__all__ = ["Analysis", "Animation", "Clip", "Engine", "EngineWalk", "Error", "FORMATS", "Graph", "InputError",
+           "Library", "Motion", "NoWalkError", "Planner", "Steps", "Validation", "Walk", "analyse", "animate", "data_directory",
            "edit", "graft", "plan", "plan_queries", "planners", "read_clip", "validate"]

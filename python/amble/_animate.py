@@ -155,6 +155,6 @@ class Engine:
         ends = _check.ramp("speed", speed, 0, 12, "m/s")
         assert ends is not None
         clip, speeds, phases, planted = self._made.walk(
-            *ends, _check.number("duration", duration, 1, 600, "s"),
-            0.0 if height is None else _check.number("height", height, 0.5, 2.5, "m"), _check.fps(fps))
+            *ends, _check.number("duration", duration, 1, 600, "s"), _check.fps(fps),
+            0.0 if height is None else _check.number("height", height, 0.5, 2.5, "m"))
         return EngineWalk(Clip(clip), speeds, phases, planted)

@@ -92,6 +92,20 @@ class Docs(unittest.TestCase):
         np.testing.assert_allclose(item["positions"][:, 0] + matrix @ walk.offsets[child],
                                    item["positions"][:, child], atol=1e-5)
 
+    def test_walks_of_a_pack_are_those_of_their_files(self):
+        walk = amble.plan("kerb", fps=30)
+        for folder in ("files", "packed/packs"):
+            (self.here / folder).mkdir(parents=True)
+        walk.write(self.here / "files/a.npz")
+        with np.load(self.here / "files/a.npz") as arrays:
+            np.savez(self.here / "packed/packs/00000.npz", **{f"{key}/{name}": arrays[name] for key in ("a", "b")
+                                                              for name in arrays.files})
+        windows = example("dataset").WalkWindows
+        alone, packed = windows("files", 30, 30), windows("packed", 30, 30)
+        self.assertEqual(len(packed), 2 * len(alone))
+        for name, array in alone[1].items():
+            np.testing.assert_array_equal(packed[1][name], array)
+
     def test_captures_are_made_to_step_longer(self):
         said = self.said_by(example("captures").main)
         lengths = [float(text) for text in re.findall(r"steps of ([0-9.]+) m", said)]
