@@ -60,51 +60,16 @@ class Docs(unittest.TestCase):
         self.assertRegex(said, r"[0-9.]+ m in [0-9.]+ s, \d+ steps")
         self.assertTrue((self.here / "walk/walk.html").exists())
 
-    def test_many_walks_are_a_set_that_the_dataset_goes_through(self):
+    def test_many_walks_are_files_and_a_table(self):
         said = self.said_by(example("many_walks").main, "set", 3)
         table = (self.here / "set/walks.csv").read_text().splitlines()
-        solved = len(list((self.here / "set").glob("*.npz")))
+        files = sorted((self.here / "set").glob("*.npz"))
         self.assertEqual(len(table), 4)
-        self.assertIn(f"{solved} of 3 walks", said)
-        self.assertGreater(solved, 0)
-        dataset = example("dataset")
-        windows = dataset.WalkWindows("set", frames=40, step=20)
-        batches = list(dataset.batches(windows, 2))
-        self.assertEqual(len(batches), len(windows) // 2)
-        self.assertEqual(batches[0]["positions"].shape, (2, 40, 22, 3))
-        self.assertIn(f"of {solved} walks", self.said_by(dataset.main, "set"))
-
-    def test_windows_begin_where_the_walker_stands_and_face_ahead(self):
-        """The root's turn is the joints': forward kinematics from it gives the window's positions."""
-        walk = amble.plan("kerb", fps=30)
-        (self.here / "set").mkdir()
-        walk.write(self.here / "set" / "kerb.npz")
-        item = example("dataset").WalkWindows("set", frames=30, step=45)[1]
-        np.testing.assert_allclose(np.linalg.norm(item["quaternions"], axis=-1), 1, atol=1e-6)
-        self.assertLess(np.abs(item["positions"][0, 0, :2]).max(), 0.15)
-        along = item["positions"][-1, 0] - item["positions"][0, 0]
-        self.assertGreater(along[0], abs(along[1]))
-        w, x, y, z = np.moveaxis(item["quaternions"][:, 0], -1, 0)
-        matrix = np.stack([1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
-                           1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
-                           1 - 2 * (x * x + y * y)], axis=-1).reshape(-1, 3, 3)
-        child = list(walk.parents).index(0)
-        np.testing.assert_allclose(item["positions"][:, 0] + matrix @ walk.offsets[child],
-                                   item["positions"][:, child], atol=1e-5)
-
-    def test_walks_of_a_pack_are_those_of_their_files(self):
-        walk = amble.plan("kerb", fps=30)
-        for folder in ("files", "packed/packs"):
-            (self.here / folder).mkdir(parents=True)
-        walk.write(self.here / "files/a.npz")
-        with np.load(self.here / "files/a.npz") as arrays:
-            np.savez(self.here / "packed/packs/00000.npz", **{f"{key}/{name}": arrays[name] for key in ("a", "b")
-                                                              for name in arrays.files})
-        windows = example("dataset").WalkWindows
-        alone, packed = windows("files", 30, 30), windows("packed", 30, 30)
-        self.assertEqual(len(packed), 2 * len(alone))
-        for name, array in alone[1].items():
-            np.testing.assert_array_equal(packed[1][name], array)
+        self.assertEqual(sum(",solved," in line for line in table), len(files))
+        self.assertIn(f"{len(files)} of 3 walks", said)
+        self.assertGreater(len(files), 0)
+        with np.load(files[0]) as walk:
+            self.assertEqual(walk["positions"].shape[1:], (22, 3))
 
     def test_captures_are_made_to_step_longer(self):
         said = self.said_by(example("captures").main)
