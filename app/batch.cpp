@@ -7,9 +7,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/batch_check.h"
 #include "app/batch_job_options.h"
 #include "app/batch_merge.h"
 #include "app/batch_stats.h"
+#include "app/batch_status.h"
 #include "app/command.h"
 #include "app/output_folder.h"
 #include "app/progress.h"
@@ -65,11 +67,11 @@ void addFormats(const BatchJob& job, const RunResult& result, std::vector<Result
 }
 
 Json summaryJson(const BatchSummary& made) {
-  return {{"walks", made.total},       {"kept", made.kept},
-          {"made", made.made},         {"made_by_status", made.made_by_status},
-          {"stopped", made.stopped},   {"seconds", made.seconds},
-          {"planning", made.planning}, {"loading", made.loading},
-          {"writing", made.writing}};
+  return {{"walks", made.total},         {"kept", made.kept},
+          {"made", made.made},           {"made_by_status", made.made_by_status},
+          {"stopped", made.stopped},     {"seconds", made.seconds},
+          {"planning", made.planning},   {"loading", made.loading},
+          {"labelling", made.labelling}, {"writing", made.writing}};
 }
 
 void printSummary(const BatchSummary& made, const std::string& folder) {
@@ -78,9 +80,10 @@ void printSummary(const BatchSummary& made, const std::string& folder) {
     say(stdout, "  {:<14} {}\n", status, count);
   if (made.made > 0) {
     say(stdout,
-        "  time           {:.1f} s, {:.2f} walks a second; planning {:.1f}, loading {:.1f}, "
-        "writing {:.1f}\n",
-        made.seconds, made.made / made.seconds, made.planning, made.loading, made.writing);
+        "  time           {:.1f} s, {:.2f} walks a second; of all threads: planning {:.1f}, "
+        "loading {:.1f}, labelling {:.1f}, writing {:.1f}\n",
+        made.seconds, made.made / made.seconds, made.planning, made.loading, made.labelling,
+        made.writing);
   }
   say(stdout, "  written to     {}\n", folder);
 }
@@ -126,6 +129,7 @@ void addBatch(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_option("--threads", options->threads, "Walks planned at a time; changes no result")
       ->check(wholeNumber(1, 64));
+  addPackOption(*command, options->job);
   command->add_flag("--json", options->json, "Print results for machines");
   addExamples(*command, {"amble batch examples/batch/rooms.yaml -o rooms",
                          "amble batch examples/batch/rooms.yaml -o rooms --shard 2/7",
@@ -133,6 +137,8 @@ void addBatch(CLI::App& app, Command& chosen) {
   addExitStatus(*command, "all walks of the job or the shard are there, or why they are not");
   addBatchMerge(*command, chosen);
   addBatchStats(*command, chosen);
+  addBatchStatus(*command, chosen);
+  addBatchCheck(*command, chosen);
   command->callback([command, job, options, &chosen] {
     if (!command->get_subcommands().empty()) return;
     options->job.require(*job);

@@ -8,6 +8,7 @@ namespace amble {
 BatchOptions BatchJobOptions::how() const {
   BatchOptions options;
   options.memory = memory;
+  options.pack = pack;
   options.stop = &stopFlag();
   return options;
 }
@@ -15,6 +16,11 @@ BatchOptions BatchJobOptions::how() const {
 void BatchJobOptions::require(const CLI::Option& job_option) const {
   if (job_option.count() == 0) throw CLI::RequiredError("JOB");
   if (out.empty()) throw CLI::RequiredError("--output");
+}
+
+void addPackOption(CLI::App& command, BatchJobOptions& options) {
+  command.add_flag("--pack", options.pack,
+                   "Write the walks to packs/*.npz too, 50 each, when all are there");
 }
 
 CLI::Option* addJobOptions(CLI::App& command, BatchJobOptions& options) {

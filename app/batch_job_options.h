@@ -10,6 +10,7 @@ namespace amble {
 
 struct BatchJobOptions {
   std::string job, out;
+  bool pack = false;
   size_t memory = GuardLimits{}.memory;  // [bytes]
 
   /// With memory and the flag of Ctrl-C.
@@ -17,6 +18,9 @@ struct BatchJobOptions {
   /// @throws CLI::RequiredError where the job or the folder is missing
   void require(const CLI::Option& job_option) const;
 };
+
+/// --pack, of commands that merge.
+void addPackOption(CLI::App& command, BatchJobOptions& options);
 
 /// JOB, --output and --memory. @return that of the job
 CLI::Option* addJobOptions(CLI::App& command, BatchJobOptions& options);

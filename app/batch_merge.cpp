@@ -48,6 +48,7 @@ void addBatchMerge(CLI::App& batch, Command& chosen) {
   CLI::App* command = batch.add_subcommand(
       "merge", "Write the table of all walks of a job, and take away what is of no walk of it");
   CLI::Option* job = addJobOptions(*command, options->job);
+  addPackOption(*command, options->job);
   command->add_flag("--json", options->json, "Print results for machines");
   addExitStatus(*command, "all walks are there", "some are missing");
   command->callback([job, options, &chosen] {

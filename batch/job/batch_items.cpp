@@ -229,7 +229,8 @@ std::string describeItem(const BatchJob& job, const BatchItem& item, const std::
   }
   if (const int drawn = drawnWay(job, item); drawn >= 0) {
     add("drawn", std::to_string(job.seed) + " " + std::to_string(drawn) + " " +
-                     numberText(job.draw.least) + " " + numberText(job.draw.most));
+                     numberText(job.draw.least) + " " + numberText(job.draw.most) + " " +
+                     numberText(job.tallest()));
   } else {
     add("way", wayName(job, item));
     add("start", placeText(scenario.start));

@@ -228,9 +228,11 @@ void readSettings(const YamlNode& root, BatchJob& job) {
 }
 
 void readFormats(const YamlNode& node, const std::vector<std::string>& known, BatchJob& job) {
+  std::vector<std::string> names = known;
+  names.emplace_back("labels");
   std::vector<std::string> formats;
   for (const YamlNode& item : node.items())
-    formats.push_back(known[static_cast<size_t>(item.indexIn(known))]);
+    formats.push_back(names[static_cast<size_t>(item.indexIn(names))]);
   requireSome(node, formats.size());
   std::sort(formats.begin(), formats.end());
   formats.erase(std::unique(formats.begin(), formats.end()), formats.end());
@@ -246,6 +248,11 @@ void requireWays(const YamlNode& scenes, const BatchJob& job) {
 }
 
 }  // namespace
+
+double BatchJob::tallest() const {
+  if (heights.range) return heights.range->second;
+  return *std::max_element(heights.values.begin(), heights.values.end());
+}
 
 BatchJob readBatchJob(const fs::path& file, const std::vector<std::string>& formats) {
   const YamlNode root = readYaml(file, kJobKind);

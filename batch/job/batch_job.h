@@ -44,8 +44,8 @@ struct BatchDraw {
 };
 
 enum class BatchRoadmap {
-  kShared,  ///< one of each walker in each scene, which its walks ask first
-  kEach     ///< every walk is planned from nothing, as `amble plan` does it
+  kEach,   ///< every walk is planned from nothing, as `amble plan` does it
+  kShared  ///< one of each walker in each scene, which its walks ask first: for many ways of few
 };
 
 struct BatchJob {
@@ -65,15 +65,17 @@ struct BatchJob {
   GroundLimits limits;
   WalkSpec walk;  ///< comfort and how walks begin and end; the rest is along the axes
   PlannerSpec planner;
-  BatchRoadmap roadmap = BatchRoadmap::kShared;
+  BatchRoadmap roadmap = BatchRoadmap::kEach;
   double fps = 60.0;  ///< [1/s, 24 to 240]
-  std::vector<std::string> formats = {"bvh", "json"};
+  std::vector<std::string> formats = {"bvh", "json", "labels"};
 
-  /// Where values stood, by the path that a scenario has for them.
-  std::map<std::string, int> lines;
+  std::map<std::string, int> lines;  ///< where axes stood, by their keys
+
+  /// Of the heights, for whom ways are drawn [m]; 0 where none is said.
+  double tallest() const;
 };
 
-/// @param formats  that may be asked for, by name
+/// @param formats  that may be asked for beside "labels", by name
 /// @throws InputError with file and line
 BatchJob readBatchJob(const std::filesystem::path& file, const std::vector<std::string>& formats);
 

@@ -88,7 +88,8 @@ std::string rowJson(const WalkRow& row) {
                      {"steps", row.steps},
                      {"clearance", rounded(row.clearance)},
                      {"foot_skate", rounded(row.foot_skate)},
-                     {"caption", row.caption}};
+                     {"caption", row.caption},
+                     {"credits", row.credits}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -118,6 +119,7 @@ WalkRow readRow(const std::string& text, const std::string& file, int line) {
     row.clearance = json.at("clearance");
     row.foot_skate = json.at("foot_skate");
     row.caption = json.at("caption");
+    row.credits = json.at("credits").get<std::vector<std::string>>();
     return row;
   } catch (const Json::exception&) {
     throw InputError(file, line, "is no row of a batch", "what amble batch has written");

@@ -33,6 +33,7 @@ struct WalkRow {
   int frames = 0, steps = 0;
   double clearance = 0.0, foot_skate = 0.0;  ///< the least and the most [m]
   std::string caption;
+  std::vector<std::string> credits;  ///< "LICENCE: CREDIT" of all captures that it is made of
 };
 
 /// The figures of a run.

@@ -72,48 +72,69 @@ std::shared_ptr<const BatchSceneData> readBatchScene(const BatchJob& job, int sc
   return data;
 }
 
-std::shared_ptr<const BatchLibraryData> readBatchLibrary(const BatchJob& job, int library) {
-  auto data = std::make_shared<BatchLibraryData>();
+std::shared_ptr<const BatchDrawer> makeBatchDrawer(const BatchJob& job, int scene,
+                                                   const BatchSceneData& data,
+                                                   const LoadLimits& limits) {
+  auto made = std::make_shared<BatchDrawer>();
+  BatchItem any;
+  any.scene = scene;
+  Scenario scenario = scenarioOf(job, any);
+  scenario.has_ends = false;
+  scenario.character.library = "default";
+  scenario.character.height = job.tallest();
+  scenario.walk.style.clear();
+  scenario.walk.actions.clear();
   try {
-    const MotionLibrary read =
-        readMotionLibrary(motionLibraryFile(job.libraries[static_cast<size_t>(library)]));
-    data->inputs = digestsOf(job, {read.file, read.file.parent_path() / read.skeleton_file});
+    const ProblemInputs inputs{
+        data.scene, std::make_shared<const MotionLibrary>(loadLibrary(scenario)), {}};
+    made->problem = std::make_unique<const Problem>(scenario, 1.0 / job.fps, inputs, limits);
+    made->drawer = std::make_unique<const WayDrawer>(*made->problem);
+  } catch (const InputError& error) {
+    made->wrong = relativeText(job, error.what());
+  }
+  return made;
+}
+
+std::shared_ptr<const BatchLibraryData> readBatchLibrary(const BatchJob& job,
+                                                         const BatchItem& item) {
+  auto data = std::make_shared<BatchLibraryData>();
+  const Scenario scenario = scenarioOf(job, item);
+  try {
+    const MotionLibrary all = readMotionLibrary(motionLibraryFile(scenario.character.library));
+    data->inputs = digestsOf(job, {all.file, all.file.parent_path() / all.skeleton_file});
     data->digest = digestOfInputs(data->inputs);
+    data->library = std::make_shared<const MotionLibrary>(loadLibrary(scenario));
   } catch (const InputError& error) {
     data->wrong = relativeText(job, error.what());
-    data->digest = "wrong: " + data->wrong;
+    if (data->digest.empty()) data->digest = "wrong: " + data->wrong;
   }
   return data;
 }
 
 std::shared_ptr<const BatchWalker> makeBatchWalker(const BatchJob& job, const BatchItem& item,
                                                    const BatchSceneData& scene,
+                                                   const BatchLibraryData& library,
                                                    const LoadLimits& limits) {
   auto walker = std::make_shared<BatchWalker>();
   Scenario scenario = scenarioOf(job, item);
   scenario.has_ends = false;
   try {
-    ProblemInputs inputs;
-    inputs.library = std::make_shared<const MotionLibrary>(loadLibrary(scenario));
-    inputs.scene = scene.scene;
-    walker->problem =
-        std::make_unique<const Problem>(scenario, 1.0 / job.fps, std::move(inputs), limits);
-    const Stopwatch watch;
-    if (job.draw.count > 0) walker->drawer = std::make_unique<const WayDrawer>(*walker->problem);
-    if (job.roadmap == BatchRoadmap::kEach) return walker;
-    PlanRequest request = walker->problem->request();
-    request.limits.stop = limits.stop.flag;
-    const int failures = request.limits.max_failures;
-    request.limits.seed = job.seed;
-    request.limits.max_failures = Planner::kFailures;
-    KeptRoadmap roadmap = Planner::grow(request);
-    limits.stop.check();
-    request.limits.max_failures = failures;
-    walker->planner.emplace(request, std::move(roadmap));
-    walker->seconds = watch.seconds();
+    walker->problem = std::make_unique<const Problem>(
+        scenario, 1.0 / job.fps, ProblemInputs{scene.scene, library.library, {}}, limits);
   } catch (const InputError& error) {
     walker->wrong = relativeText(job, error.what());
+    return walker;
   }
+  if (job.roadmap == BatchRoadmap::kEach) return walker;
+  const Stopwatch watch;
+  PlanRequest request = walker->problem->request();
+  request.limits.stop = limits.stop.flag;
+  request.limits.seed = job.seed;
+  request.limits.max_failures = Planner::kFailures;
+  KeptRoadmap roadmap = Planner::grow(request);
+  limits.stop.check();
+  walker->planner.emplace(walker->problem->request(), std::move(roadmap));
+  walker->seconds = watch.seconds();
   return walker;
 }
 

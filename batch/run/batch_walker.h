@@ -36,25 +36,39 @@ struct BatchSceneData {
 std::shared_ptr<const BatchSceneData> readBatchScene(const BatchJob& job, int scene,
                                                      const LoadLimits& limits);
 
-/// The same of a library's files. A style is chosen later.
+/// Who draws the ways of a scene: one person for all walkers, so that a way is the same to each of
+/// them. Of the default library, as tall as the tallest of the job.
+struct BatchDrawer {
+  std::unique_ptr<const Problem> problem;
+  std::unique_ptr<const WayDrawer> drawer;
+  std::string wrong;
+};
+/// @throws Stopped
+std::shared_ptr<const BatchDrawer> makeBatchDrawer(const BatchJob& job, int scene,
+                                                   const BatchSceneData& data,
+                                                   const LoadLimits& limits);
+
+/// A library in an item's style, with its actions.
 struct BatchLibraryData {
+  std::shared_ptr<const MotionLibrary> library;  ///< null where it cannot be walked with
   InputDigests inputs;
   std::string digest;
   std::string wrong;
 };
-std::shared_ptr<const BatchLibraryData> readBatchLibrary(const BatchJob& job, int library);
+std::shared_ptr<const BatchLibraryData> readBatchLibrary(const BatchJob& job,
+                                                         const BatchItem& item);
 
 /// Somebody who can be asked to walk, or why nobody can.
 struct BatchWalker {
-  std::unique_ptr<const Problem> problem;   ///< of the scene alone
-  std::unique_ptr<const WayDrawer> drawer;  ///< where ways are drawn
-  std::optional<Planner> planner;           ///< where a roadmap is shared
+  std::unique_ptr<const Problem> problem;  ///< of the scene alone
+  std::optional<Planner> planner;          ///< where a roadmap is shared
   std::string wrong;
   double seconds = 0.0;  ///< that the roadmap took
 };
-/// @throws Stopped
+/// @pre scene and library are there @throws Stopped
 std::shared_ptr<const BatchWalker> makeBatchWalker(const BatchJob& job, const BatchItem& item,
                                                    const BatchSceneData& scene,
+                                                   const BatchLibraryData& library,
                                                    const LoadLimits& limits);
 
 }  // namespace amble

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 
 namespace amble {
 namespace {
@@ -32,7 +33,7 @@ bool chooseEnds(const WalkOrder& order, Scenario& scenario) {
   if (drawn < 0) return true;
   const BatchDraw& draw = order.job.draw;
   SampleStream stream(order.job.seed, static_cast<std::uint64_t>(drawn));
-  const auto ends = order.walker->drawer->draw(stream, draw.least, draw.most);
+  const auto ends = order.drawer->drawer->draw(stream, draw.least, draw.most);
   if (!ends) return false;
   scenario.start = ends->start;
   scenario.goal = ends->goal;
@@ -59,7 +60,17 @@ namespace {
 std::string whatIsWrong(const WalkOrder& order) {
   if (!order.scene.wrong.empty()) return order.scene.wrong;
   if (!order.library.wrong.empty()) return order.library.wrong;
+  if (order.drawer && !order.drawer->wrong.empty()) return order.drawer->wrong;
   return order.walker->wrong;
+}
+
+void label(const BatchJob& job, MadeWalk& made) {
+  const Stopwatch watch;
+  made.labels = labelWalk(*made.run, wants(job, "labels"));
+  made.row.caption = made.labels->caption;
+  const std::set<std::string> credits = creditsOf(made.labels->motions);
+  made.row.credits.assign(credits.begin(), credits.end());
+  made.labelling = watch.seconds();
 }
 
 }  // namespace
@@ -86,6 +97,7 @@ MadeWalk makeWalk(const WalkOrder& order) {
   if (made.run->report.stopped_by == "interrupt") throw Stopped(false);
   made.planning = made.run->report.times.planning();
   fillRow(*made.run, made.row);
+  if (made.run->report.status == PlanStatus::kSolved) label(order.job, made);
   return made;
 }
 
@@ -99,6 +111,12 @@ void writeWalk(const BatchJob& job, MadeWalk& made, const std::filesystem::path&
     if (wants(job, "json"))
       files.push_back(
           {folder / "report.json", [&](std::ostream& out) { writeJson(out, report, false); }});
+  }
+  if (made.labels && wants(job, "labels")) {
+    files.push_back({folder / "labels.json",
+                     [&](std::ostream& out) { writeLabelsJson(out, *made.run, *made.labels); }});
+    files.push_back({folder / "labels.npz",
+                     [&](std::ostream& out) { writeLabelsNpz(out, *made.run, *made.labels); }});
   }
   files.push_back(
       {folder / "row.json", [&](std::ostream& out) { out << rowJson(made.row) << '\n'; }});

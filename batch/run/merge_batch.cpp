@@ -4,22 +4,27 @@
 #include <set>
 
 #include "base/files.h"
-#include "batch/labels/walk_row.h"
-#include "batch/run/batch_folder.h"
 #include "batch/run/batch_walker.h"
+#include "batch/run/pack_batch.h"
 
 namespace amble {
 namespace {
 
 constexpr FileKind kRowKind = {"a row of a batch", size_t{1} << 20};
 
+void writeCredits(std::ostream& out, const std::set<std::string>& credits) {
+  out << "# Whose motions these walks are made of\n\n";
+  for (const std::string& credit : credits) out << "- " << credit << '\n';
+}
+
 }  // namespace
 
 std::vector<std::string> keysOfItems(const BatchJob& job, const std::vector<BatchItem>& items,
                                      const LoadLimits& limits) {
   std::vector<std::string> libraries;
-  for (int i = 0; i < static_cast<int>(job.libraries.size()); ++i)
-    libraries.push_back(readBatchLibrary(job, i)->digest);
+  BatchItem any;
+  for (; any.library < static_cast<int>(job.libraries.size()); ++any.library)
+    libraries.push_back(readBatchLibrary(job, any)->digest);
   std::vector<std::string> keys;
   int scene = -1;
   std::string digest;
@@ -32,6 +37,38 @@ std::vector<std::string> keysOfItems(const BatchJob& job, const std::vector<Batc
   return keys;
 }
 
+WalkRow readRowOf(const BatchFolder& batch, const std::string& key) {
+  const auto file = batch.folderOf(key) / "row.json";
+  return readRow(readWholeFile(file, kRowKind), file.string());
+}
+
+namespace {
+
+// A row at a time is in memory.
+void writeTables(const BatchFolder& batch, const std::vector<std::string>& keys,
+                 std::map<std::string, int>& by_status) {
+  std::set<std::string> credits;
+  const auto csv = [&](std::ostream& out) {
+    out << "item," << rowCsvHead() << "\r\n";
+    for (size_t i = 0; i < keys.size(); ++i)
+      out << i << ',' << rowCsv(readRowOf(batch, keys[i])) << "\r\n";
+  };
+  const auto lines = [&](std::ostream& out) {
+    for (const std::string& key : keys) {
+      const WalkRow row = readRowOf(batch, key);
+      ++by_status[row.status];
+      credits.insert(row.credits.begin(), row.credits.end());
+      out << rowJson(row) << '\n';
+    }
+  };
+  const auto whose = [&](std::ostream& out) { writeCredits(out, credits); };
+  writeFiles({{batch.root() / "index.csv", csv},
+              {batch.root() / "index.jsonl", lines},
+              {batch.root() / "CREDITS.md", whose}});
+}
+
+}  // namespace
+
 MergeSummary mergeBatch(const BatchJob& job, const std::filesystem::path& folder,
                         const BatchOptions& options) {
   const BatchFolder batch(folder);
@@ -42,24 +79,8 @@ MergeSummary mergeBatch(const BatchJob& job, const std::filesystem::path& folder
   summary.total = static_cast<int>(items.size());
   for (const std::string& key : keys) summary.missing += batch.has(key) ? 0 : 1;
   if (summary.missing > 0) return summary;
-  const auto read = [&](const std::string& key) {
-    const auto file = batch.folderOf(key) / "row.json";
-    return readRow(readWholeFile(file, kRowKind), file.string());
-  };
-  const std::vector<ResultFile> files = {{folder / "index.csv",
-                                          [&](std::ostream& out) {
-                                            out << "item," << rowCsvHead() << "\r\n";
-                                            for (size_t i = 0; i < keys.size(); ++i)
-                                              out << i << ',' << rowCsv(read(keys[i])) << "\r\n";
-                                          }},
-                                         {folder / "index.jsonl", [&](std::ostream& out) {
-                                            for (const std::string& key : keys) {
-                                              const WalkRow row = read(key);
-                                              ++summary.by_status[row.status];
-                                              out << rowJson(row) << '\n';
-                                            }
-                                          }}};
-  writeFiles(files);
+  writeTables(batch, keys, summary.by_status);
+  if (options.pack) packBatch(batch, keys);
   const std::set<std::string> wanted(keys.begin(), keys.end());
   summary.swept = batch.sweep([&](const std::string& key) { return wanted.count(key) > 0; });
   return summary;

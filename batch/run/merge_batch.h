@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 
+#include "batch/labels/walk_row.h"
+#include "batch/run/batch_folder.h"
 #include "batch/run/run_batch.h"
 
 namespace amble {
@@ -15,11 +17,15 @@ struct MergeSummary {
   std::map<std::string, int> by_status;
 };
 
-/// Writes index.csv and index.jsonl, a row a walk in the job's order, and takes away walks that are
-/// not the job's. Where some are missing nothing is written and nothing taken away.
+/// Writes index.csv and index.jsonl, a row a walk in the job's order, CREDITS.md and, where it is
+/// asked for, packs (pack_batch.h); takes away walks that are not the job's. Where some are missing
+/// nothing is written and nothing taken away.
 /// @throws InputError; Stopped
 MergeSummary mergeBatch(const BatchJob& job, const std::filesystem::path& folder,
                         const BatchOptions& options);
+
+/// Of a walk that is there. @throws InputError
+WalkRow readRowOf(const BatchFolder& batch, const std::string& key);
 
 /// The key of every item, in the job's order: what a run would make of the inputs as they are now.
 /// @throws Stopped

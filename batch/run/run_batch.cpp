@@ -40,8 +40,11 @@ class BatchRun {
         walker_of_(walkersOf(items_)),
         scenes_(usesOf(items_, static_cast<int>(job.scenes.size()),
                        [](const BatchItem& item) { return item.scene; })),
-        libraries_(usesOf(items_, static_cast<int>(job.libraries.size()),
-                          [](const BatchItem& item) { return item.library; })),
+        drawers_(usesOf(items_, static_cast<int>(job.scenes.size()),
+                        [](const BatchItem& item) { return item.scene; })),
+        libraries_(usesOf(
+            items_, static_cast<int>(job.libraries.size() * job.styles.size() * job.actions.size()),
+            [&](const BatchItem& item) { return libraryOf(item); })),
         walkers_(usesOf(items_, items_.empty() ? 0 : walker_of_.back() + 1, [&](const auto& item) {
           return walker_of_[static_cast<size_t>(&item - items_.data())];
         })) {
@@ -74,20 +77,29 @@ class BatchRun {
     return result;
   }
 
+  // Of the library in the item's style, with its actions.
+  int libraryOf(const BatchItem& item) const {
+    return (item.library * static_cast<int>(job_.styles.size()) + item.style) *
+               static_cast<int>(job_.actions.size()) +
+           item.actions;
+  }
+
   void doItem(int i) {
     limits_.stop.check();
     const BatchItem& item = items_[static_cast<size_t>(i)];
     const auto scene = scenes_.get(item.scene, [&] {
       return timed(summary_.loading, [&] { return readBatchScene(job_, item.scene, limits_); });
     });
-    const auto library =
-        libraries_.get(item.library, [&] { return readBatchLibrary(job_, item.library); });
+    const auto library = libraries_.get(libraryOf(item), [&] {
+      return timed(summary_.loading, [&] { return readBatchLibrary(job_, item); });
+    });
     const std::string key = itemKey(describeItem(job_, item, scene->digest, library->digest));
     const bool kept = folder_.has(key);
     if (!kept) make(i, key, *scene, *library);
     walkers_.used(walker_of_[static_cast<size_t>(i)]);
     scenes_.used(item.scene);
-    libraries_.used(item.library);
+    drawers_.used(item.scene);
+    libraries_.used(libraryOf(item));
     count(kept);
   }
 
@@ -95,17 +107,20 @@ class BatchRun {
             const BatchLibraryData& library) {
     const BatchItem& item = items_[static_cast<size_t>(i)];
     std::shared_ptr<const BatchWalker> walker;
+    std::shared_ptr<const BatchDrawer> drawer;
     if (scene.wrong.empty() && library.wrong.empty()) {
-      walker = walkers_.get(walker_of_[static_cast<size_t>(i)], [&] {
-        const Stopwatch watch;
-        auto made = makeBatchWalker(job_, item, scene, limits_);
-        add(summary_.loading, watch.seconds() - made->seconds);
-        add(summary_.planning, made->seconds);
-        return made;
-      });
+      if (drawnWay(job_, item) >= 0)
+        drawer = drawers_.get(item.scene, [&] {
+          return timed(summary_.loading,
+                       [&] { return makeBatchDrawer(job_, item.scene, scene, limits_); });
+        });
+      walker = walkers_.get(walker_of_[static_cast<size_t>(i)],
+                            [&] { return makeWalker(item, scene, library); });
     }
-    MadeWalk made = makeWalk({job_, item, key, scene, library, walker.get(), options_.stop});
+    MadeWalk made =
+        makeWalk({job_, item, key, scene, library, drawer.get(), walker.get(), options_.stop});
     add(summary_.planning, made.planning);
+    add(summary_.labelling, made.labelling);
     timed(summary_.writing, [&] {
       folder_.make(key, [&](const std::filesystem::path& folder) {
         writeWalk(job_, made, folder, options_);
@@ -114,6 +129,15 @@ class BatchRun {
     });
     const std::lock_guard lock(mutex_);
     ++summary_.made_by_status[made.row.status];
+  }
+
+  std::shared_ptr<const BatchWalker> makeWalker(const BatchItem& item, const BatchSceneData& scene,
+                                                const BatchLibraryData& library) {
+    const Stopwatch watch;
+    auto made = makeBatchWalker(job_, item, scene, library, limits_);
+    add(summary_.loading, watch.seconds() - made->seconds);
+    add(summary_.planning, made->seconds);
+    return made;
   }
 
   void count(bool kept) {
@@ -131,7 +155,8 @@ class BatchRun {
   const std::vector<int> walker_of_;  // by item of the shard
   LoadLimits limits_;
   Shelf<BatchSceneData> scenes_;
-  Shelf<BatchLibraryData> libraries_;
+  Shelf<BatchDrawer> drawers_;
+  Shelf<BatchLibraryData> libraries_;  // by libraryOf()
   Shelf<BatchWalker> walkers_;
   std::mutex mutex_;  // of the summary
   BatchSummary summary_;

@@ -25,6 +25,7 @@ struct BatchProgress {
 
 struct BatchOptions {
   Shard shard;
+  bool pack = false;                     ///< whether merging packs the walks too
   int threads = 1;                       ///< walks made at a time [1 to 64]; changes no byte
   size_t memory = GuardLimits{}.memory;  ///< that reading a mesh file may fill [bytes, > 0]
   const std::atomic<bool>* stop = nullptr;
@@ -43,7 +44,8 @@ struct BatchSummary {
   bool stopped = false;   ///< told to stop: what was made by then is there
   double planning = 0.0;  ///< of what was made: roadmaps, search, refinement; of all threads [s]
   double seconds = 0.0;   ///< by the clock
-  double loading = 0.0, writing = 0.0;  ///< of all threads: scenes and walkers; results [s]
+  double loading = 0.0, labelling = 0.0,
+         writing = 0.0;  ///< of all threads: scenes and walkers; labels; files [s]
 };
 
 /// @throws InputError where the folder cannot be written

@@ -76,6 +76,26 @@ Clearance CollisionWorld::clearance(const PoseArray& poses, double limit,
   return best;
 }
 
+PartClearances CollisionWorld::clearances(const PoseArray& poses, double limit,
+                                          CollisionScratch& scratch) const {
+  const size_t parts = static_cast<size_t>(model_->parts());
+  PartClearances found;
+  found.distance.reserve(parts * static_cast<size_t>(poses.size()));
+  found.object.reserve(found.distance.capacity());
+  scratch.prepare(poses.size());
+  for (int frame = 0; frame < poses.size(); ++frame) {
+    model_->place(poses[frame], scratch, {&scratch.capsule(frame, 0), parts});
+    for (size_t part = 0; part < parts; ++part) {
+      const ObstacleSet::Nearest nearest =
+          model_->layers.nearestObstacle(scratch.capsule(frame, static_cast<int>(part)), limit,
+                                         model_->body.parts[part].sole >= 0, *scratch.exact);
+      found.distance.push_back(nearest.distance);
+      found.object.push_back(nearest.object);
+    }
+  }
+  return found;
+}
+
 double CollisionWorld::nearness(const PoseArray& poses, double limit,
                                 CollisionScratch& scratch) const {
   constexpr int kEvery = 4;

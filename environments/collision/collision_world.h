@@ -30,6 +30,12 @@ struct Clearance {
   int object = -1;  ///< -1 where nothing is within `limit`
 };
 
+/// What is nearest to each part at each frame, [frame * parts + part].
+struct PartClearances {
+  std::vector<double> distance;  ///< [m], `limit` where nothing is within
+  std::vector<int> object;       ///< -1 there
+};
+
 /// Scratch memory of one thread; made by CollisionWorld::makeScratch.
 class CollisionScratch;
 struct CollisionScratchDeleter {
@@ -72,6 +78,9 @@ class CollisionWorld {
   /// Smallest distance to anything but the ground that soles stand on, at frames, exact; `limit`
   /// bounds the search [m].
   Clearance clearance(const PoseArray& poses, double limit, CollisionScratch& scratch) const;
+
+  /// The same of every part at every frame. Cost: a query each, more the larger the limit.
+  PartClearances clearances(const PoseArray& poses, double limit, CollisionScratch& scratch) const;
 
   /// How long and how much the body is nearer than `limit` to anything but the ground: the sum
   /// over frames of what is missing of it, as its share [frames, >= 0]. Soles apart, and of every

@@ -81,9 +81,18 @@ void NpyArchive::add(const std::string& name, std::span<const double> values,
   addBytes(name, "<f8", shape, bytesOf(values));
 }
 
+void NpyArchive::add(const std::string& name, std::span<const float> values,
+                     const NpyShape& shape) {
+  addBytes(name, "<f4", shape, bytesOf(values));
+}
+
 void NpyArchive::add(const std::string& name, std::span<const int32_t> values,
                      const NpyShape& shape) {
   addBytes(name, "<i4", shape, bytesOf(values));
+}
+
+void NpyArchive::addFile(const std::string& name, std::string bytes) {
+  entries_.push_back({name, std::move(bytes)});
 }
 
 void NpyArchive::addBools(const std::string& name, std::span<const uint8_t> values,

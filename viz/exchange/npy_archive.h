@@ -22,12 +22,17 @@ class NpyArchive {
   /// @param name  of the array: letters, digits and `_`, given once
   /// @pre as many values as the shape says
   void add(const std::string& name, std::span<const double> values, const NpyShape& shape);
+  void add(const std::string& name, std::span<const float> values, const NpyShape& shape);
   void add(const std::string& name, std::span<const int32_t> values, const NpyShape& shape);
   /// NumPy's bool_: 0 or 1.
   void addBools(const std::string& name, std::span<const uint8_t> values, const NpyShape& shape);
   /// Texts of UTF-8 as NumPy's str_; bytes that are none become U+FFFD.
   void addTexts(const std::string& name, std::span<const std::string> values,
                 const NpyShape& shape);
+
+  /// Any other file, which NumPy gives as bytes; one that is called `NAME.npy` is an array.
+  /// @param name  given once
+  void addFile(const std::string& name, std::string bytes);
 
   /// @throws std::length_error where it were 4 GB or more, which a ZIP without extensions cannot be
   void write(std::ostream& out) const;

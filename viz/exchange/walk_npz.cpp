@@ -84,8 +84,7 @@ void addFootprints(NpyArchive& archive, const std::vector<Footprint>& prints) {
 
 }  // namespace
 
-void writeWalkNpz(std::ostream& out, const WalkView& view,
-                  std::span<const std::string> joint_names) {
+NpyArchive walkArrays(const WalkView& view, std::span<const std::string> joint_names) {
   const AnimationBuffer& walk = *view.animation;
   NpyArchive archive;
   archive.addTexts("title", std::span(&view.title, 1), {});
@@ -94,7 +93,12 @@ void writeWalkNpz(std::ostream& out, const WalkView& view,
   addPoses(archive, *view.skeleton, walk.poses);
   addPath(archive, walk.states);
   addFootprints(archive, walk.footprints);
-  archive.write(out);
+  return archive;
+}
+
+void writeWalkNpz(std::ostream& out, const WalkView& view,
+                  std::span<const std::string> joint_names) {
+  walkArrays(view, joint_names).write(out);
 }
 
 }  // namespace amble

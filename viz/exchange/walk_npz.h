@@ -21,6 +21,7 @@
 #include <span>
 #include <string>
 
+#include "viz/exchange/npy_archive.h"
 #include "viz/walk_view.h"
 
 namespace amble {
@@ -28,5 +29,8 @@ namespace amble {
 /// @param joint_names  by joint. @pre view.hasBody(), and the animation has a state a frame
 void writeWalkNpz(std::ostream& out, const WalkView& view,
                   std::span<const std::string> joint_names);
+
+/// The same arrays, to which others may be added.
+NpyArchive walkArrays(const WalkView& view, std::span<const std::string> joint_names);
 
 }  // namespace amble
