@@ -129,7 +129,7 @@ class Slurm(Machines):
         return self.ask("squeue", "-h", "-w", node, "-t", "RUNNING", "-o", "%i").split()
 
     def test_a_job_whose_node_dies_is_finished_on_the_other(self):
-        merge = self.ask(EXAMPLES / "slurm-batch", self.job, self.out, str(SHARDS))
+        merge = self.ask(EXAMPLES / "slurm-batch", self.job, self.out, str(SHARDS), "--time=1:00:00", "--mem=200M")
         await_that("n2 is at work", lambda: rows(self.out) > 2 and self.running_on("n2"))
         lost = self.running_on("n2")
         self.here.kill(self.slurm, "n2")
