@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -10,7 +11,6 @@
 #include "app/say.h"
 #include "base/output_file.h"
 #include "base/text.h"
-#include "batch/labels/batch_statistics.h"
 #include "batch/run/batch_table.h"
 
 namespace amble {
@@ -43,12 +43,33 @@ StatsJson measuresJson(const BatchStatistics& all) {
   return json;
 }
 
+// To the millisecond: sums of many have no more.
+StatsJson timesJson(const Times& times) {
+  constexpr double kParts = 1e3;
+  StatsJson json = StatsJson::object();
+  for (const auto& [name, time] : times) json[name] = std::round(kParts * time) / kParts;
+  return json;
+}
+
 void printStatsJson(const BatchStatistics& all) {
-  const StatsJson json = {
-      {"walks", all.walks},       {"solved", all.solved},          {"statuses", all.statuses},
-      {"refusals", all.refusals}, {"measures", measuresJson(all)}, {"scenes", all.scenes},
-      {"styles", all.styles},     {"actions", all.actions}};
+  const StatsJson json = {{"walks", all.walks},
+                          {"solved", all.solved},
+                          {"statuses", all.statuses},
+                          {"refusals", all.refusals},
+                          {"measures", measuresJson(all)},
+                          {"scenes", all.scenes},
+                          {"styles", all.styles},
+                          {"actions", all.actions},
+                          {"activities", timesJson(all.activities)},
+                          {"motions", timesJson(all.motions)}};
   std::cout << json.dump(2, ' ', false, StatsJson::error_handler_t::replace) << '\n';
+}
+
+void printTimes(const char* title, const Times& times) {
+  for (const auto& [name, time] : times) {
+    say(stdout, "  {:<15} {:>7.1f}  {}\n", title, time, name);
+    title = "";
+  }
 }
 
 void printCounts(const char* title, const Counts& counts) {
@@ -71,13 +92,15 @@ void printStats(const std::string& folder, const BatchStatistics& all) {
         spread.least, spread.tenth, spread.median, spread.ninetieth, spread.most, measure.unit);
   }
   printCounts("refused by", all.refusals);
+  printTimes("done [s]", all.activities);
+  printTimes("motions [s]", all.motions);
   printCounts("scene", all.scenes);
   if (all.styles.size() > 1 || all.styles.count("") == 0) printCounts("style", all.styles);
   printCounts("action", all.actions);
 }
 
 int runStats(const StatsArguments& options) {
-  const BatchStatistics all = statisticsOf(readBatchTable(options.folder));
+  const BatchStatistics all = batchStatistics(options.folder);
   if (!options.plot.empty()) {
     const std::string title = std::filesystem::path(options.folder).lexically_normal().string();
     writeFile(options.plot,

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/error.h"
 #include "base/statistics.h"
 
 namespace amble {
@@ -92,6 +94,24 @@ BatchStatistics statisticsOf(std::span<const WalkRow> rows) {
   }
   for (Measure& measure : all.measures) std::sort(measure.values.begin(), measure.values.end());
   return all;
+}
+
+void addLabels(const std::string& labels, const std::string& file, BatchStatistics& statistics) {
+  try {
+    const auto json = nlohmann::json::parse(labels);
+    const double frame_time = json.at("frame_time");
+    const double duration = frame_time * json.at("frames").get<double>();
+    for (const auto& stretch : json.at("activities")) {
+      const double first = stretch.at("from"), last = stretch.at("to");
+      statistics.activities[stretch.at("activity")] += last - first + frame_time;
+    }
+    for (const auto& motion : json.at("motions")) {
+      const double time = motion.at("share").get<double>() * duration;
+      if (time > 0.0) statistics.motions[motion.at("motion")] += time;
+    }
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(file, 0, "holds no labels of a walk", "what amble batch has written");
+  }
 }
 
 }  // namespace amble

@@ -36,6 +36,7 @@ struct Histogram {
 Histogram histogramOf(const Measure& measure, int most);
 
 using Counts = std::map<std::string, int>;
+using Times = std::map<std::string, double>;  ///< [s]
 
 struct BatchStatistics {
   int walks = 0, solved = 0;       ///< rows; those with a walk
@@ -43,8 +44,12 @@ struct BatchStatistics {
   Counts statuses;                 ///< of all rows
   Counts refusals;                 ///< of those without a walk: by rule, or by status where none is
   Counts scenes, styles, actions;  ///< of the walks that were found
+  /// What was done for how long, and of which captured motions it is made; of labels.
+  Times activities, motions;
 };
 BatchStatistics statisticsOf(std::span<const WalkRow> rows);
+/// Adds what a walk's labels.json tells. @param file  for messages. @throws InputError
+void addLabels(const std::string& labels, const std::string& file, BatchStatistics& statistics);
 
 /// One drawing (SVG): a histogram of each measure, bars of statuses and refusals. The same
 /// statistics give the same bytes.

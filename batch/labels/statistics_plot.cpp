@@ -72,33 +72,35 @@ class StatisticsPlot {
     text(at.x() + kPanelWidth, at.y() - 8, std::to_string(most) + " at most", "end", 9);
   }
 
-  // The most frequent first. @return the height taken
-  double bars(const Eigen::Vector2d& at, const std::string& title, const Counts& counts,
+  // The longest first. @return the height taken
+  double bars(const Eigen::Vector2d& at, const std::string& title, const Times& amounts,
               const Color& color) {
-    std::vector<std::pair<std::string, int>> sorted(counts.begin(), counts.end());
+    std::vector<std::pair<std::string, double>> sorted(amounts.begin(), amounts.end());
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const auto& a, const auto& b) { return a.second > b.second; });
     if (sorted.size() > kMostBars) {
-      int rest = 0;
+      double rest = 0.0;
       for (size_t i = kMostBars - 1; i < sorted.size(); ++i) rest += sorted[i].second;
       sorted.resize(kMostBars - 1);
-      sorted.emplace_back(std::to_string(counts.size() - kMostBars + 1) + " others", rest);
+      sorted.emplace_back(std::to_string(amounts.size() - kMostBars + 1) + " others", rest);
     }
+    double most = 0.0;
+    for (const auto& bar : sorted) most = std::max(most, bar.second);
     text(at.x(), at.y() - 8, title, "start", 13);
     double y = at.y();
-    for (const auto& [name, count] : sorted) {
-      const double share = static_cast<double>(count) / sorted.front().second;
+    for (const auto& [name, amount] : sorted) {
+      const double share = amount / most;
       box({at.x() + kNameWidth, y + 3}, std::max(1.0, share * kPanelWidth), kRowHeight - 6, color,
           name);
       text(at.x() + kNameWidth - 8, y + 14, shortened(name.empty() ? "none" : name), "end");
-      text(at.x() + kNameWidth + share * kPanelWidth + 6, y + 14, std::to_string(count));
+      text(at.x() + kNameWidth + share * kPanelWidth + 6, y + 14, plainNumber(amount, 1));
       y += kRowHeight;
     }
     return y - at.y() + kPanelGap;
   }
 
-  static double barsHeight(const Counts& counts) {
-    return static_cast<double>(std::min(counts.size(), kMostBars)) * kRowHeight + kPanelGap;
+  static double barsHeight(const Times& amounts) {
+    return static_cast<double>(std::min(amounts.size(), kMostBars)) * kRowHeight + kPanelGap;
   }
 
  private:
@@ -115,25 +117,33 @@ class StatisticsPlot {
 
 struct Bars {
   const char* title;
-  const Counts& counts;
-  const Color& color;
+  Times amounts;
+  Color color;
 };
+
+Times amountsOf(const Counts& counts) { return {counts.begin(), counts.end()}; }
+
+std::vector<Bars> barsOf(const BatchStatistics& of) {
+  return {{"what came of them", amountsOf(of.statuses), kPlotBar},
+          {"walks refused, by rule", amountsOf(of.refusals), kRefusedBar},
+          {"what is done, for how long [s]", of.activities, kPlotBar},
+          {"captured motions in use [s]", of.motions, kPlotBar},
+          {"walks by scene", amountsOf(of.scenes), kPlotBar},
+          {"walks by style", amountsOf(of.styles), kPlotBar},
+          {"walks by action", amountsOf(of.actions), kPlotBar}};
+}
 
 }  // namespace
 
 void writeStatisticsPlot(std::ostream& out, const BatchStatistics& statistics,
                          const std::string& title) {
-  const Bars all[] = {{"what came of them", statistics.statuses, kPlotBar},
-                      {"walks refused, by rule", statistics.refusals, kRefusedBar},
-                      {"walks by scene", statistics.scenes, kPlotBar},
-                      {"walks by style", statistics.styles, kPlotBar},
-                      {"walks by action", statistics.actions, kPlotBar}};
+  const std::vector<Bars> all = barsOf(statistics);
   const auto count = static_cast<int>(statistics.measures.size());
   const int rows = (count + kColumns - 1) / kColumns;
   const double row = kPanelHeight + kPanelGap + 16;
   double height = kHead + rows * row + kMargin;
   for (const Bars& bars : all)
-    if (!bars.counts.empty()) height += StatisticsPlot::barsHeight(bars.counts);
+    if (!bars.amounts.empty()) height += StatisticsPlot::barsHeight(bars.amounts);
   const double width = 2 * kMargin + kColumns * kPanelWidth + (kColumns - 1) * kPanelGap;
   XmlWriter xml(out);
   xml.declare();
@@ -152,7 +162,7 @@ void writeStatisticsPlot(std::ostream& out, const BatchStatistics& statistics,
   }
   y += rows * row;
   for (const Bars& bars : all)
-    if (!bars.counts.empty()) y += plot.bars({kMargin, y}, bars.title, bars.counts, bars.color);
+    if (!bars.amounts.empty()) y += plot.bars({kMargin, y}, bars.title, bars.amounts, bars.color);
 }
 
 }  // namespace amble

@@ -5,11 +5,13 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "batch/run/batch_folder.h"
 
 namespace amble {
 namespace {
 
 constexpr FileKind kTableKind = {"a batch's table", size_t{4} << 30};
+constexpr FileKind kLabelsKind = {"labels of a walk", size_t{1} << 30};
 
 }  // namespace
 
@@ -31,6 +33,19 @@ std::vector<WalkRow> readBatchTable(const std::filesystem::path& folder) {
     if (!row.empty()) rows.push_back(readRow(std::string(row), file.string(), line));
   }
   return rows;
+}
+
+BatchStatistics batchStatistics(const std::filesystem::path& folder) {
+  const std::vector<WalkRow> rows = readBatchTable(folder);
+  BatchStatistics all = statisticsOf(rows);
+  const BatchFolder batch(folder);
+  for (const WalkRow& row : rows) {
+    const std::filesystem::path labels = batch.folderOf(row.key) / "labels.json";
+    std::error_code unknown;
+    if (row.status == "solved" && std::filesystem::exists(labels, unknown))
+      addLabels(readWholeFile(labels, kLabelsKind), labels.string(), all);
+  }
+  return all;
 }
 
 }  // namespace amble

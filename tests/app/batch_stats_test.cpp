@@ -49,6 +49,12 @@ TEST_F(BatchStats, FiguresAreThoseOfTheTable) {
   EXPECT_EQ(all["solved"], 2);
   EXPECT_EQ(all["measures"]["length"]["least"], std::min(lengths[0], lengths[1]));
   EXPECT_EQ(all["measures"]["length"]["most"], std::max(lengths[0], lengths[1]));
+  double frames = 0.0, seconds = 0.0;
+  for (const auto& [activity, time] : all["activities"].items()) seconds += time.get<double>();
+  std::istringstream again(read("walks/index.jsonl"));
+  for (std::string line; std::getline(again, line);)
+    frames += json::parse(line)["frames"].get<int>();
+  EXPECT_NEAR(seconds, frames / 60.0, 0.01);
   int counted = 0;
   for (const auto& [rule, count] : all["refusals"].items()) counted += count.get<int>();
   EXPECT_EQ(counted, refused);

@@ -10,6 +10,8 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "base/error.h"
+
 namespace amble {
 namespace {
 
@@ -115,6 +117,31 @@ TEST(BatchStatistics, SharesOfASpreadAscend) {
     EXPECT_LE(spread.ninetieth, spread.most);
     EXPECT_EQ(spread.most, (count - 1) * (count - 1));
   }
+}
+
+TEST(BatchStatistics, WhatIsNoLabelsIsAnErrorWithItsFile) {
+  BatchStatistics all;
+  for (const char* text : {"", "{", "[]", "{\"frame_time\": \"x\"}",
+                           "{\"frame_time\": 0.1, \"frames\": 3, \"activities\": [3]}"}) {
+    try {
+      addLabels(text, "labels.json", all);
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.file(), "labels.json");
+    }
+  }
+}
+
+TEST(BatchStatistics, TimesOfLabelsAddUp) {
+  BatchStatistics all;
+  const std::string labels =
+      R"({"frame_time": 0.5, "frames": 5, "motions": [{"motion": "walk", "share": 0.8},
+          {"motion": "turn", "share": 0.2}, {"motion": "start", "share": 0}],
+          "activities": [{"activity": "stand", "from": 0, "to": 0.5},
+                         {"activity": "walk", "from": 1, "to": 2}]})";
+  for (int i = 0; i < 2; ++i) addLabels(labels, "labels.json", all);
+  EXPECT_EQ(all.activities, (Times{{"stand", 2.0}, {"walk", 3.0}}));
+  EXPECT_EQ(all.motions, (Times{{"turn", 1.0}, {"walk", 4.0}}));
 }
 
 TEST(BatchStatistics, NamesOfAnyKindGiveADrawing) {
