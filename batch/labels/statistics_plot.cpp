@@ -11,7 +11,8 @@ namespace amble {
 namespace {
 
 // Sizes in picture units, which are pixels at 100 %.
-constexpr double kPanelWidth = 300, kPanelHeight = 150, kPanelGap = 46, kMargin = 40, kHead = 70;
+constexpr double kPanelWidth = 300, kPanelHeight = 150, kPanelGap = 46, kPlotMargin = 40,
+                 kPlotHead = 70;
 constexpr double kRowHeight = 20, kNameWidth = 190;
 constexpr int kColumns = 3, kBins = 24;
 constexpr size_t kMostBars = 12, kLongestName = 30;  // the rest are one bar; letters of a name
@@ -141,28 +142,29 @@ void writeStatisticsPlot(std::ostream& out, const BatchStatistics& statistics,
   const auto count = static_cast<int>(statistics.measures.size());
   const int rows = (count + kColumns - 1) / kColumns;
   const double row = kPanelHeight + kPanelGap + 16;
-  double height = kHead + rows * row + kMargin;
+  double height = kPlotHead + rows * row + kPlotMargin;
   for (const Bars& bars : all)
     if (!bars.amounts.empty()) height += StatisticsPlot::barsHeight(bars.amounts);
-  const double width = 2 * kMargin + kColumns * kPanelWidth + (kColumns - 1) * kPanelGap;
+  const double width = 2 * kPlotMargin + kColumns * kPanelWidth + (kColumns - 1) * kPanelGap;
   XmlWriter xml(out);
   xml.declare();
   const auto svg = xml.open("svg", svgRoot(width, height));
   xml.text("title", {}, title);
   StatisticsPlot plot(xml);
   plot.box({0, 0}, width, height, kPlotPaper);
-  plot.text(kMargin, 28, title, "start", 16);
-  plot.text(kMargin, 46,
+  plot.text(kPlotMargin, 28, title, "start", 16);
+  plot.text(kPlotMargin, 46,
             counted(statistics.solved, "walk") + " of " + std::to_string(statistics.walks) +
                 " asked for");
-  double y = kHead + 20;
+  double y = kPlotHead + 20;
   for (int i = 0; i < count; ++i) {
-    const double x = kMargin + (i % kColumns) * (kPanelWidth + kPanelGap);
+    const double x = kPlotMargin + (i % kColumns) * (kPanelWidth + kPanelGap);
     plot.histogram({x, y + (i / kColumns) * row}, statistics.measures[static_cast<size_t>(i)]);
   }
   y += rows * row;
   for (const Bars& bars : all)
-    if (!bars.amounts.empty()) y += plot.bars({kMargin, y}, bars.title, bars.amounts, bars.color);
+    if (!bars.amounts.empty())
+      y += plot.bars({kPlotMargin, y}, bars.title, bars.amounts, bars.color);
 }
 
 }  // namespace amble
