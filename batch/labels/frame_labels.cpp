@@ -33,15 +33,12 @@ void labelClearance(const RunResult& run, FrameLabels& labels) {
   }
 }
 
-// Up or down by which step somebody goes at a time: that which the next strike ends.
+// Up or down by the step that is under way at a time: that which the next strike ends.
 Activity stepAt(const std::vector<StepMeasure>& steps, double time) {
-  for (const StepMeasure& step : steps) {
-    if (time > step.strike || time < step.strike - step.duration) continue;
-    if (step.climb > kStairStep) return Activity::kClimb;
-    if (step.climb < -kStairStep) return Activity::kDescend;
-    return Activity::kWalk;
-  }
-  return Activity::kWalk;
+  const auto next = std::find_if(steps.begin(), steps.end(),
+                                 [&](const StepMeasure& step) { return step.strike >= time; });
+  if (next == steps.end() || std::abs(next->climb) < kStairStep) return Activity::kWalk;
+  return next->climb > 0.0 ? Activity::kClimb : Activity::kDescend;
 }
 
 void labelActivity(const RunResult& run, FrameLabels& labels) {
@@ -49,7 +46,7 @@ void labelActivity(const RunResult& run, FrameLabels& labels) {
   for (int frame = 0; frame < labels.frames; ++frame) {
     const FrameState& state = walk.states[static_cast<size_t>(frame)];
     Activity activity = stepAt(run.report.steps, frame * walk.frame_time);
-    if (state.speed < kStill && activity == Activity::kWalk) {
+    if (state.speed < kStill) {
       const bool steps = !state.planted[kLeft] || !state.planted[kRight];
       activity =
           steps || std::abs(state.turn_rate) > kStraight ? Activity::kTurn : Activity::kStand;

@@ -9,15 +9,18 @@ namespace {
 
 // Beside the walking body, that nobody is put down in a cranny [m].
 constexpr double kRoom = 0.05;
+// Ways lead where there is as much, as those that the search tries: on stairs the tread after next
+// is beside the body [m].
+constexpr double kTightestWay = -0.06;
 
 double toMillimetre(double value) { return std::round(value * 1000.0) / 1000.0; }
 
-// Numbers of the parts of the map that ways with room lead all over; -1 where there is no room.
+// Numbers of the parts of the map that ways lead all over; -1 where there is no way.
 std::vector<int> partsOf(const ClearanceMap& map) {
   std::vector<int> part(static_cast<size_t>(map.size()), -1), open;
   int count = 0;
   for (int first = 0; first < map.size(); ++first) {
-    if (part[static_cast<size_t>(first)] >= 0 || map.spare(first) < kRoom) continue;
+    if (part[static_cast<size_t>(first)] >= 0 || map.spare(first) < kTightestWay) continue;
     part[static_cast<size_t>(first)] = count;
     open.push_back(first);
     while (!open.empty()) {
@@ -25,7 +28,8 @@ std::vector<int> partsOf(const ClearanceMap& map) {
       open.pop_back();
       for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
         const int next = map.beside(here, dx, dy);
-        if (next < 0 || map.spare(next) < kRoom || part[static_cast<size_t>(next)] >= 0) continue;
+        if (next < 0 || map.spare(next) < kTightestWay || part[static_cast<size_t>(next)] >= 0)
+          continue;
         part[static_cast<size_t>(next)] = count;
         open.push_back(next);
       }
@@ -62,7 +66,7 @@ struct WayDrawer::Parts {
     const size_t floor = static_cast<size_t>(which * static_cast<double>(floors.size()));
     const Eigen::Vector3d at(x, y, floors[floor]);
     const int nearest = map->placeAt(at);
-    if (nearest < 0 || part[static_cast<size_t>(nearest)] < 0) return std::nullopt;
+    if (nearest < 0 || map->spare(nearest) < kRoom) return std::nullopt;
     const bool there = (map->at(nearest) - at).head<2>().cwiseAbs().maxCoeff() <= map->cell() &&
                        std::abs(map->at(nearest).z() - at.z()) < kFloorReach;
     if (!there) return std::nullopt;

@@ -24,7 +24,9 @@ TEST_F(Options, EveryCommandIsTriedHere) {
   EXPECT_EQ(listed("", "Subcommands:"),
             (std::vector<std::string>{"plan", "check", "validate", "animate", "analyse", "library",
                                       "edit", "convert", "graft", "inspect", "roadmap", "graph",
-                                      "view", "help", "completion"}));
+                                      "view", "batch", "help", "completion"}));
+  EXPECT_EQ(listed("batch", "Subcommands:"),
+            (std::vector<std::string>{"merge", "stats", "status", "check"}));
   EXPECT_EQ(listed("graft", "Subcommands:"), (std::vector<std::string>{"all"}));
   EXPECT_EQ(listed("library", "Subcommands:"),
             (std::vector<std::string>{"build", "show", "add", "check", "find", "engine"}));
