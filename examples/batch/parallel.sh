@@ -15,6 +15,7 @@ job=$1 dir=$2 shards=$3
 shift 3
 clone=$(cd "$(dirname "$0")/../.." && pwd)
 export AMBLE=${AMBLE:-$(command -v amble || echo "$clone/build/release/app/amble")}
+"$AMBLE" batch status "$job" -o "$dir" >/dev/null || [ $? = 1 ] || exit 2  # it says what is wrong
 mkdir -p "$dir/log"
 # --quote: names may have blanks. One thread a shard, since a shard has one core.
 seq "$shards" | parallel --quote --retries 3 --joblog "$dir/log/shards.txt" "$@" \

@@ -104,6 +104,18 @@ class Alone(unittest.TestCase):
         self.assertIn("solved", statuses)
 
 
+    def test_scripts_say_what_is_wrong_with_a_job_before_anything_starts(self):
+        with tempfile.TemporaryDirectory() as folder:
+            job = write_job(pathlib.Path(folder))
+            job.write_text(JOB + "hights: [1.7]\n")
+            for script in ("slurm-batch", "parallel.sh"):
+                ended = subprocess.run([EXAMPLES / script, job, "out", "2"], cwd=folder, env={**os.environ, "AMBLE": AMBLE},
+                                       capture_output=True, text=True)
+                self.assertEqual(ended.returncode, 2)
+                self.assertRegex(ended.stderr, rf"^{job}:{len(JOB.splitlines()) + 1}: .*hights[^\n]*\n$")
+                self.assertFalse((pathlib.Path(folder) / "out").exists())
+
+
 class Slurm(Machines):
     def setUp(self):
         super().setUp()
