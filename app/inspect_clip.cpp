@@ -118,6 +118,47 @@ std::optional<Findings> inspectClip(const std::filesystem::path& file,
   return out;
 }
 
+namespace {
+
+// What there is of a start or a stop: a sequence, or numbers that formulas are fed with.
+std::string describeTransition(const Motion& motion, nlohmann::ordered_json& entry) {
+  const Transition& transition = motion.transition;
+  const TransitionSequence& sequence = transition.sequence;
+  const char* kind = motion.kind == MotionKind::kStart ? "start" : "stop";
+  entry["speed"] = transition.speed;
+  entry["captured"] = !sequence.empty();
+  if (sequence.empty())
+    return fmt::format("{}, {:.2f} m/s, its speeds only: bodies by formula; ", kind,
+                       transition.speed);
+  const char* side = sequence.side == kLeft ? "left" : "right";
+  const char* order = motion.kind == MotionKind::kStart ? "first" : "last";
+  entry["foot"] = side;
+  entry["sway"] = sequence.sway * sequence.step_time;
+  return fmt::format("{}, {:.2f} m/s, {} foot {}, weight shifts for {:.2f} s; ", kind,
+                     transition.speed, side, order, sequence.sway * sequence.step_time);
+}
+
+// Whether walks begin and end as captured, whichever foot steps beside standing.
+void addOnsets(const MotionLibrary& library, Findings& out) {
+  std::vector<std::string> formulas;
+  for (const MotionKind kind : {MotionKind::kStart, MotionKind::kStop}) {
+    for (const Side side : {kLeft, kRight}) {
+      const bool captured =
+          std::any_of(library.motions.begin(), library.motions.end(), [&](const Motion& motion) {
+            const TransitionSequence& sequence = motion.transition.sequence;
+            return motion.kind == kind && !sequence.empty() && sequence.side == side;
+          });
+      if (captured) continue;
+      formulas.push_back(std::string(kind == MotionKind::kStart ? "starts" : "stops") +
+                         " with the " + (side == kLeft ? "left" : "right") + " foot");
+    }
+  }
+  out.data["by_formula"] = formulas;
+  if (!formulas.empty()) out.facts.emplace_back("by formula", joined(formulas));
+}
+
+}  // namespace
+
 Findings inspectLibrary(const std::filesystem::path& file) {
   const MotionLibrary library = readMotionLibrary(file);
   Findings out{file.string(), "motion library", {}, {}, {}};
@@ -146,6 +187,7 @@ Findings inspectLibrary(const std::filesystem::path& file) {
       entry["period"] = cycle.period;
       entry["closure"] = cycle.closure;
     }
+    if (isTransition(motion.kind)) text = describeTransition(motion, entry);
     entry["source"] = {{"clip", source.clip},
                        {"frames", {source.frames[0], source.frames[1]}},
                        {"mirrored", source.mirrored},
@@ -154,6 +196,7 @@ Findings inspectLibrary(const std::filesystem::path& file) {
     out.facts.emplace_back(motion.name, text + from);
     out.data["motions"].push_back(std::move(entry));
   }
+  addOnsets(library, out);
   const std::vector<std::string> styles = stylesOf(library);
   out.data["styles"] = styles;
   if (!styles.empty()) out.facts.emplace_back("styles", joined(styles));

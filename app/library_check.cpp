@@ -68,6 +68,9 @@ std::string difference(const Motion& says, const Motion& is) {
     return fmt::format("period {:.4f}, measured {:.4f}", a.period, b.period);
   if (off(says.posture.root_height, is.posture.root_height)) return "another posture";
   if (off(says.transition.acceleration, is.transition.acceleration)) return "another transition";
+  const Eigen::MatrixXd &c = says.transition.sequence.spline, &d = is.transition.sequence.spline;
+  if (c.cols() != d.cols() || (c.size() > 0 && (c - d).cwiseAbs().maxCoeff() > kSame))
+    return "another sequence of the transition";
   return "";
 }
 

@@ -31,6 +31,9 @@ struct FootCycle {
 
   static constexpr int kStanceSamples = 32;
   static constexpr int kSwingSamples = 32;
+  /// Here of its stance every foot is flat: its pitch is that of the landing before, that of the
+  /// rise after.
+  static constexpr double kFlat = 0.4;
 };
 
 /// Mean of the feet of several cycles; phases by the shorter way around the cycle. @pre one or more

@@ -5,14 +5,6 @@
 #include <set>
 
 namespace amble {
-namespace {
-
-bool isOnset(const Motion& motion) {
-  return motion.kind == MotionKind::kStart || motion.kind == MotionKind::kStop;
-}
-
-}  // namespace
-
 std::vector<std::string> stylesOf(const MotionLibrary& library) {
   std::set<std::string> styles;
   for (const Motion& motion : library.motions) {
@@ -31,7 +23,7 @@ MotionLibrary inStyle(MotionLibrary library, const std::string& style) {
   const bool own_start = hasOwn(MotionKind::kStart), own_stop = hasOwn(MotionKind::kStop);
   std::erase_if(library.motions, [&](const Motion& motion) {
     if (motion.kind == MotionKind::kWalk) return motion.style != style;
-    if (!isOnset(motion)) return false;
+    if (!isTransition(motion.kind)) return false;
     const bool own = motion.kind == MotionKind::kStart ? own_start : own_stop;
     return motion.style != (own ? style : "");
   });

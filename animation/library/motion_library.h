@@ -14,6 +14,7 @@
 #include "animation/body/foot_shape.h"
 #include "animation/body/joint_roles.h"
 #include "animation/body/skeleton.h"
+#include "animation/library/transition.h"
 #include "animation/library/walk_cycle.h"
 
 namespace amble {
@@ -28,19 +29,16 @@ enum class MotionKind {
 };
 const std::vector<std::string>& motionKindNames();  ///< as files have them, by MotionKind
 
+inline bool isTransition(MotionKind kind) {
+  return kind == MotionKind::kStart || kind == MotionKind::kStop;
+}
+
 /// When a motion may be used (Pettré §4.1, "chronological validity").
 struct Validity {
   enum class When { kAlways, kAtStart, kAtEnd, kBetween, kClearanceAbove };
   When when = When::kAlways;
   double from = 0.0, to = 0.0;  ///< of kBetween [s, 0 <= from <= to]
   double clearance = 0.0;       ///< of kClearanceAbove [m, >= 0]
-};
-
-/// How walking begins or ends, measured along the root's way.
-struct Transition {
-  double speed = 0.0;         ///< of the walk that it leads to or comes from [m/s, > 0]
-  double first_speed = 0.0;   ///< at the first strike, or the last lift-off [m/s, > 0]
-  double acceleration = 0.0;  ///< mean between 10 % and 90 % of the speed [m/s^2, > 0]
 };
 
 struct MotionSource {

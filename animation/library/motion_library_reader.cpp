@@ -80,12 +80,39 @@ WalkCycle readCycle(const YamlNode& node, int joints) {
   return cycle;
 }
 
-Transition readTransition(const YamlNode& node) {
-  node.requireKeys({"speed", "first_speed", "acceleration"});
+// Channels that a library keeps: all columns but those that are the posture `stand`.
+Eigen::MatrixXd readSpline(const YamlNode& node, int joints, double standing_height) {
+  constexpr int kStanding = TransitionSequence::kStanding;
+  const int rows = 3 + 3 * joints;
+  const int columns = node.items().empty() ? 0 : static_cast<int>(node.items()[0].items().size());
+  Eigen::MatrixXd spline = Eigen::MatrixXd::Zero(rows, kStanding + std::max(columns, 1));
+  spline.row(2).head(kStanding).setConstant(standing_height);
+  spline.rightCols(std::max(columns, 1)) =
+      readMatrix(node, rows, std::max(columns, 1), "three of the root and three a joint");
+  return spline;
+}
+
+TransitionSequence readSequence(const YamlNode& node, int joints, const Motion* stand) {
+  node.requireKeys({"side", "sway", "step_time", "advance", "swing", "spline"});
+  if (stand == nullptr) node.fail("a sequence from a posture that is not there", "`stand` before");
+  TransitionSequence sequence;
+  sequence.side = node.at("side").asEnum<Side>({{"left", kLeft}, {"right", kRight}});
+  sequence.sway = node.at("sway").asDouble(0.0, 5.0, "sway [steps]");
+  sequence.step_time = node.at("step_time").asDouble(0.2, 2.0, "time of a step [s]");
+  sequence.advance = node.at("advance").asDouble(0.05, 1.0, "advance [m]");
+  sequence.swing = readFoot(node.at("swing"));
+  sequence.spline = readSpline(node.at("spline"), joints, stand->posture.root_height);
+  return sequence;
+}
+
+Transition readTransition(const YamlNode& node, int joints, const Motion* stand) {
+  node.requireKeys({"speed", "first_speed", "acceleration", "sequence"});
   Transition transition;
   transition.speed = node.at("speed").asPositive("speed [m/s]", 10.0);
   transition.first_speed = node.at("first_speed").asPositive("speed [m/s]", 10.0);
   transition.acceleration = node.at("acceleration").asPositive("acceleration [m/s^2]", 100.0);
+  if (const YamlNode sequence = node["sequence"])
+    transition.sequence = readSequence(sequence, joints, stand);
   return transition;
 }
 
@@ -98,7 +125,7 @@ void readTurning(const YamlNode& node, Motion& motion) {
                           motion.turning ? "more than 8.6 degrees/s" : "less than 8.6 degrees/s");
 }
 
-Motion readLibraryMotion(const YamlNode& node, int joints) {
+Motion readLibraryMotion(const YamlNode& node, int joints, const Motion* stand) {
   node.requireKeys({"name", "kind", "turning", "style", "valid", "joints", "cycle", "posture",
                     "transition", "source"});
   Motion motion;
@@ -120,7 +147,7 @@ Motion readLibraryMotion(const YamlNode& node, int joints) {
       break;
     case MotionKind::kStart:
     case MotionKind::kStop:
-      motion.transition = readTransition(node.at("transition"));
+      motion.transition = readTransition(node.at("transition"), joints, stand);
       break;
   }
   return motion;
@@ -187,7 +214,8 @@ MotionLibrary readMotionLibrary(const std::filesystem::path& file) {
   library.roles = readRoles(root.at("joints"), library.skeleton);
   library.stature = root.at("stature").asDouble(kShortestStature, kTallestStature, "stature [m]");
   for (const YamlNode& node : root.at("motions").items()) {
-    library.motions.push_back(readLibraryMotion(node, library.skeleton.size()));
+    library.motions.push_back(
+        readLibraryMotion(node, library.skeleton.size(), library.find("stand")));
     const std::string& name = library.motions.back().name;
     if (library.find(name) != &library.motions.back()) {
       node.fail("motion " + name + " is there twice", "names that differ");

@@ -63,11 +63,24 @@ void putCycle(YAML::Emitter& out, const WalkCycle& cycle) {
   out << EndMap;
 }
 
+void putSequence(YAML::Emitter& out, const TransitionSequence& sequence) {
+  constexpr int kStanding = TransitionSequence::kStanding;
+  out << Key << "sequence" << Value << BeginMap;
+  out << Key << "side" << Value << (sequence.side == kLeft ? "left" : "right");
+  put(out, "sway", sequence.sway);
+  put(out, "step_time", sequence.step_time);
+  put(out, "advance", sequence.advance);
+  putFoot(out, "swing", sequence.swing);
+  putMatrix(out, "spline", sequence.spline.rightCols(sequence.spline.cols() - kStanding));
+  out << EndMap;
+}
+
 void putTransition(YAML::Emitter& out, const Transition& transition) {
-  out << Key << "transition" << Value << Flow << BeginMap;
+  out << Key << "transition" << Value << BeginMap;
   put(out, "speed", transition.speed);
   put(out, "first_speed", transition.first_speed);
   put(out, "acceleration", transition.acceleration);
+  if (!transition.sequence.empty()) putSequence(out, transition.sequence);
   out << EndMap;
 }
 

@@ -112,8 +112,9 @@ std::vector<double> pitchSamples(const SwingView& view) {
     const double x = static_cast<double>(i) / kStance;
     const double own = flatten(view.stancePitch(true, x)),
                  next = flatten(view.stancePitch(false, x));
-    raw.push_back(x < 0.4 ? next
-                          : own);  // strike as it comes out of the swing, lift-off as it goes in
+    raw.push_back(x < FootCycle::kFlat
+                      ? next
+                      : own);  // strike as it comes out of the swing, lift-off as it goes in
   }
   for (int i = 0; i < kSwing; ++i) {
     raw.push_back(view.at(static_cast<double>(i) / kSwing).yaw_pitch_roll[1]);
@@ -135,16 +136,9 @@ std::vector<double> pitchSamples(const SwingView& view) {
 
 }  // namespace
 
-FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape, double begin,
-                       double end, const std::string& clip) {
-  const std::optional<Swing> found = swingWithin(track, side, begin, end);
-  if (!found) {
-    throw InputError(
-        clip, 0, "no whole swing of the " + std::string(side == kLeft ? "left" : "right") + " foot",
-        "each foot planted before and after the cycle");
-  }
-  const Swing& swing = *found;
-  const SwingView view(track, side, shape, swing);
+FootCycle fitSwing(const GaitTrack& track, Side side, const FootShape& shape, const Plant& from,
+                   const Plant& to) {
+  const SwingView view(track, side, shape, {from, to});
   FootCycle foot;
   const SwingSample last = view.at(1.0);
   foot.slip = std::max(0.0, (1.0 - last.progress) * last.length);
@@ -160,19 +154,31 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
     yaw.push_back(sample.yaw_pitch_roll[0]);
     roll.push_back(sample.yaw_pitch_roll[2]);
   }
-  const double period = end - begin;
-  const auto phase = [&](double frame) {
-    const double p = (frame - begin) / period;
-    return p - std::floor(p);
-  };
-  foot.strike = phase(swing.to.strike);
-  foot.lift_off = phase(swing.from.lift_off);
   foot.pitch = pitchSamples(view);
   foot.progress = fitProgress(progress);
   foot.height = fitSwingHeight(shape, foot, height);
   foot.sideways = fitStray(sideways);
   foot.roll = fitStray(roll);
   foot.yaw = fitStray(yaw);
+  return foot;
+}
+
+FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape, double begin,
+                       double end, const std::string& clip) {
+  const std::optional<Swing> found = swingWithin(track, side, begin, end);
+  if (!found) {
+    throw InputError(
+        clip, 0, "no whole swing of the " + std::string(side == kLeft ? "left" : "right") + " foot",
+        "each foot planted before and after the cycle");
+  }
+  FootCycle foot = fitSwing(track, side, shape, found->from, found->to);
+  const double period = end - begin;
+  const auto phase = [&](double frame) {
+    const double p = (frame - begin) / period;
+    return p - std::floor(p);
+  };
+  foot.strike = phase(found->to.strike);
+  foot.lift_off = phase(found->from.lift_off);
   return foot;
 }
 

@@ -15,6 +15,10 @@ namespace amble {
 /// plant before and after it.
 bool hasSwing(const GaitTrack& track, Side side, double begin, double end);
 
+/// The swing of one foot from plant to plant, and its pitch in them; its phases stay 0.
+FootCycle fitSwing(const GaitTrack& track, Side side, const FootShape& shape, const Plant& from,
+                   const Plant& to);
+
 /// The swing of one foot that begins within the frames [begin, end), and the stances around it.
 /// @throws InputError naming `clip` where there is none.
 FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape, double begin,

@@ -15,6 +15,7 @@
 #include "animation/library/statures.h"
 #include "animation/preparation/mirror_cycle.h"
 #include "animation/preparation/transition_fit.h"
+#include "animation/preparation/transition_sequence_fit.h"
 #include "animation/preparation/walk_cycle_fit.h"
 #include "base/error.h"
 #include "base/rotation.h"
@@ -225,6 +226,17 @@ void preparePose(const MotionLibrary& library, const MotionRequest& request, con
   motion.source.frames = {frames.first, frames.second};
 }
 
+// With its sequence where the clip shows enough of the walk.
+void prepareTransition(const MotionLibrary& library, const MotionRequest& request, const Clip& clip,
+                       Motion& motion) {
+  const bool start = request.kind == MotionKind::kStart;
+  motion.transition =
+      fitTransition(clip, library.roles, start, request.file.string(), motion.source.frames);
+  const auto sequence = fitTransitionSequence(clip, library.roles, library.feet(), library.stand(),
+                                              start, motion.source.frames);
+  if (sequence) motion.transition.sequence = *sequence;
+}
+
 }  // namespace
 
 LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadOptions& read) {
@@ -279,8 +291,7 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
       break;
     case MotionKind::kStart:
     case MotionKind::kStop:
-      motion.transition = fitTransition(clip, library.roles, request.kind == MotionKind::kStart,
-                                        file, motion.source.frames);
+      prepareTransition(library, request, clip, motion);
       break;
   }
   for (int& frame : motion.source.frames) frame += capture.first_frame;

@@ -37,6 +37,9 @@ struct SwingShape {
   double delay = 0.0, early = 0.0;
 };
 
+/// Which captured swing a foot follows (SwingCycles).
+enum class SwingKind { kWalk, kFirst, kLast };
+
 /// What a foot is about in a frame.
 struct FootState {
   FootPlace from;  ///< where it stands, or stood last
@@ -47,6 +50,7 @@ struct FootState {
   double strike_roll = 1.0;
   double lift_roll = 1.0;  ///< how much of the captured rise of the heel is kept [0, 1]
   SwingShape swing;        ///< of the swing that the foot is in
+  SwingKind kind = SwingKind::kWalk;
 
   bool planted() const { return at <= 1.0; }
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "animation/steps/start_and_stop.h"
+#include "animation/library/foot_cycle.h"
 #include "base/ease.h"
 
 namespace amble {
@@ -84,13 +84,30 @@ double Footsteps::halfSupport(int node) const {
 }
 
 double Footsteps::strike(int placing) const {
-  if (placing == steps_ && to_.standing) return steps_ - StartAndStop::kLastStrike;
+  if (placing == steps_ && to_.standing) {
+    const EndSwing& last = lastSwing();
+    return steps_ - (last.captured ? last.strike : StartAndStop::kLastStrike);
+  }
+  if (placing == 1 && from_.standing && firstSwing().captured) return firstSwing().strike;
   return placing - halfSupport(placing);
 }
 
 double Footsteps::liftOff(int placing) const {
-  if (placing == -1 && from_.standing) return StartAndStop::kFirstLift;
+  if (placing == -1 && from_.standing)
+    return firstSwing().captured ? firstSwing().lift_off : StartAndStop::kFirstLift;
+  if (placing == steps_ - 2 && to_.standing && lastSwing().captured)
+    return steps_ - lastSwing().lift_off;
   return placing + 1 + halfSupport(placing + 1);
+}
+
+// Which captured swing the foot of a placing follows, where it is at `at` after it.
+SwingKind Footsteps::kindOf(int placing, double at) const {
+  const bool first = from_.standing && firstSwing().captured;
+  const bool last = to_.standing && lastSwing().captured;
+  // A stance is of the swing before until the foot is flat, and of the swing after from then on.
+  const int swings_to = at < FootCycle::kFlat ? placing : placing + 2;
+  if (first && swings_to == 1) return SwingKind::kFirst;
+  return last && swings_to == steps_ ? SwingKind::kLast : SwingKind::kWalk;
 }
 
 // State of the foot whose last placing is `placing`.
@@ -98,31 +115,48 @@ FootState Footsteps::stateOf(int placing, double progress) const {
   FootState foot;
   foot.from = place(placing);
   foot.to = foot.from;
-  const double begin = strike(placing), end = liftOff(placing);
+  const bool first = from_.standing && placing == -1;
+  const bool captured_first = first && firstSwing().captured;
+  const bool captured_last = to_.standing && lastSwing().captured;
+  const double end = liftOff(placing);
+  const double begin = captured_first ? -end : strike(placing);  // standing is half of its stance
   const auto strike_roll = [&](int i) {
-    return to_.standing && i == steps_ ? 0.0 : landings_[i + 1].strike_roll;
+    // A captured last swing ends flat by itself.
+    if (to_.standing && i == steps_) return captured_last ? 1.0 : 0.0;
+    return landings_[i + 1].strike_roll;
   };
   foot.strike_roll = placing <= 0 && from_.standing ? 0.0 : strike_roll(placing);
   foot.lift_roll = to_.standing && placing >= steps_ - 1 ? 0.0 : 1.0;
-  const bool first = from_.standing && placing == -1;
-  if (first) foot.lift_roll = StartAndStop::kFirstRoll * smoothstep(progress / end);
+  if (first) {
+    const double whole = captured_first ? 1.0 : StartAndStop::kFirstRoll;
+    foot.lift_roll = whole * smoothstep(progress / end);
+  }
   if (progress <= end || placing + 2 > steps_) {
     foot.at = std::min(1.0, (progress - begin) / (end - begin));
+    if (captured_last && placing == steps_)
+      foot.at = FootCycle::kFlat * (progress - begin) / (steps_ - begin);
+    foot.kind = kindOf(placing, foot.at);
     return foot;
   }
   foot.to = place(placing + 2);
   foot.strike_roll = strike_roll(placing + 2);
   foot.swing = landings_[placing + 3].swing;
   double tau = (progress - end) / (strike(placing + 2) - end);
-  if (first) tau = std::pow(std::max(tau, 0.0), StartAndStop::kFirstDelay);
+  if (first && !captured_first) tau = std::pow(std::max(tau, 0.0), StartAndStop::kFirstDelay);
   foot.at = 1.0 + std::clamp(tau, 1e-12, 1.0);
+  foot.kind = kindOf(placing, foot.at);
   return foot;
 }
 
 std::array<FootState, 2> Footsteps::at(double progress) const {
-  if (progress <= 0.0) return atStance(placement_, from_);
-  if (progress >= steps_) return atStance(placement_, to_);
   std::array<FootState, 2> feet;
+  if (progress <= 0.0 || progress >= steps_) {  // weight may be shifted there, on the ground
+    const bool begin = progress <= 0.0;
+    feet = atStance(placement_, begin ? from_ : to_);
+    for (const int placing : {begin ? -1 : steps_ - 1, begin ? 0 : steps_})
+      feet[side(placing)].from = feet[side(placing)].to = place(placing);
+    return feet;
+  }
   for (const int parity : {0, 1}) {
     // 0 or -1, then every other; it has landed, since that is before its node.
     const int landed = static_cast<int>(progress);

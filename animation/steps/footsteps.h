@@ -12,6 +12,7 @@
 #include "animation/steps/foot_state.h"
 #include "animation/steps/root_path.h"
 #include "animation/steps/stance.h"
+#include "animation/steps/start_and_stop.h"
 
 namespace amble {
 
@@ -26,8 +27,9 @@ struct FootPlacement {
   double step_length = 0.65;  ///< of the straight walk at the plan's speed [m, > 0]
   /// Of the left foot, left positive; the right's is its mirror image [rad].
   double walk_toe_out = 0.0;
-  double stand_toe_out = 0.0;  ///< the same while standing [rad]
-  double half_support = 0.1;   ///< half of a double support [steps, 0 to 0.5]
+  double stand_toe_out = 0.0;                     ///< the same while standing [rad]
+  double half_support = 0.1;                      ///< half of a double support [steps, 0 to 0.5]
+  std::array<EndSwing, 2> first = {}, last = {};  ///< of starts and of stops, by Side of the foot
 };
 
 /// A place and heading on the ground that feet are put beside.
@@ -76,7 +78,10 @@ class Footsteps {
   double halfSupport(int node) const;
   double strike(int placing) const;
   double liftOff(int placing) const;
+  SwingKind kindOf(int placing, double at) const;
   FootState stateOf(int placing, double progress) const;
+  const EndSwing& firstSwing() const { return placement_.first[first_]; }
+  const EndSwing& lastSwing() const { return placement_.last[side(steps_)]; }
 
   FootPlacement placement_;
   Stance from_, to_;

@@ -79,11 +79,13 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
     const double curvature = std::abs(path.curvatureAt(knots_[i].arc));
     speed[i] =
         std::min(allowedSpeed(knots_[i].arc), limits_.max_turn_rate / std::max(curvature, 1e-9));
-    const double from_standing = std::min(ends_.from_standing ? knots_[i].arc : length_,
-                                          ends_.to_standing ? length_ - knots_[i].arc : length_);
-    if (from_standing < 0.5 * limits_.law.stepLength(limits_.law.onset().first_speed)) {
-      speed[i] = std::min(speed[i], limits_.law.onset().first_speed);
-    }
+    const StrideLaw::Onset& onset = limits_.law.onset();
+    const auto besideStanding = [&](bool stands, double arc, double fastest) {
+      if (stands && arc < 0.5 * limits_.law.stepLength(fastest))
+        speed[i] = std::min(speed[i], fastest);
+    };
+    besideStanding(ends_.from_standing, knots_[i].arc, onset.first_speed);
+    besideStanding(ends_.to_standing, length_ - knots_[i].arc, onset.last_speed);
     knots_[i].window = (ends_.from_standing ? 1.0 : smoothstep(knots_[i].arc / fade)) *
                        (ends_.to_standing ? 1.0 : smoothstep((length_ - knots_[i].arc) / fade));
   }
@@ -193,7 +195,9 @@ void SpeedProfile::time() {
     // Half the speed on average while starting and stopping, of the speed that they join at.
     start_time_ = 2.0 * start_arc_ * valueAt(start_arc_, &Knot::slowness);
     stop_time_ = 2.0 * (length_ - stop_arc_) * valueAt(stop_arc_, &Knot::slowness);
-    return start_time_ + (last - first) + stop_time_;
+    start_sway_ = limits_.law.onset().start_sway * start_time_;
+    stop_sway_ = limits_.law.onset().stop_sway * stop_time_;
+    return start_sway_ + start_time_ + (last - first) + stop_time_ + stop_sway_;
   };
   const double natural = total(0.0);
   frames_ = std::max(2, static_cast<int>(std::lround(natural / limits_.frame_time)));
@@ -245,14 +249,16 @@ double SpeedProfile::arcAtStep(int step) const {
 }
 
 SpeedProfile::Sample SpeedProfile::at(int frame) const {
-  const double t = frame * limits_.frame_time;
-  const double total = frames_ * limits_.frame_time;
-  if (frame <= 0)
+  const double t = frame * limits_.frame_time - start_sway_;
+  const double total = frames_ * limits_.frame_time - start_sway_ - stop_sway_;
+  if (frame <= 0 || t < 0.0) {
     return {0.0, ends_.from_standing ? 0.0 : 1.0 / knots_.front().slowness, 0.0,
-            knots_.front().step};
-  if (frame >= frames_) {
+            knots_.front().step, start_time_ > 0.0 ? std::min(t, 0.0) / start_time_ : 0.0};
+  }
+  if (frame >= frames_ || t > total) {
     return {length_, ends_.to_standing ? 0.0 : 1.0 / knots_.back().slowness,
-            static_cast<double>(steps_), knots_.back().step};
+            static_cast<double>(steps_), knots_.back().step,
+            stop_time_ > 0.0 ? std::max(t - total, 0.0) / stop_time_ : 0.0};
   }
   // Starting: speed grows as a smoothstep, so the arc is tau^3 - tau^4 / 2 of twice the distance.
   const auto eased = [](double tau) { return tau * tau * tau * (1.0 - 0.5 * tau); };

@@ -64,6 +64,9 @@ class SpeedProfile {
     double speed;        ///< [m/s]
     double steps;        ///< progress [0, steps()]
     double step_length;  ///< [m]
+    /// Before the first step negative, after the last positive, while weight is shifted there and
+    /// both feet stand [steps beside standing].
+    double sway = 0.0;
   };
   Sample at(int frame) const;
   double arcAtStep(int step) const;  ///< [m]
@@ -99,6 +102,7 @@ class SpeedProfile {
   // Arc of the first and of the last node that is walked through [m].
   double start_arc_ = 0.0, stop_arc_ = 0.0;
   double start_time_ = 0.0, stop_time_ = 0.0;  // how long starting and stopping take [s]
+  double start_sway_ = 0.0, stop_sway_ = 0.0;  // before and after that weight is shifted [s]
   int steps_ = 0, frames_ = 0;
 };
 

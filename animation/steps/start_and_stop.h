@@ -22,4 +22,10 @@ struct StartAndStop {
   static constexpr double kStandingShare = 0.85;
 };
 
+/// When the foot that steps beside standing swings, counted from standing [steps].
+struct EndSwing {
+  bool captured = false;  ///< both are (TransitionSequence::swing); else as StartAndStop has them
+  double lift_off = 0.0, strike = 0.0;
+};
+
 }  // namespace amble

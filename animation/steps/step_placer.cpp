@@ -37,7 +37,8 @@ double wantedStep(const WalkRequest& request, const SpeedLimits& limits, double 
   const bool starts = request.from.standing && arc < step;
   const bool stops = request.to.standing && arc > request.path.length() - step;
   if (!starts && !stops) return step;
-  return std::min(step, law.stepLength(std::min(limits.speed, law.onset().first_speed)));
+  const double fastest = starts ? law.onset().first_speed : law.onset().last_speed;
+  return std::min(step, law.stepLength(std::min(limits.speed, fastest)));
 }
 
 // Of step i, that turns within the library's rate and is slower up and down.
@@ -46,8 +47,9 @@ double wantedDuration(const WalkSteps& walk, const RootPath& path, const SpeedLi
   const std::vector<FootPlace>& places = walk.feet->places();
   const double middle = 0.5 * (timed.arcs[i - 1] + timed.arcs[i]);
   double speed = limits.speed * paceOf(limits, middle);
-  if ((i == 1 && walk.from.standing) || (i == walk.steps && walk.end.standing))
-    speed = std::min(speed, limits.law.onset().first_speed);
+  const StrideLaw::Onset& onset = limits.law.onset();
+  if (i == 1 && walk.from.standing) speed = std::min(speed, onset.first_speed);
+  if (i == walk.steps && walk.end.standing) speed = std::min(speed, onset.last_speed);
   double duration = limits.law.stepLength(speed) / speed;
   duration *= climbTime(stepHeight(places[i], places[i + 1]), scale);
   const double turning = std::abs(path.at(middle).curvature) / limits.max_turn_rate;
@@ -59,6 +61,8 @@ TimedSteps timeSteps(const WalkSteps& walk, const FootstepPlan& plan, const Root
                      const SpeedLimits& limits, double forward, double scale) {
   TimedSteps timed;
   timed.frame_time = limits.frame_time;
+  if (walk.from.standing) timed.start_sway = limits.law.onset().start_sway;
+  if (walk.end.standing) timed.stop_sway = limits.law.onset().stop_sway;
   timed.first_speed = walk.from.standing ? 0.0 : limits.speed * paceOf(limits, 0.0);
   timed.last_speed = walk.end.standing ? 0.0 : limits.speed * paceOf(limits, path.length());
   for (int i = 0; i <= walk.steps; ++i) {
@@ -111,6 +115,19 @@ CubicSpline rootHeight(const WalkSteps& walk) {
   return {std::move(nodes), std::move(heights), walk.from_feet.rise, walk.end_feet.rise};
 }
 
+// Where the walk puts down placing i, along a path so long: midway between its two nodes. Beside
+// captured standing steps are short: there the first and the last node is midway between the prints
+// around it, as captured.
+double printArc(const WalkSteps& walk, const FootPlacement& placement, double length, int i) {
+  const SpeedProfile& profile = *walk.profile;
+  const bool first = i == 1 && walk.from.standing && placement.first[walk.first].captured;
+  const bool last =
+      i == walk.steps - 2 && walk.end.standing && placement.last[lastFoot(walk)].captured;
+  if (first && !last) return 2.0 * profile.arcAtStep(1);
+  if (last && !first) return 2.0 * profile.arcAtStep(walk.steps - 1) - length;
+  return 0.5 * (profile.arcAtStep(i) + profile.arcAtStep(i + 1));
+}
+
 bool isLevel(const WalkSteps& walk) {
   if (!walk.from_feet.level || !walk.end_feet.level) return false;
   const std::vector<FootPlace>& places = walk.feet->places();
@@ -127,7 +144,7 @@ double WalkSteps::heightAt(const SpeedProfile::Sample& at, double length) const 
 }
 
 StepPlacer::StepPlacer(const Ground& ground, const std::array<FootShape, 2>& shapes,
-                       const std::array<FootCycle, 2>& cycles, const StepSettings& settings)
+                       const SwingCycles& cycles, const StepSettings& settings)
     : s_(settings),
       holds_(ground, shapes, settings.footholds),
       swings_{shapes, cycles, settings.captured_lift, settings.scale},
@@ -185,8 +202,9 @@ bool StepPlacer::natural(WalkSteps& walk, const WalkRequest& request) const {
     if (walk.refused != WalkRule::kNone) return false;
   }
   walk.feet.emplace(s_.placement, walk.from, walk.end, walk.steps, walk.first);
+  const double length = request.path.length();
   walk.feet->place([&](int i) {
-    const double s = 0.5 * (profile.arcAtStep(i) + profile.arcAtStep(i + 1)) + s_.placement.forward;
+    const double s = printArc(walk, s_.placement, length, i) + s_.placement.forward;
     return pathPoint(request.path, s, walk.from.position.z());
   });
   walk.feet->setStances(walk.from_feet.feet, walk.end_feet.feet);

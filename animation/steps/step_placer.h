@@ -64,7 +64,7 @@ class StepPlacer {
 
   /// @pre what is referred to outlives it
   StepPlacer(const Ground& ground, const std::array<FootShape, 2>& shapes,
-             const std::array<FootCycle, 2>& cycles, const StepSettings& settings);
+             const SwingCycles& cycles, const StepSettings& settings);
 
   const FootPlacement& placement() const { return s_.placement; }
   StanceFeet stanceFeet(const Stance& stance) const { return findStanceFeet(s_, holds_, stance); }

@@ -29,8 +29,8 @@ GaitParameters gaitOf(const FootPlace& from, const FootPlace& to, double lift) {
 // The lift of a swing on the level depends on how it rolls and is shaped, not on where it goes.
 bool isCaptured(const FootState& swing) {
   const SwingShape own;
-  return isLevelSwing(swing) && swing.strike_roll == 1.0 && swing.lift_roll == 1.0 &&
-         swing.swing.lift == own.lift && swing.swing.extra == own.extra &&
+  return swing.kind == SwingKind::kWalk && isLevelSwing(swing) && swing.strike_roll == 1.0 &&
+         swing.lift_roll == 1.0 && swing.swing.lift == own.lift && swing.swing.extra == own.extra &&
          swing.swing.delay == own.delay && swing.swing.early == own.early;
 }
 
@@ -44,7 +44,6 @@ bool shapeSwings(const SwingFeet& body, const SwingClearance& clearance, const G
   for (int i = 0; i < 2; ++i) steps.landings()[i].strike_roll = slopeStrike(places[i]);
   for (int i = 1; i <= steps.steps(); ++i) {
     const Side side = steps.side(i);
-    const FootCycle& cycle = body.cycles[side];
     Footsteps::Landing& landing = steps.landings()[i + 1];
     landing.strike_roll = slopeStrike(places[i + 1]);
     // The last foot of a walking stance lands as every walk's.
@@ -53,6 +52,7 @@ bool shapeSwings(const SwingFeet& body, const SwingClearance& clearance, const G
       landing.strike_roll = climbStrike(landing.strike_roll, height, body.scale);
     }
     const auto swinging = [&] { return steps.at(i - 0.5)[side]; };
+    const FootCycle& cycle = body.cycles.of(side, swinging().kind);
     if (wishes.lift) {
       const double lift = wishes.lift(length * (i - 0.5) / steps.steps());
       landing.swing.lift =

@@ -8,6 +8,7 @@
 #include "animation/steps/foot_target.h"
 #include "animation/steps/footsteps.h"
 #include "animation/steps/gait_parameters.h"
+#include "animation/steps/swing_cycles.h"
 #include "animation/steps/swing_path.h"
 
 namespace amble {
@@ -15,9 +16,9 @@ namespace amble {
 /// Whose swings. Refers to what outlives it.
 struct SwingFeet {
   const std::array<FootShape, 2>& shapes;  ///< by Side
-  const std::array<FootCycle, 2>& cycles;  ///< by Side
-  std::array<double, 2> captured_lift;     ///< by Side [m, > 0]
-  double scale = 1.0;                      ///< of the character to the captured subject [> 0]
+  const SwingCycles& cycles;
+  std::array<double, 2> captured_lift;  ///< by Side [m, > 0]
+  double scale = 1.0;                   ///< of the character to the captured subject [> 0]
 };
 
 /// What is asked of one foot [m]. Captured feet swing a little differently: near the captured lift

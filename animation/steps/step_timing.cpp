@@ -9,11 +9,18 @@
 namespace amble {
 
 StepTiming::StepTiming(const TimedSteps& steps)
-    : lengths_(steps.lengths), frame_time_(steps.frame_time) {
-  const double wanted = std::accumulate(steps.durations.begin(), steps.durations.end(), 0.0);
+    : lengths_(steps.lengths),
+      frame_time_(steps.frame_time),
+      start_sway_(steps.start_sway),
+      stop_sway_(steps.stop_sway) {
+  const double wanted =
+      std::accumulate(steps.durations.begin(), steps.durations.end(),
+                      start_sway_ * steps.durations.front() + stop_sway_ * steps.durations.back());
   frames_ = std::max(2, static_cast<int>(std::lround(wanted / frame_time_)));
   const double scale = frames_ * frame_time_ / wanted;
-  std::vector<double> times = {0.0}, nodes = {0.0};
+  first_ = scale * steps.durations.front();
+  last_ = scale * steps.durations.back();
+  std::vector<double> times = {start_sway_ * first_}, nodes = {0.0};
   for (const double duration : steps.durations) {
     times.push_back(times.back() + scale * duration);
     nodes.push_back(nodes.back() + 1.0);
@@ -32,6 +39,11 @@ StepTiming::StepTiming(const TimedSteps& steps)
 
 SpeedProfile::Sample StepTiming::at(int frame) const {
   const double t = frame * frame_time_;
+  const double before = start_sway_ * first_ - t;
+  if (before > 0.0) return {0.0, 0.0, 0.0, lengths_.front(), -before / first_};
+  const double after = t - (frames_ * frame_time_ - stop_sway_ * last_);
+  if (after > 0.0 && stop_sway_ > 0.0)
+    return {arc_.at(t), 0.0, progress_.at(t), lengths_.back(), after / last_};
   const double progress = progress_.at(t);
   const int last = static_cast<int>(lengths_.size()) - 1;
   const int i = std::clamp(static_cast<int>(progress), 0, last - 1);

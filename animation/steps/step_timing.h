@@ -16,6 +16,9 @@ struct TimedSteps {
   std::vector<double> durations;  ///< wanted, of each step: n [s]
   double first_speed = 0.0;       ///< at the ends: 0 where the walk stands [m/s]
   double last_speed = 0.0;
+  /// How long weight is shifted before the first and after the last step, both feet standing, in
+  /// durations of that step [1, >= 0].
+  double start_sway = 0.0, stop_sway = 0.0;
   double frame_time = 1.0 / 60.0;  ///< [s]
 };
 
@@ -33,6 +36,8 @@ class StepTiming {
   CubicSpline arc_, progress_;
   std::vector<double> lengths_;
   double frame_time_ = 0.0;
+  double first_ = 0.0, last_ = 0.0;  // wanted steps' times beside standing, as they came out [s]
+  double start_sway_ = 0.0, stop_sway_ = 0.0;
   int frames_ = 0;
 };
 

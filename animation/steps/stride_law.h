@@ -31,9 +31,12 @@ class StrideLaw {
   /// How walking begins and ends: captured, or by trial.
   struct Onset {
     /// Fastest that a first step leads to, and a last one stops from; by trial [m/s, > 0].
-    double first_speed = 1.0;
+    double first_speed = 1.0, last_speed = 1.0;
     /// People speed up and slow down by about this much [m/s^2, > 0].
     double acceleration = 1.0;
+    /// How long weight is shifted, both feet standing, before a first step and after a last one, in
+    /// times of that step: 0 where no such sequences are captured [1, >= 0].
+    double start_sway = 0.0, stop_sway = 0.0;
   };
   const Onset& onset() const { return onset_; }
   void setOnset(const Onset& onset) { onset_ = onset; }

@@ -12,6 +12,13 @@
 
 namespace amble {
 
+/// That a frame is in a captured start or stop (TransitionBlend).
+struct TransitionMoment {
+  bool there = false;
+  Side side = kLeft;   ///< that steps beside standing
+  double clock = 0.0;  ///< TransitionSequence's [steps]
+};
+
 /// What is known of a frame beside its pose.
 struct FrameState {
   /// Of the root path, on the ground [m, World].
@@ -22,12 +29,16 @@ struct FrameState {
   double turn_rate = 0.0;  ///< left positive [rad/s]
   /// Turn rate that the cycles are blended for: turn_rate without its jumps; 0 at stances [rad/s].
   double blended_turn_rate = 0.0;
-  double phase = 0.0;             ///< of the walk cycle [cycles, 0 <= . < 1]
-  double step_length = 0.0;       ///< to which the cycles are warped here [m, >= 0]
-  double standing = 0.0;          ///< share of the standing posture, 1 at standing stances [0, 1]
-  double lean = 0.0;              ///< of pelvis and trunk, forwards, beside the cycle's [rad]
-  double sway = 0.0;              ///< weight shift to the left beside that of the walk cycle [m]
-  std::array<FootState, 2> feet;  ///< by Side
+  double phase = 0.0;        ///< of the walk cycle [cycles, 0 <= . < 1]
+  double step_length = 0.0;  ///< to which the cycles are warped here [m, >= 0]
+  double standing = 0.0;     ///< rather than walking, 1 at standing stances [0, 1]
+  /// Share of the posture `stand`: all of `standing` but where a captured start or stop has it
+  /// [0, 1].
+  double posture = 0.0;
+  double lean = 0.0;  ///< of pelvis and trunk, forwards, beside the cycle's [rad]
+  double sway = 0.0;  ///< weight shift to the left beside that of the walk cycle [m]
+  TransitionMoment start, stop;
+  std::array<FootState, 2> feet;               ///< by Side
   std::array<bool, 2> planted = {true, true};  ///< by Side: the foot's sole is on the ground
 };
 

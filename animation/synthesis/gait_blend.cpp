@@ -72,6 +72,13 @@ Eigen::MatrixXd warped(Eigen::MatrixXd coefficients, double warp) {
   return coefficients;
 }
 
+// Of a walk beside standing: no faster than captured steps there, which people take short.
+double speedBeside(const Transition& transition) {
+  const TransitionSequence& sequence = transition.sequence;
+  if (sequence.empty()) return transition.first_speed;
+  return std::min(transition.first_speed, 2.0 * sequence.advance / sequence.step_time);
+}
+
 FootCycle scaledFoot(FootCycle foot, double scale) {
   for (double& c : foot.height) c *= scale;
   for (double& c : foot.sideways) c *= scale;
@@ -117,6 +124,7 @@ GaitBlend::GaitBlend(const MotionLibrary& library, double scale, double speed) {
   }
   const bool both = !turns_[0].empty() && !turns_[1].empty();
   layOut();
+  joinTransitions(library, scale, speed);
   max_turn_rate_ =
       both ? std::min(turns_[0].back().turn_rate, -turns_[1].back().turn_rate) : kNoTurns;
 }
@@ -159,17 +167,26 @@ void GaitBlend::fitLaw(const std::vector<Pace>& paces, double leg_length) {
   law_.setSupports(supports, leg_length);
 }
 
-// How walks begin and end: the mean of the library's starts and stops.
+// How walks begin and end: the mean of the library's starts, and of its stops.
 void GaitBlend::takeOnset(const MotionLibrary& library, double scale) {
-  StrideLaw::Onset onset{0.0, 0.0};
-  int count = 0;
-  for (const Motion& motion : library.motions) {
-    if (motion.kind != MotionKind::kStart && motion.kind != MotionKind::kStop) continue;
-    onset.first_speed += motion.transition.first_speed * std::sqrt(scale);
-    onset.acceleration += motion.transition.acceleration;
-    ++count;
+  StrideLaw::Onset onset;
+  double acceleration = 0.0;
+  int both = 0;
+  for (const auto& [kind, speed] : {std::pair(MotionKind::kStart, &onset.first_speed),
+                                    std::pair(MotionKind::kStop, &onset.last_speed)}) {
+    double sum = 0.0;
+    int count = 0;
+    for (const Motion& motion : library.motions) {
+      if (motion.kind != kind) continue;
+      sum += speedBeside(motion.transition) * std::sqrt(scale);
+      acceleration += motion.transition.acceleration;
+      ++count;
+    }
+    if (count > 0) *speed = sum / count;
+    both += count;
   }
-  if (count > 0) law_.setOnset({onset.first_speed / count, onset.acceleration / count});
+  if (both > 0) onset.acceleration = acceleration / both;
+  law_.setOnset(onset);
 }
 
 // Channels, feet and their prints at the plan's speed. Cycles are mixed at its step.
@@ -202,8 +219,26 @@ void GaitBlend::mixStraight(const std::vector<Pace>& paces, const std::vector<Cy
       for (const WalkCycle* cycle : pace) feet.push_back(scaledFoot(cycle->feet[side], scale));
       return meanFoot(feet);
     };
-    feet_[side] = mixed(footOf(cycles[where.low]), footOf(cycles[high]), where.share);
+    feet_.walk[side] = mixed(footOf(cycles[where.low]), footOf(cycles[high]), where.share);
   }
+}
+
+// Captured starts and stops, joined to the straight walk at the speed that they lead to.
+void GaitBlend::joinTransitions(const MotionLibrary& library, double scale, double speed) {
+  Eigen::VectorXd walk;
+  const WalkAt walk_at = [&](double clock, Side side, bool start, std::span<double> channels) {
+    const double phase = (side == kLeft ? 0.5 : 0.0) + 0.5 * (start ? clock + 1.0 : 1.0 - clock);
+    const double fastest = start ? law_.onset().first_speed : law_.onset().last_speed;
+    const double step = law_.stepLength(std::min(speed, fastest));
+    evaluate(phase - std::floor(phase), 0.0, step, walk);
+    std::copy(walk.begin(), walk.end(), channels.begin());
+  };
+  transitions_ = TransitionBlend(library, scale, speed, walk_at);
+  transitions_.addSwings(feet_);
+  StrideLaw::Onset onset = law_.onset();
+  onset.start_sway = transitions_.startSway();
+  onset.stop_sway = transitions_.stopSway();
+  law_.setOnset(onset);
 }
 
 // What turns add to the straight walk at their step.

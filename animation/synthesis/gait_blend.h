@@ -20,6 +20,7 @@
 #include "animation/library/motion_library.h"
 #include "animation/steps/stride_law.h"
 #include "animation/synthesis/cycle_lanes.h"
+#include "animation/synthesis/transition_blend.h"
 
 namespace amble {
 
@@ -41,8 +42,9 @@ class GaitBlend {
   double footForward() const { return foot_forward_; }
   double stagger() const { return stagger_; }
   double toeOut() const { return toe_out_; }  ///< of the left foot, left positive [rad]
-  const FootCycle& foot(Side side) const { return feet_[side]; }
-  const std::array<FootCycle, 2>& feet() const { return feet_; }  ///< by Side
+  const FootCycle& foot(Side side) const { return feet_.walk[side]; }
+  const SwingCycles& feet() const { return feet_; }
+  const TransitionBlend& transitions() const { return transitions_; }
 
   /// Channels of WalkCycle::series at a phase [cycles], blended for a turn rate [rad/s] and warped
   /// to a step length [m]. Amplitudes are proportional to step length, means stay. (The root's
@@ -97,6 +99,7 @@ class GaitBlend {
   void takeOnset(const MotionLibrary& library, double scale);
   void mixStraight(const std::vector<Pace>& paces, const std::vector<Cycles>& cycles, double scale,
                    double speed);
+  void joinTransitions(const MotionLibrary& library, double scale, double speed);
   void addTurns(const std::vector<Cycles>& turns, int harmonics, double scale);
   void layOut();
   void weigh(double turn_rate, int frame, LaneBlend& blend) const;
@@ -108,7 +111,8 @@ class GaitBlend {
   std::vector<LanePace> paces_;  // the same
   double max_turn_rate_ = 0.0, step_width_ = 0.0, foot_forward_ = 0.0, stagger_ = 0.0,
          toe_out_ = 0.0;
-  std::array<FootCycle, 2> feet_;
+  SwingCycles feet_;
+  TransitionBlend transitions_;
 };
 
 }  // namespace amble

@@ -30,7 +30,8 @@ SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, 
     turn.refused = feet->refused;
     if (turn.refused != WalkRule::kNone) return turn;
   }
-  const FootPlacement& placement = placer.placement();
+  FootPlacement placement = placer.placement();
+  placement.first = placement.last = {};  // captured starts and stops are those of walks
   std::vector<double> nodes, done;
   for (int i = 0; i <= turn.steps; ++i) {
     nodes.push_back(i);

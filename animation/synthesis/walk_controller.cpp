@@ -30,21 +30,28 @@ WalkController::WalkController(const GaitBlend& blend,
     : blend_(blend), reference_(reference), stand_(stand_channels), lead_(lead) {}
 
 // Of a frame beside three others: what walking and standing add to its cycle.
-void WalkController::carry(const FrameState& state, int frame, std::span<double> channels) const {
+void WalkController::carry(const FrameState& state, int frame, std::span<double> scratch,
+                           std::span<double> channels) const {
   const auto channel = [&](Eigen::Index i) -> double& { return channels[4 * i + frame]; };
   channel(0) += lead_;
-  if (state.standing > 0.0) {
+  if (state.posture > 0.0) {
     for (Eigen::Index i = 0; i < stand_.size(); ++i) {
       double& value = channel(i);
-      value = state.standing >= 1.0 ? stand_[i] : value + state.standing * (stand_[i] - value);
+      value = state.posture >= 1.0 ? stand_[i] : value + state.posture * (stand_[i] - value);
     }
   }
+  const auto mix = [&](const TransitionBlend::Joined* joined, const TransitionMoment& moment) {
+    joined->mix(moment.clock, state.step_length, scratch, &channels[frame], 4);
+  };
+  const TransitionBlend& transitions = blend_.transitions();
+  if (state.start.there) mix(transitions.start(state.start.side), state.start);
+  if (state.stop.there) mix(transitions.stop(state.stop.side), state.stop);
   channel(1) += state.sway;
 }
 
 // Four frames at a time; the last ones fewer, of which one stands for what is missing.
 bool WalkController::apply(AnimationBuffer& buffer) const {
-  std::vector<double> channels(4 * stand_.size());
+  std::vector<double> channels(4 * stand_.size()), scratch(stand_.size());
   for (int first = 0; first < buffer.size(); first += 4) {
     std::array<int, 4> frames;
     std::array<const FrameState*, 4> states;
@@ -57,7 +64,7 @@ bool WalkController::apply(AnimationBuffer& buffer) const {
       moments.step_length[i] = states[i]->step_length;
     }
     blend_.evaluate(moments, channels);
-    for (int i = 0; i < 4; ++i) carry(*states[i], i, channels);
+    for (int i = 0; i < 4; ++i) carry(*states[i], i, scratch, channels);
     projectChannels(channels, reference_, states, frames, buffer.poses);
   }
   return true;

@@ -29,7 +29,8 @@ class WalkController : public SubController {
   bool apply(AnimationBuffer& buffer) const override;
 
  private:
-  void carry(const FrameState& state, int frame, std::span<double> channels) const;
+  void carry(const FrameState& state, int frame, std::span<double> scratch,
+             std::span<double> channels) const;
 
   const GaitBlend& blend_;
   const std::vector<Eigen::Quaterniond>& reference_;

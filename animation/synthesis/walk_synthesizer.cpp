@@ -68,6 +68,8 @@ struct WalkSynthesizer::Impl {
     placed.walk_toe_out = blend.toeOut();
     placed.stand_toe_out = 0.5 * (stand.toe_out[kLeft] - stand.toe_out[kRight]);
     placed.half_support = 0.5 * blend.law().doubleSupport(settings.speed);
+    placed.first = blend.transitions().firstSwings();
+    placed.last = blend.transitions().lastSwings();
     return placed;
   }
 
@@ -103,7 +105,7 @@ struct WalkSynthesizer::Impl {
     state.position.z() = stood.height;
     state.heading = stance.heading;
     state.arc = arc;
-    state.standing = stance.standing ? 1.0 : 0.0;
+    state.standing = state.posture = stance.standing ? 1.0 : 0.0;
     state.speed = stance.standing ? 0.0 : settings.speed * stance.pace;
     state.phase = stance.standing || stance.leading == kLeft ? 0.0 : 0.5;
     state.step_length = placement.step_length;
@@ -125,7 +127,7 @@ struct WalkSynthesizer::Impl {
     AnimationBuffer buffer;
     buffer.poses = PoseArray(skeleton.size());
     buffer.states.resize(1);
-    buffer.states[0].standing = 1.0;
+    buffer.states[0].standing = buffer.states[0].posture = 1.0;
     buffer.states[0].step_length = placement.step_length;
     buffer.poses.resize(1);
     walk.apply(buffer);
@@ -151,12 +153,31 @@ struct WalkSynthesizer::Impl {
     state.phase -= std::floor(state.phase);
     state.step_length = at.step_length;
     state.lean = slopeLean(steps.slopeAt(at));
-    constexpr double kShare = StartAndStop::kStandingShare;
-    if (request.from.standing) state.standing = 1.0 - smoothstep(begin / kShare);
-    if (request.to.standing)
-      state.standing = std::max(state.standing, 1.0 - smoothstep(left / kShare));
+    standAtEnds(steps, request, at, state);
     state.feet = steps.feet->at(at.steps);
     return state;
+  }
+
+  // What is left of standing at the ends, and which captured start and stop the frame is in.
+  void standAtEnds(const WalkSteps& steps, const WalkRequest& request,
+                   const SpeedProfile::Sample& at, FrameState& state) const {
+    constexpr double kShare = StartAndStop::kStandingShare, kEnd = TransitionSequence::kEnd;
+    const auto stands = [&](double steps_away, double clock, Side side,
+                            const TransitionBlend::Joined* captured, TransitionMoment& moment) {
+      const double share = 1.0 - smoothstep(steps_away / kShare);
+      state.standing = std::max(state.standing, share);
+      if (captured == nullptr) state.posture = std::max(state.posture, share);
+      moment = {captured != nullptr && clock < kEnd, side, clock};
+    };
+    const TransitionBlend& captured = blend.transitions();
+    const double left = steps.steps - at.steps;
+    const Side last = steps.feet->side(steps.steps);
+    if (request.from.standing) {
+      stands(at.steps, at.steps + std::min(at.sway, 0.0), steps.first, captured.start(steps.first),
+             state.start);
+    }
+    if (request.to.standing)
+      stands(left, left - std::max(at.sway, 0.0), last, captured.stop(last), state.stop);
   }
 
   WalkResult pose(AnimationBuffer& out, int steps, Side leading) const {
@@ -212,7 +233,8 @@ double WalkSynthesizer::maxTurnRate() const { return impl_->blend.maxTurnRate();
 double WalkSynthesizer::shortestWalk() const {
   // Two steps of half a step's length each.
   const StrideLaw& law = impl_->blend.law();
-  const double wanted = law.stepLength(std::min(impl_->settings.speed, law.onset().first_speed));
+  const double slowest = std::min(law.onset().first_speed, law.onset().last_speed);
+  const double wanted = law.stepLength(std::min(impl_->settings.speed, slowest));
   return std::max(StrideLaw::kShortestStep * law.capturedStep(), StepFit::kLeastStretch * wanted);
 }
 
