@@ -165,6 +165,10 @@ class LaidWay {
   double floor_ = 0.0;           // height of the prints [m]
 };
 
+// People shift their weight by up to 7 cm over the foot that they stand on; a root that is so far
+// from its path is not where the planner has it (QUALITY.md, path error) [m].
+constexpr double kMostAside = 0.052;
+
 // When the body leaves the place where it stands.
 double begins(const GaitTrack& track, const Order& order, double before) {
   constexpr int kStill = 5;  // frames at the clip's end that show it
@@ -245,6 +249,8 @@ std::optional<TransitionSequence> fitTransitionSequence(const Clip& level, const
   sequence.sway = std::clamp(-way.clock(order.frame(begin)), 0.0, kMostSway);
   sequence.swing = fitStep(track, order, *steps, way, feet[steps->side]);
   sequence.spline = fitSpline(way, sequence.sway, stand.root_height);
+  const double aside = std::max(1e-9, sequence.spline.row(1).cwiseAbs().maxCoeff());
+  sequence.spline.row(1) *= std::min(1.0, kMostAside / aside);
   const double a = way.frame(-sequence.sway), b = way.frame(kEnd);
   frames = {static_cast<int>(std::lround(std::min(a, b))),
             static_cast<int>(std::lround(std::max(a, b)))};

@@ -98,14 +98,17 @@ Support supportOver(const AnimationBuffer& walk, int first, int end) {
 Support supportAtPace(const AnimationBuffer& walk) {
   double top = 0.0;
   for (const FrameState& state : walk.states) top = std::max(top, state.speed);
+  const auto at_pace = [&](const FrameState& state) {
+    return state.speed >= kPace * top && !state.start.there && !state.stop.there;
+  };
   Support longest;
   std::array<int, 2> strike = {-1, -1};  // the first of this stretch, by Side
   std::array<int, 2> strides = {0, 0};   // since
   for (int i = 1; i < walk.size(); ++i) {
-    if (walk.states[i].speed < kPace * top) strike = {-1, -1};
+    if (!at_pace(walk.states[i])) strike = {-1, -1};
     for (int side = 0; side < 2; ++side) {
       const bool strikes = walk.states[i].planted[side] && !walk.states[i - 1].planted[side];
-      if (!strikes || walk.states[i].speed < kPace * top) continue;
+      if (!strikes || !at_pace(walk.states[i])) continue;
       strides[side] = strike[side] < 0 ? 0 : strides[side] + 1;
       if (strike[side] < 0) strike[side] = i;
       if (i - strike[side] <= longest.frames) continue;
