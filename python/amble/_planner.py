@@ -49,7 +49,7 @@ class Planner:
         threads:      change no result; None: as many as there are cores
         name:         for messages
 
-        Raises InputError; KeyboardInterrupt at Ctrl-C.
+        Raises InputError; TimeoutError where the limit passes while the scene is read; KeyboardInterrupt at Ctrl-C.
         """
         person = {"height": character} if isinstance(character, (int, float)) else dict(character or {})
         if library is not None:
