@@ -126,7 +126,7 @@ TEST(WalkController, StandingItDoesNotDependOnTheCycle) {
   FrameState one = walking(0.1), two = walking(0.8);
   two.turn_rate = -1.0;
   two.step_length = 0.3;
-  one.standing = two.standing = 1.0;
+  one.posture = two.posture = 1.0;
   const Pose a = posed(controllerOf(), one), b = posed(controllerOf(), two);
   EXPECT_EQ(a.p_WR, b.p_WR);
   EXPECT_NEAR(a.p_WR.z(), one.position.z() + 0.93, 1e-15);
@@ -138,7 +138,7 @@ TEST(WalkController, StandingItDoesNotDependOnTheCycle) {
 TEST(WalkController, StandingIsMixedInEvenly) {
   FrameState state = walking(0.2);
   const double walk = posed(controllerOf(), state).p_WR.z();
-  state.standing = 0.25;
+  state.posture = 0.25;
   const double mixed = posed(controllerOf(), state).p_WR.z();
   EXPECT_NEAR(mixed, 0.75 * walk + 0.25 * (state.position.z() + 0.93), 1e-12);
 }
@@ -164,7 +164,7 @@ TEST(WalkController, TheWalkingRootLeadsAndTheStandingOneDoesNot) {
   const Eigen::Vector3d moved =
       posed(controllerOf(0.02), state).p_WR - posed(controllerOf(), state).p_WR;
   EXPECT_LT((moved - aboutZ(state.heading) * Eigen::Vector3d(0.02, 0, 0)).norm(), 1e-12);
-  state.standing = 1.0;
+  state.posture = 1.0;
   EXPECT_EQ(posed(controllerOf(0.02), state).p_WR, posed(controllerOf(), state).p_WR);
 }
 
