@@ -273,6 +273,9 @@ TEST(UnevenWalk, TheCapturedLiftAndALevelSlopeGiveTheFlatWalkBack) {
        {walkOver(on_slope, level, 5.0), walkOver(on_flat, flat, 5.0, true, wishes)}) {
     ASSERT_EQ(same.buffer.size(), plain.buffer.size());
     for (int i = 0; i < plain.buffer.size(); ++i) {
+      // Captured first and last steps have a lift of their own.
+      const FrameState& state = plain.buffer.states[i];
+      if (state.start.there || state.stop.there) continue;
       EXPECT_LT((same.buffer.poses.p_WR(i) - plain.buffer.poses.p_WR(i)).norm(), 1e-3);
       for (int j = 0; j < plain.buffer.poses.joints(); ++j) {
         const auto& a = same.buffer.poses.rotations(i)[j];
