@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "base/rotation.h"
 #include "batch/labels/frame_labels.h"
@@ -92,11 +93,23 @@ std::vector<Look> lookAside(const RunResult& run) {
   return looks;
 }
 
-PassedGap gapOf(const RunResult& run, const Look& first, const Look& last, const Look& narrowest) {
+// Of the way, between what the narrowest place is between [m].
+double lengthOf(std::span<const Look> looks, size_t narrowest) {
+  const auto same = [&](size_t i) {
+    return looks[i].left == looks[narrowest].left && looks[i].right == looks[narrowest].right;
+  };
+  size_t first = narrowest, last = narrowest;
+  while (first > 0 && same(first - 1)) --first;
+  while (last + 1 < looks.size() && same(last + 1)) ++last;
+  return looks[last].arc - looks[first].arc;
+}
+
+PassedGap gapOf(const RunResult& run, std::span<const Look> looks, size_t at) {
   const AnimationBuffer& walk = run.outcome.walk.buffer;
   const auto& objects = run.problem->scene.objects;
+  const Look& narrowest = looks[at];
   PassedGap gap;
-  gap.door = narrowest.high && last.arc - first.arc <= kLongestDoor;
+  gap.door = narrowest.high && lengthOf(looks, at) <= kLongestDoor;
   gap.left = objectName(objects.at(static_cast<size_t>(narrowest.left)));
   gap.right = objectName(objects.at(static_cast<size_t>(narrowest.right)));
   gap.width = narrowest.width;
@@ -114,7 +127,8 @@ std::vector<PassedGap> findGaps(const RunResult& run) {
       ++last;
       if (looks[last].width < looks[narrowest].width) narrowest = last;
     }
-    gaps.push_back(gapOf(run, looks[first], looks[last], looks[narrowest]));
+    gaps.push_back(
+        gapOf(run, std::span(looks).subspan(first, last + 1 - first), narrowest - first));
     first = last + 1;
   }
   return gaps;

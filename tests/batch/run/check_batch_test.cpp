@@ -28,14 +28,14 @@ TEST_F(CheckBatch, TellsAWalkThatWasPutInTheWayOfSomething) {
 }
 
 TEST_F(CheckBatch, LooksAtAsManyAsItIsToldAndAtOthersByAnotherSeed) {
-  const BatchJob walks = twoRooms("fps: 30\nseeds: 2\n");
+  const BatchJob walks = twoRooms();
   make(walks, "out");
   std::set<std::vector<int>> samples;
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
     std::vector<int> items;
-    for (const CheckedWalk& walk : checkBatch(walks, folder_ / "out", 3, seed, {}))
+    for (const CheckedWalk& walk : checkBatch(walks, folder_ / "out", 2, seed, {}))
       items.push_back(walk.item);
-    EXPECT_EQ(items.size(), 3u);
+    EXPECT_EQ(items.size(), 2u);
     samples.insert(items);
   }
   EXPECT_GT(samples.size(), 1u);
