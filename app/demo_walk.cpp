@@ -16,7 +16,7 @@ constexpr double kArc = 30.0 * kDegree;  // of a circle, as one Bezier: off it b
 // Lengths that are tried for a duration: as far as one walks at full speed in it, and somewhat
 // more, down to what is left when starting and stopping take this long.
 constexpr double kLonger = 0.3;        // [m]
-constexpr double kStartAndStop = 1.6;  // [s]
+constexpr double kStartAndStop = 2.6;  // [s]
 constexpr double kLengthStep = 0.05;   // a fifteenth of a step [m]
 // Level ground before and behind stairs: two steps [m].
 constexpr double kLanding = 1.4;

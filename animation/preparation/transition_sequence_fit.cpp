@@ -167,7 +167,7 @@ class LaidWay {
 
 // People shift their weight by up to 7 cm over the foot that they stand on; a root that is so far
 // from its path is not where the planner has it (QUALITY.md, path error) [m].
-constexpr double kMostAside = 0.052;
+constexpr double kMostAside = 0.045;
 
 // When the body leaves the place where it stands.
 double begins(const GaitTrack& track, const Order& order, double before) {

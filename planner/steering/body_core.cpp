@@ -83,8 +83,9 @@ struct BodyCore::Measure {
     return std::clamp(wish.value_or(0.5 * (low + high)), low, high);
   }
 
-  // The line that is covered at a height, or by the middle of the part.
-  Line line(std::optional<double> height, double radius, int part) const {
+  // The line that is covered at a height, or by the middle of the part, but for `swaying` beside
+  // standing ends [m].
+  Line line(std::optional<double> height, double radius, double swaying, int part) const {
     Eigen::AlignedBox2d box;
     double standing = 0.0, walking = 0.0;  // farthest before or behind
     for (size_t i = 0; i < from.size(); ++i) {
@@ -96,7 +97,9 @@ struct BodyCore::Measure {
     }
     const double inside = kUsedShare * (radius - 0.5 * box.diagonal().norm());
     const double margin = height ? kEndMargin : -HUGE_VAL;  // the trunk covers all of the path
-    return {box.center().x(), box.center().y(), inside, standing + margin, walking + margin, part};
+    return {box.center().x(), box.center().y(),
+            inside,           std::max(standing + margin, swaying),
+            walking + margin, part};
   }
 };
 
@@ -107,16 +110,23 @@ BodyCore::BodyCore(const StraightWalk& walk, const Skeleton& skeleton, const Joi
   std::vector<Measure> measures(parts);
   std::vector<JointFrame> joints(skeleton.size());
   std::vector<Eigen::Vector3d> from(parts), to(parts);
+  double swaying = 0.0;  // from the ends, where weight is shifted in captured starts and stops [m]
   for (int frame = 0; frame < walk.buffer.size(); ++frame) {
+    const FrameState& state = walk.buffer.states[frame];
+    const bool starts = state.start.there && state.start.clock < 1.0;
+    const bool stops = state.stop.there && state.stop.clock < 1.0;
+    if (starts) swaying = std::max(swaying, state.arc);
+    if (stops) swaying = std::max(swaying, walk.path.length() - state.arc);
+    if (starts || stops) continue;
     forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
     placeBody(body, joints, from, to);
-    const FrameState& state = walk.buffer.states[frame];
     const RootPath::Sample path = walk.path.at(state.arc);
     for (size_t part = 0; part < parts; ++part) {
       measures[part].from.push_back(fromPath(path, state.position.z(), from[part]));
       measures[part].to.push_back(fromPath(path, state.position.z(), to[part]));
     }
   }
+  if (measures.empty() || measures.front().from.empty()) return;
   for (size_t part = 0; part < parts; ++part) {
     const int joint = body.parts[part].joint;
     const bool trunk = joint == roles.hips || joint == roles.head;
@@ -126,7 +136,7 @@ BodyCore::BodyCore(const StraightWalk& walk, const Skeleton& skeleton, const Joi
         measures[part].heightAlways(leg ? std::optional(kShankHeight * stature) : std::nullopt);
     if (!trunk && !height) continue;
     const Line line = measures[part].line(trunk ? std::nullopt : height, body.parts[part].radius,
-                                          static_cast<int>(part));
+                                          swaying, static_cast<int>(part));
     if (line.radius > kThinnest) lines_.push_back(line);
   }
 }
