@@ -30,10 +30,10 @@ TEST_F(BatchOptionsTest, AreAllTried) {
        {"--memory",
         [&] {
           writeGrid();
-          write("in/grid.yaml", "objects:\n  - {name: a, mesh: ../grid.obj, up: z}\n");
+          write("in/grid.yaml", "objects:\n  - {name: a, mesh: grid.obj, up: z}\n");
           write("in/large.yaml", "scenes: [grid.yaml]\nways: {draw: 1}\nfps: 24\n");
           good("batch in/large.yaml -o g --memory 1");
-          EXPECT_NE(read("g/index.csv").find("memory"), std::string::npos);
+          EXPECT_NE(read("g/index.csv").find("memory"), std::string::npos) << read("g/index.csv");
         }},
        {"--shard",
         [&] {

@@ -186,9 +186,9 @@ async function tryLibrary(context, open, claim, file) {
   await page.close();
 }
 
-// A point of the drawing that a function of the graph's drawing gives.
-async function clickAt(page, find) {
-  const [x, y] = await page.evaluate(find);
+// A point of the drawing, or what a function of the graph's drawing gives.
+async function clickAt(page, point) {
+  const [x, y] = typeof point === 'function' ? await page.evaluate(point) : point;
   const box = await page.locator('#bench-canvas').boundingBox();
   await page.mouse.click(box.x + x, box.y + y);
 }
@@ -204,24 +204,30 @@ async function tryGraph(context, open, claim, file) {
   await clickAt(page, () => [window.amble.bench.curves.graph.xOf(20.5), window.amble.bench.curves.graph.yOf(1) + 3]);
   const shown = await page.evaluate(() => [window.amble.index, window.amble.player.time / window.amble.page.bench.graph.frame_time]);
   claim('a click on a clip is that frame of it', shown[0] === 1 && Math.abs(shown[1] - 20) < 1e-6, shown);
-  await clickAt(page, () => {
+  // A transition whose line lies over no other's where it is clicked.
+  const [join, point] = await page.evaluate(() => {
     const { graph } = window.amble.bench.curves;
-    graph.cluster = graph.graph.joins[0].cluster;
-    graph.bench.curves.draw();
-    const { points } = graph.lines.find((line) => line.join === 0);
-    return points.find(([x, y]) => graph.find(x, y).join === 0);
+    for (const [i, { cluster }] of graph.graph.joins.entries()) {
+      graph.cluster = cluster;
+      graph.bench.curves.draw();
+      const { points } = graph.lines.find((line) => line.join === i) ?? { points: [] };
+      const seen = points.find(([x, y]) => graph.find(x, y).join === i);
+      if (seen) return [i, seen];
+    }
+    return [0, [0, 0]];
   });
-  const played = await page.evaluate(() => [window.amble.index, window.amble.page.bench.graph.joins[0].take, window.amble.player.playing]);
+  await clickAt(page, point);
+  const played = await page.evaluate((i) => [window.amble.index, window.amble.page.bench.graph.joins[i].take, window.amble.player.playing], join);
   claim('a click on a transition plays it', played[0] === played[1] && played[2], played);
-  const places = await page.evaluate(() => {
-    const { graph } = window.amble.bench.curves, [join] = graph.graph.joins;
+  const [from, both, to, entered] = await page.evaluate((i) => {
+    const { graph } = window.amble.bench.curves, { meeting, enter } = graph.graph.joins[i];
     window.amble.player.playing = false;
-    return [0, join.meeting, window.amble.take.frames - 1].map((frame) => {
+    return [...[0, meeting, window.amble.take.frames - 1].map((frame) => {
       window.amble.player.seek(frame * graph.graph.frame_time);
       return graph.now.map(({ clip }) => clip);
-    });
-  });
-  claim('it comes from one clip, is both, and ends in the other', places.map((one) => one.length).join() === '1,2,1', places);
+    }), enter.clip];
+  }, join);
+  claim('it comes from one clip, is both, and ends in the other', from.length === 1 && both.length === 2 && to.at(-1) === entered, [from, both, to]);
   await page.click('#bench-tree [data-key=facts]');
   claim('the command that writes it is told', /amble graph play GRAPH '.+' -o FILE.bvh/.test(await page.textContent('#bench-facts')));
   await page.close();
