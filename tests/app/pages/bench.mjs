@@ -219,15 +219,15 @@ async function tryGraph(context, open, claim, file) {
   await clickAt(page, point);
   const played = await page.evaluate((i) => [window.amble.index, window.amble.page.bench.graph.joins[i].take, window.amble.player.playing], join);
   claim('a click on a transition plays it', played[0] === played[1] && played[2], played);
-  const [from, both, to, entered] = await page.evaluate((i) => {
-    const { graph } = window.amble.bench.curves, { meeting, enter } = graph.graph.joins[i];
+  const [from, both, to, left, entered] = await page.evaluate((i) => {
+    const { graph } = window.amble.bench.curves, { meeting, leave, enter } = graph.graph.joins[i];
     window.amble.player.playing = false;
     return [...[0, meeting, window.amble.take.frames - 1].map((frame) => {
       window.amble.player.seek(frame * graph.graph.frame_time);
       return graph.now.map(({ clip }) => clip);
-    }), enter.clip];
+    }), leave.clip, enter.clip];
   }, join);
-  claim('it comes from one clip, is both, and ends in the other', from.length === 1 && both.length === 2 && to.at(-1) === entered, [from, both, to]);
+  claim('it comes from one clip, is both, and ends in the other', from[0] === left && both.length === 2 && to.at(-1) === entered, [from, both, to]);
   await page.click('#bench-tree [data-key=facts]');
   claim('the command that writes it is told', /amble graph play GRAPH '.+' -o FILE.bvh/.test(await page.textContent('#bench-facts')));
   await page.close();
