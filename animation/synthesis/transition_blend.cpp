@@ -17,18 +17,22 @@ TransitionSequence scaledSequence(TransitionSequence sequence, double scale) {
   sequence.step_time *= std::sqrt(scale);
   sequence.advance *= scale;
   sequence.spline.topRows(3) *= scale;
+  // How far a root may be from its path does not grow with the walker (QUALITY.md, path error).
+  if (scale > 1.0) sequence.spline.row(1) /= scale;
   for (double& c : sequence.swing.height) c *= scale;
   for (double& c : sequence.swing.sideways) c *= scale;
   return sequence;
 }
 
-// The library's transition of a kind and side whose walk is nearest in speed.
+// The library's transition of a kind and side whose walk is nearest in speed; none of walks that
+// are faster than the plan's: slowed down to a stroll, their bodies jerk.
 const Motion* nearest(const MotionLibrary& library, MotionKind kind, Side side, double speed) {
   const Motion* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const Motion& motion : library.motions) {
     const TransitionSequence& sequence = motion.transition.sequence;
     if (motion.kind != kind || sequence.empty() || sequence.side != side) continue;
+    if (speed < motion.transition.speed) continue;
     const double off = std::abs(std::log(speed / motion.transition.speed));
     if (off < least) best = &motion, least = off;
   }

@@ -1,7 +1,8 @@
 /// Captured starts and stops of a library (Pettré §4.3), ready for a character: which is taken, and
 /// how it is joined to the walk.
 ///
-/// Of several the one is taken whose walk is nearest in speed and whose foot steps beside standing.
+/// Of several the one is taken whose walk is nearest in speed, but no faster, and whose foot steps
+/// beside standing; slower walks than all of them begin and end by the formula.
 /// It is joined to the cycle where the two bodies are most alike, seen from the root, in place and
 /// in speed; the blend begins half of its time before. Since both are told on the same path, the
 /// mean of the two glides no more than they do.
