@@ -40,6 +40,16 @@ Eigen::Vector3d fromPath(const RootPath::Sample& path, double ground,
   return {ahead.dot(way), ahead.x() * way.y() - ahead.y() * way.x(), point.z() - ground};
 }
 
+// How far from its end of the walk a frame is in a captured start or stop, where a part goes
+// otherwise than in a walk: the trunk while weight is shifted, limbs until they swing as the
+// walk's.
+std::optional<double> transitionAt(const StraightWalk& walk, const FrameState& state, bool limb) {
+  const double until = limb ? TransitionSequence::kEnd : 1.0;  // on its clock [steps]
+  if (state.start.there && state.start.clock < until) return state.arc;
+  if (state.stop.there && state.stop.clock < until) return walk.path.length() - state.arc;
+  return std::nullopt;
+}
+
 // The ground's height along a way, and where it has been level for as long as a stride.
 class LevelWay {
  public:
@@ -70,6 +80,8 @@ class LevelWay {
 // A part over the walk: the ends of its axis in each frame (fromPath).
 struct BodyCore::Measure {
   std::vector<Eigen::Vector3d> from, to;
+  // Beside standing ends, of captured starts and stops, in which the part goes otherwise [m].
+  double transitions = 0.0;
 
   // Of the heights at which the axis passes in every frame the nearest to what is wished for; none
   // where there is none.
@@ -83,9 +95,8 @@ struct BodyCore::Measure {
     return std::clamp(wish.value_or(0.5 * (low + high)), low, high);
   }
 
-  // The line that is covered at a height, or by the middle of the part, but for `swaying` beside
-  // standing ends [m].
-  Line line(std::optional<double> height, double radius, double swaying, int part) const {
+  // The line that is covered at a height, or by the middle of the part.
+  Line line(std::optional<double> height, double radius, int part) const {
     Eigen::AlignedBox2d box;
     double standing = 0.0, walking = 0.0;  // farthest before or behind
     for (size_t i = 0; i < from.size(); ++i) {
@@ -97,9 +108,9 @@ struct BodyCore::Measure {
     }
     const double inside = kUsedShare * (radius - 0.5 * box.diagonal().norm());
     const double margin = height ? kEndMargin : -HUGE_VAL;  // the trunk covers all of the path
-    return {box.center().x(), box.center().y(),
-            inside,           std::max(standing + margin, swaying),
-            walking + margin, part};
+    double beside = standing + margin;
+    if (transitions > 0.0) beside = transitions + walking + (height ? kEndMargin : 0.0);
+    return {box.center().x(), box.center().y(), inside, beside, walking + margin, part};
   }
 };
 
@@ -110,33 +121,31 @@ BodyCore::BodyCore(const StraightWalk& walk, const Skeleton& skeleton, const Joi
   std::vector<Measure> measures(parts);
   std::vector<JointFrame> joints(skeleton.size());
   std::vector<Eigen::Vector3d> from(parts), to(parts);
-  double swaying = 0.0;  // from the ends, where weight is shifted in captured starts and stops [m]
   for (int frame = 0; frame < walk.buffer.size(); ++frame) {
-    const FrameState& state = walk.buffer.states[frame];
-    const bool starts = state.start.there && state.start.clock < 1.0;
-    const bool stops = state.stop.there && state.stop.clock < 1.0;
-    if (starts) swaying = std::max(swaying, state.arc);
-    if (stops) swaying = std::max(swaying, walk.path.length() - state.arc);
-    if (starts || stops) continue;
     forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
     placeBody(body, joints, from, to);
+    const FrameState& state = walk.buffer.states[frame];
     const RootPath::Sample path = walk.path.at(state.arc);
     for (size_t part = 0; part < parts; ++part) {
-      measures[part].from.push_back(fromPath(path, state.position.z(), from[part]));
-      measures[part].to.push_back(fromPath(path, state.position.z(), to[part]));
+      Measure& measure = measures[part];
+      if (const auto end = transitionAt(walk, state, isLimb(body.parts[part].joint, roles))) {
+        measure.transitions = std::max(measure.transitions, *end);
+        continue;
+      }
+      measure.from.push_back(fromPath(path, state.position.z(), from[part]));
+      measure.to.push_back(fromPath(path, state.position.z(), to[part]));
     }
   }
-  if (measures.empty() || measures.front().from.empty()) return;
   for (size_t part = 0; part < parts; ++part) {
     const int joint = body.parts[part].joint;
     const bool trunk = joint == roles.hips || joint == roles.head;
-    if (!trunk && !isLimb(joint, roles)) continue;
+    if (measures[part].from.empty() || (!trunk && !isLimb(joint, roles))) continue;
     const bool leg = joint == roles.legs[kLeft].leg || joint == roles.legs[kRight].leg;
     const std::optional<double> height =
         measures[part].heightAlways(leg ? std::optional(kShankHeight * stature) : std::nullopt);
     if (!trunk && !height) continue;
     const Line line = measures[part].line(trunk ? std::nullopt : height, body.parts[part].radius,
-                                          swaying, static_cast<int>(part));
+                                          static_cast<int>(part));
     if (line.radius > kThinnest) lines_.push_back(line);
   }
 }

@@ -68,7 +68,7 @@ TEST_F(BodyCoreTest, KnowsHowWideTheBodyIs) {
     return !core.touch({path, 0.0, true, true, room.ground}, room.world, *scratch);
   };
   EXPECT_TRUE(passes(3.55));
-  EXPECT_FALSE(passes(3.17));
+  EXPECT_FALSE(passes(3.28));  // an upper arm's middle is 0.2 m beside the path
   EXPECT_FALSE(passes(3.82));
 }
 
