@@ -256,7 +256,7 @@ TEST(PlanWalk, EveryPlannerByNameAnswers) {
   for (const PlannerInfo& planner : listPlanners()) {
     PlanRequest request = requestIn(furnishedRoom());
     request.planner = planner.name;
-    request.limits.max_failures = 400;  // with few luck decides
+    request.limits.max_failures = 200;  // with few luck decides
     const PlanOutcome outcome = planWalk(request);
     // The passage is narrower than the bounding cylinder of a walking body.
     const PlanStatus expected =

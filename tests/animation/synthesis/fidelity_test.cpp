@@ -134,7 +134,7 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
       EXPECT_LT(walk.rms(&Carried::knee, side), 3.8) << side;
     }
     EXPECT_NEAR(Compared::leastKnee(walk.made, kLeft), Compared::leastKnee(walk.captured, kLeft),
-                5.0);
+                4.0);
   }
 }
 
