@@ -7,6 +7,7 @@
 
 #include "animation/body/pose.h"
 #include "animation/preparation/swing_fit.h"
+#include "animation/steps/leg_reach.h"
 #include "animation/steps/stride_law.h"
 #include "base/ease.h"
 #include "base/rotation.h"
@@ -26,10 +27,6 @@ struct Weight {
   static constexpr double kMoved = 20.0;     // of the print against where it was, in metres
   static constexpr double kTooFar = 3000.0;  // of a leg in front that is too long, in its lengths
 };
-// A leg in front is no longer than captured, or than this share of its length: heels cannot help
-// there, and hips would be lowered.
-constexpr double kStraight = 0.998, kLongest = 0.9995;
-
 double timeOf(int sample) {
   return sample < kStance ? static_cast<double>(sample) / kStance
                           : 1.0 + static_cast<double>(sample - kStance) / kSwing;
@@ -131,7 +128,7 @@ class LegTrack {
     return sole + ankleOver(pitch) - captured_[sample].hip;
   }
   Bend bendOf(const Eigen::Vector3d& line) const {
-    const double l = std::min(line.norm(), kLongest * length());
+    const double l = std::min(line.norm(), LegReach::kLongest * length());
     const double cosine = (l * l - thigh_ * thigh_ - shank_ * shank_) / (2.0 * thigh_ * shank_);
     return {std::acos(std::clamp(cosine, -1.0, 1.0)), std::atan2(line.x(), -line.z())};
   }
@@ -175,8 +172,10 @@ void addLeg(const LegTrack& track, const FootCycle& foot, int sample, double wei
     squares.add(weight, wanted[k] - bend[k] + by_pitch[k] * p,
                 {{sample, by_pitch[k]}, {kPitches, by_move[k]}});
   }
-  const double most =
-      std::clamp(captured.norm(), kStraight * track.length(), kLongest * track.length());
+  // A leg in front is no longer than it may be (LegReach): heels cannot help there, and hips would
+  // be lowered.
+  const double most = std::clamp(captured.norm(), LegReach::kStraight * track.length(),
+                                 LegReach::kLongest * track.length());
   if (line.norm() <= most || (at > 0.4 && at < 1.6)) return;
   const double slope = (pitched.norm() - line.norm()) / kStep;
   squares.add(weight * Weight::kTooFar / std::pow(track.length(), 2),

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "animation/synthesis/leg_reach.h"
+#include "animation/steps/leg_reach.h"
 
 namespace amble {
 
