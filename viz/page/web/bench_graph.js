@@ -1,6 +1,8 @@
 // A cluster graph as a drawing: clips as rows of sequences, in the colours of the feet that stand;
 // clusters where their frames lie among all poses; what is alike of both, and transitions.
 
+import { penOf } from './dom.js';
+
 const kNames = 0.3;      // of the rows' width, at most
 const kTop = 4, kRow = 20, kBar = 13, kGap = 16;  // [CSS pixels]
 const kNear = 6;         // of a click to a line [CSS pixels]
@@ -54,15 +56,9 @@ export class BenchGraph {
   }
 
   draw(canvas) {
-    const width = canvas.clientWidth, height = canvas.clientHeight;
-    if (width === 0 || height === 0) return;
-    const ratio = Math.min(devicePixelRatio, 2);
-    canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round(height * ratio);
-    const c = canvas.getContext('2d');
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.font = '11px system-ui, sans-serif';
-    c.textBaseline = 'middle';
+    const pen = penOf(canvas);
+    if (!pen) return;
+    const { c, width, height } = pen;
     const style = getComputedStyle(canvas);
     this.c = c;
     this.color = (name) => style.getPropertyValue(name).trim();

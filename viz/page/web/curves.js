@@ -4,6 +4,7 @@
 // [{ value, color }], zero, marks: [{ at, color, kind }], height } or a row of bars { label, bars:
 // [[from, to]], color, row: true }. `map` tells where of its own a curve is at a value of the axis.
 
+import { penOf } from './dom.js';
 const kLabels = 74, kEnd = 12, kAxis = 20, kRow = 11, kGap = 8, kLegend = 18;  // [CSS pixels]
 const kLeast = 0.05;  // shortest part of the axis that is shown [s]
 
@@ -126,17 +127,10 @@ export class Curves {
       return;
     }
     const { canvas } = this;
-    const width = canvas.clientWidth, height = canvas.clientHeight;
-    if (width === 0 || height === 0) return;
-    const ratio = Math.min(devicePixelRatio, 2);
-    if (canvas.width !== Math.round(width * ratio)) canvas.width = Math.round(width * ratio);
-    if (canvas.height !== Math.round(height * ratio)) canvas.height = Math.round(height * ratio);
-    const c = canvas.getContext('2d');
+    const pen = penOf(canvas);
+    if (!pen) return;
+    const { c, width, height } = pen;
     this.style = getComputedStyle(canvas);
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.clearRect(0, 0, width, height);
-    c.font = '11px system-ui, sans-serif';
-    c.textBaseline = 'middle';
     const rows = this.panels.filter((panel) => panel.row).length;
     const plots = this.panels.length - rows;
     const free = height - kAxis - rows * (kRow + 4) - plots * (kGap + kLegend);

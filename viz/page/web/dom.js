@@ -25,3 +25,18 @@ export function choice(label, options, chosen, act) {
   };
   return group;
 }
+
+/** A canvas as large as it is shown, cleared, in CSS pixels, for small text: { c, width, height }; null where it is not shown. */
+export function penOf(canvas) {
+  const width = canvas.clientWidth, height = canvas.clientHeight;
+  if (width === 0 || height === 0) return null;
+  const ratio = Math.min(devicePixelRatio, 2);
+  if (canvas.width !== Math.round(width * ratio)) canvas.width = Math.round(width * ratio);
+  if (canvas.height !== Math.round(height * ratio)) canvas.height = Math.round(height * ratio);
+  const c = canvas.getContext('2d');
+  c.setTransform(ratio, 0, 0, ratio, 0, 0);
+  c.clearRect(0, 0, width, height);
+  c.font = '11px system-ui, sans-serif';
+  c.textBaseline = 'middle';
+  return { c, width, height };
+}

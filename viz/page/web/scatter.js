@@ -1,21 +1,16 @@
 // Points and lines over two measures: the law of steps, speeds and turn rates.
 
 import { tickOf } from './curves.js';
+import { penOf } from './dom.js';
 
 const kLeft = 58, kBottom = 36, kTop = 12, kRight = 16;  // margins [CSS pixels]
 
 /** Charts beside one another: { x: [label, unit], y: [label, unit], points: [{ x, y, name, chosen }],
  * line: { x: [...], y: [...] } } */
 export function drawCharts(canvas, charts) {
-  const width = canvas.clientWidth, height = canvas.clientHeight;
-  if (width === 0 || height === 0) return;
-  const ratio = Math.min(devicePixelRatio, 2);
-  canvas.width = Math.round(width * ratio);
-  canvas.height = Math.round(height * ratio);
-  const c = canvas.getContext('2d');
-  c.setTransform(ratio, 0, 0, ratio, 0, 0);
-  c.font = '11px system-ui, sans-serif';
-  c.textBaseline = 'middle';
+  const pen = penOf(canvas);
+  if (!pen) return;
+  const { c, width, height } = pen;
   const style = getComputedStyle(canvas);
   const each = width / charts.length;
   charts.forEach((chart, i) => new Chart(c, style, chart, i * each, each, height).draw());
