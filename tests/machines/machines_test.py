@@ -128,7 +128,22 @@ class Slurm(Machines):
             self.here.start(self.slurm, 2)
         except (SystemExit, subprocess.CalledProcessError) as error:
             self.skipTest(f"Slurm does not run here: {error}")
-        self.environment = {**os.environ, "SLURM_CONF": str(self.slurm / "slurm.conf"), "AMBLE": AMBLE}
+        self.environment = {**os.environ, "SLURM_CONF": str(self.slurm / "slurm.conf"), "AMBLE": str(self.interrupted())}
+
+    def interrupted(self):
+        """The program, but that the first shard on n2 ends in the middle of its work and its job does not: whenever the node is
+        killed then, it is at work."""
+        program = self.folder / "amble"
+        program.write_text(f"""#!/bin/bash
+if [ "$SLURMD_NODENAME" = n2 ] && mkdir "{self.folder}/at-work" 2>/dev/null; then
+  timeout --signal=KILL 0.4 "{AMBLE}" "$@"
+  touch "{self.folder}/at-work/interrupted"
+  sleep 600
+fi
+exec "{AMBLE}" "$@"
+""")
+        program.chmod(0o755)
+        return program
 
     def ask(self, *command):
         ended = subprocess.run(command, env=self.environment, cwd=self.folder, check=True, capture_output=True, text=True)
@@ -142,7 +157,7 @@ class Slurm(Machines):
 
     def test_a_job_whose_node_dies_is_finished_on_the_other(self):
         merge = self.ask(EXAMPLES / "slurm-batch", self.job, self.out, str(SHARDS), "--time=1:00:00", "--mem=200M")
-        await_that("n2 is at work", lambda: rows(self.out) > 2 and self.running_on("n2"))
+        await_that("n2 is at work", (self.folder / "at-work" / "interrupted").exists)
         lost = self.running_on("n2")
         self.here.kill(self.slurm, "n2")
         self.assertLess(rows(self.out), WALKS)
