@@ -55,8 +55,8 @@ CaptureQuality readCapture(const YamlNode& node) {
 
 WalkCycle readCycle(const YamlNode& node, int joints) {
   node.requireKeys({"speed", "turn_rate", "period", "cycles", "closure", "capture", "residual",
-                    "slide", "step_width", "foot_forward", "toe_out", "left", "right", "harmonics",
-                    "alpha", "beta"});
+                    "slide", "step_width", "prints_left", "foot_forward", "toe_out", "left",
+                    "right", "harmonics", "alpha", "beta"});
   WalkCycle cycle;
   cycle.speed = node.at("speed").asPositive("speed [m/s]", 5.0);
   cycle.turn_rate = node.at("turn_rate").asDouble(-360, 360, "turn rate [degrees/s]") * kDegree;
@@ -67,6 +67,8 @@ WalkCycle readCycle(const YamlNode& node, int joints) {
   cycle.residual = node.at("residual").asDouble(0.0, 360.0, "residual [degrees]") * kDegree;
   cycle.slide = node.at("slide").asDouble(0.0, 10.0, "slide [m]");
   cycle.step_width = node.at("step_width").asDouble(-0.5, 1.0, "step width [m]");
+  if (const YamlNode left = node["prints_left"])
+    cycle.prints_left = left.asDouble(-1.0, 1.0, "distance [m]");
   const Eigen::VectorXd forward = node.at("foot_forward").asVec(2, "distances [m]", -1.0, 1.0);
   cycle.foot_forward = {forward[kLeft], forward[kRight]};
   cycle.toe_out = degreePair(node.at("toe_out"));

@@ -52,6 +52,7 @@ void putCycle(YAML::Emitter& out, const WalkCycle& cycle) {
   put(out, "residual", cycle.residual / kDegree);
   put(out, "slide", cycle.slide);
   put(out, "step_width", cycle.step_width);
+  if (cycle.prints_left != 0.0) put(out, "prints_left", cycle.prints_left);
   putList(out, "foot_forward", cycle.foot_forward);
   putList(out, "toe_out", cycle.toe_out, kDegree);
   putCapture(out, cycle.capture);

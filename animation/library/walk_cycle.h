@@ -50,10 +50,13 @@ struct WalkCycle {
   FourierSeries series;
   std::array<FootCycle, 2> feet;  ///< by Side
   double step_width = 0.0;        ///< between the lines of left and right footprints [m]
-  /// Of the footprints of phase 0 before the path's point, by Side, less half of a step for the
-  /// front one and more for the rear one: different where steps of left and right are [m].
+  /// Of a turn's path, where the middle between those lines is: people lean into a turn. 0 of a
+  /// straight walk [m].
+  double prints_left = 0.0;
+  /// Of the footprints of phase 0 before the path's points half of a step before and behind,
+  /// by Side: different where steps of left and right are [m].
   std::array<double, 2> foot_forward = {0, 0};
-  /// Heading of the footprint against the path, left positive, by Side [rad].
+  /// Heading of the footprint against the path beside it, left positive, by Side [rad].
   std::array<double, 2> toe_out = {0, 0};
 
   /// Of the capture (the papers' "stride") [m, > 0].

@@ -186,10 +186,10 @@ bool hasSwing(const GaitTrack& track, Side side, double begin, double end) {
   return swingWithin(track, side, begin, end).has_value();
 }
 
-FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Vector2d& path_point,
-                           double path_heading, Side leading) {
+FootPlacing measurePlacing(const GaitTrack& track, double begin, const FittedPath& path,
+                           Side leading) {
   FootPlacing placing;
-  std::array<Eigen::Vector2d, 2> print;  // in the path's frame
+  std::array<Eigen::Vector2d, 2> print;  // as seen from the path
   std::array<double, 2> height = {0.0, 0.0};
   for (const Side side : {kLeft, kRight}) {
     for (const Plant& plant : track.plants(side)) {
@@ -197,10 +197,9 @@ FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Ve
         continue;
       const GaitTrack::FlatFoot flat = track.flatFoot(side, plant);
       height[side] = flat.print.z();
-      const Eigen::Vector2d d = flat.print.head<2>() - path_point;
-      print[side] = {std::cos(path_heading) * d.x() + std::sin(path_heading) * d.y(),
-                     -std::sin(path_heading) * d.x() + std::cos(path_heading) * d.y()};
-      placing.toe_out[side] = wrapAngle(flat.heading - path_heading);
+      const double u = side == leading ? 0.25 : -0.25;  // half of a step is a quarter of a cycle
+      print[side] = path.seen(flat.print.head<2>(), u);
+      placing.toe_out[side] = wrapAngle(flat.heading - path.headingAt(u));
       const double length = plant.lift_off - plant.strike;
       const Eigen::Vector3d mean = track.ankle(side, plant.strike + 0.5 * length);
       for (double x = 0.25; x <= 0.75; x += 0.05) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "animation/library/walk_cycle.h"
+#include "animation/preparation/cycle_path.h"
 #include "animation/preparation/gait_track.h"
 
 namespace amble {
@@ -26,19 +27,20 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
 
 /// Where a walk puts its feet.
 struct FootPlacing {
-  double width = 0.0;                      ///< between the lines of left and right footprints [m]
-  double left = 0.0;                       ///< of the path, where their middle is [m]
-  double height = 0.0;                     ///< mean of the two footprints over the floor [m]
-  std::array<double, 2> forward = {0, 0};  ///< before the path's point, by Side [m]
-  std::array<double, 2> toe_out = {0, 0};  ///< by Side, left positive [rad]
+  double width = 0.0;   ///< between the lines of left and right footprints [m]
+  double left = 0.0;    ///< of the path, where their middle is [m]
+  double height = 0.0;  ///< mean of the two footprints over the floor [m]
+  /// Before the path's point half of a step before or behind, by Side [m].
+  std::array<double, 2> forward = {0, 0};
+  std::array<double, 2> toe_out = {0, 0};  ///< against the path there, left positive [rad]
   /// Largest distance of a standing ankle from its mean, in the middle half of its stance [m, >=
   /// 0].
   double slide = 0.0;
 };
 
-/// At the double support at frame `begin`, whose front foot is `leading`, against the path's point
-/// and heading there.
-FootPlacing measurePlacing(const GaitTrack& track, double begin, const Eigen::Vector2d& path_point,
-                           double path_heading, Side leading);
+/// At the double support at frame `begin`, where the cycle of `path` begins, whose front foot is
+/// `leading`.
+FootPlacing measurePlacing(const GaitTrack& track, double begin, const FittedPath& path,
+                           Side leading);
 
 }  // namespace amble

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "animation/body/pose.h"
+#include "animation/preparation/cycle_path.h"
 #include "animation/preparation/swing_fit.h"
 #include "animation/steps/leg_reach.h"
 #include "animation/steps/stride_law.h"
@@ -62,7 +63,7 @@ class Squares {
 // How a leg is bent: at the knee, and how far forward it goes from the hip [rad].
 using Bend = Eigen::Vector2d;
 
-// A leg over the stance and the swing of its foot, as captured and as ours, where the walk goes
+// A leg over the stance and the swing of its foot, as captured and as ours, where the walk begins
 // along x.
 class LegTrack {
  public:
@@ -73,6 +74,8 @@ class LegTrack {
         shape_(shape),
         reference_(reference),
         cycle_(cycle),
+        path_{Eigen::Vector2d::Zero(), 0.0, 2.0 * cycle.stepLength(),
+              cycle.turn_rate * cycle.period},
         toe_out_(cycle.toe_out[side]),
         thigh_(skeleton.joint(joints_.leg).offset.norm()),
         shank_(skeleton.joint(joints_.foot).offset.norm()),
@@ -81,14 +84,21 @@ class LegTrack {
     const double half = 0.25 * support(roles.legLength(skeleton, kLeft));
     strike_ = node - half;
     stance_ = 0.5 + 2.0 * half;
-    print_ = {node * stride() + 0.5 * cycle.stepLength() + cycle.foot_forward[side],
-              0.5 * sign * cycle.step_width, 0.0};
+    beside_ = node + 0.25;
+    forward_ = cycle.foot_forward[side];
+    left_ = cycle.prints_left + 0.5 * sign * cycle.step_width;
     for (int i = 0; i < kPitches; ++i) captured_.push_back(legAt(timeOf(i)));
   }
 
-  double stride() const { return 2.0 * cycle_.stepLength(); }
   double length() const { return thigh_ + shank_; }
-  void movePrint(double forward) { print_.x() += forward; }
+  void movePrint(double forward) { forward_ += forward; }
+  // Of the print that the foot stands on or leaves, and from there to its next one [m].
+  Eigen::Vector3d print() const { return printAt(beside_); }
+  Eigen::Vector3d stride() const { return printAt(beside_ + 1.0) - print(); }
+  // Where the path goes beside the foot [unit].
+  Eigen::Vector3d ahead(double at) const {
+    return aboutZ(path_.headingAt(beside_) + turned(at)) * Eigen::Vector3d::UnitX();
+  }
 
   struct Leg {
     Eigen::Vector3d hip, ankle;  // [m]
@@ -97,45 +107,59 @@ class LegTrack {
   const Leg& captured(int sample) const { return captured_[sample]; }
   // At a time of the foot, FootState::at.
   Leg legAt(double at) const {
-    const double phase =
-        strike_ + (at <= 1.0 ? at * stance_ : stance_ + (at - 1.0) * (1.0 - stance_));
+    const double phase = phaseAt(at);
     const Eigen::VectorXd c = fourierAt(cycle_.series, phase);
+    const Eigen::Quaterniond along = aboutZ(path_.headingAt(phase));
     Pose pose;
-    pose.p_WR = c.head<3>();
-    pose.p_WR.x() += stride() * phase;
+    pose.p_WR = along * c.head<3>();
+    pose.p_WR.head<2>() += path_.at(phase);
     for (size_t j = 0; j < reference_.size(); ++j) {
       const Eigen::Vector3d v = c.segment<3>(3 + 3 * static_cast<Eigen::Index>(j));
       pose.rotations.push_back(reference_[j] * expRotation(v));
     }
+    pose.rotations[0] = along * pose.rotations[0];
     forwardKinematics(skeleton_, pose, joints_at_);
     return {joints_at_[joints_.up_leg].p_WJ, joints_at_[joints_.foot].p_WJ};
   }
 
   // From the sole that stands on the print to that under the captured ankle, were it so pitched
   // [m].
-  Eigen::Vector3d soleUnder(const Leg& leg, double pitch) const {
-    return leg.ankle - ankleOver(pitch) - print_;
+  Eigen::Vector3d soleUnder(double at, double pitch) const {
+    return legAt(at).ankle - ankleOver(at, pitch) - print();
   }
   // From the captured hip to our ankle [m].
   Eigen::Vector3d line(const FootCycle& foot, int sample, double pitch) const {
-    Eigen::Vector3d sole = print_;
+    Eigen::Vector3d sole = print();
     if (sample >= kStance) {
       const double tau = timeOf(sample) - 1.0;
-      sole.x() += stride() * swingProgress(foot, tau);
-      sole.y() += swingPolynomial(foot.sideways, tau);
+      const Eigen::Vector3d way = stride();
+      const Eigen::Vector3d left = Eigen::Vector3d(-way.y(), way.x(), 0.0) / way.norm();
+      sole += swingProgress(foot, tau) * way + swingPolynomial(foot.sideways, tau) * left;
       sole.z() += swingPolynomial(foot.height, tau);
     }
-    return sole + ankleOver(pitch) - captured_[sample].hip;
+    return sole + ankleOver(timeOf(sample), pitch) - captured_[sample].hip;
   }
-  Bend bendOf(const Eigen::Vector3d& line) const {
+  // Of a line from hip to ankle at a sample.
+  Bend bendOf(int sample, const Eigen::Vector3d& line_W) const {
+    const Eigen::Vector3d line = aboutZ(-path_.headingAt(phaseAt(timeOf(sample)))) * line_W;
     const double l = std::min(line.norm(), LegReach::kLongest * length());
     const double cosine = (l * l - thigh_ * thigh_ - shank_ * shank_) / (2.0 * thigh_ * shank_);
     return {std::acos(std::clamp(cosine, -1.0, 1.0)), std::atan2(line.x(), -line.z())};
   }
 
  private:
-  Eigen::Vector3d ankleOver(double pitch) const {
-    return aboutZ(toe_out_) * rolledAnkle(shape_, pitch);
+  double phaseAt(double at) const {
+    return strike_ + (at <= 1.0 ? at * stance_ : stance_ + (at - 1.0) * (1.0 - stance_));
+  }
+  // What the foot has turned since it stood [rad].
+  double turned(double at) const { return smoothstep(at - 1.0) * path_.turn; }
+  Eigen::Vector3d printAt(double u) const {
+    Eigen::Vector3d print = aboutZ(path_.headingAt(u)) * Eigen::Vector3d(forward_, left_, 0.0);
+    print.head<2>() += path_.at(u);
+    return print;
+  }
+  Eigen::Vector3d ankleOver(double at, double pitch) const {
+    return aboutZ(path_.headingAt(beside_) + turned(at) + toe_out_) * rolledAnkle(shape_, pitch);
   }
   // Share of the cycle with both feet down, of walks at the captured speed.
   double support(double leg_length) const {
@@ -149,10 +173,12 @@ class LegTrack {
   FootShape shape_;
   const std::vector<Eigen::Quaterniond>& reference_;
   const WalkCycle& cycle_;
+  FittedPath path_;
   double toe_out_, thigh_, shank_;
   mutable std::vector<JointFrame> joints_at_;
   double strike_, stance_;  // [cycles]
-  Eigen::Vector3d print_;
+  double beside_, forward_,
+      left_;                   // where along the path the print is [cycles], and from there [m]
   std::vector<Leg> captured_;  // by sample of the pitch
 };
 
@@ -164,10 +190,10 @@ void addLeg(const LegTrack& track, const FootCycle& foot, int sample, double wei
   const Eigen::Vector3d captured = track.captured(sample).line();
   const Eigen::Vector3d line = track.line(foot, sample, p);
   const Eigen::Vector3d pitched = track.line(foot, sample, p + kStep);
-  const Eigen::Vector3d moved = line + kStep * Eigen::Vector3d::UnitX();
-  const Bend bend = track.bendOf(line), wanted = track.bendOf(captured);
-  const Bend by_pitch = (track.bendOf(pitched) - bend) / kStep;
-  const Bend by_move = (track.bendOf(moved) - bend) / kStep;
+  const Eigen::Vector3d moved = line + kStep * track.ahead(at);
+  const Bend bend = track.bendOf(sample, line), wanted = track.bendOf(sample, captured);
+  const Bend by_pitch = (track.bendOf(sample, pitched) - bend) / kStep;
+  const Bend by_move = (track.bendOf(sample, moved) - bend) / kStep;
   for (const int k : {0, 1}) {
     squares.add(weight, wanted[k] - bend[k] + by_pitch[k] * p,
                 {{sample, by_pitch[k]}, {kPitches, by_move[k]}});
@@ -204,11 +230,11 @@ double fitPitch(const LegTrack& track, const std::vector<double>& captured, Foot
 // Along and up, so that the ankle goes as captured.
 void fitSwing(const LegTrack& track, const FootShape& shape, FootCycle& foot) {
   std::vector<double> progress, height;
+  const Eigen::Vector3d way = track.stride();
   for (int i = 0; i < kSwingPoints; ++i) {
     const double tau = static_cast<double>(i) / (kSwingPoints - 1);
-    const Eigen::Vector3d sole =
-        track.soleUnder(track.legAt(1.0 + tau), footPitch(foot, 1.0 + tau));
-    progress.push_back(sole.x() / track.stride() - smoothstep(tau));
+    const Eigen::Vector3d sole = track.soleUnder(1.0 + tau, footPitch(foot, 1.0 + tau));
+    progress.push_back(sole.dot(way) / way.squaredNorm() - smoothstep(tau));
     height.push_back(sole.z());
   }
   foot.progress = fitProgress(progress);

@@ -62,6 +62,7 @@ WalkCycle mirrorCycle(const WalkCycle& cycle, const Skeleton& skeleton, const Jo
   WalkCycle other = cycle;
   other.turn_rate = 0.0 - cycle.turn_rate;  // no -0
   other.feet = {mirrored(cycle.feet[kRight]), mirrored(cycle.feet[kLeft])};
+  other.prints_left = 0.0 - cycle.prints_left;
   other.foot_forward = {cycle.foot_forward[kRight], cycle.foot_forward[kLeft]};
   other.toe_out = {-cycle.toe_out[kRight], -cycle.toe_out[kLeft]};
   std::vector<double> phases;

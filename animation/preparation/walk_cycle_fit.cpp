@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "animation/analysis/gait_measures.h"
 #include "animation/body/rotation_mean.h"
@@ -94,13 +95,11 @@ Eigen::Vector2d fitPlacing(const GaitTrack& track, const std::vector<Stretch>& s
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (size_t k = 0; k < stretches.size(); ++k) {
     const Stretch& s = stretches[k];
-    const FootPlacing placing =
-        measurePlacing(track, s.begin, paths[k].start, paths[k].heading, s.leading);
+    const FootPlacing placing = measurePlacing(track, s.begin, paths[k], s.leading);
     cycle.step_width += share * placing.width;
     middle += share * Eigen::Vector2d(placing.left, placing.height);
     for (const Side side : {kLeft, kRight}) {
-      const double half_step = (side == s.leading ? 0.5 : -0.5) * cycle.stepLength();
-      cycle.foot_forward[side] += share * (placing.forward[side] - half_step);
+      cycle.foot_forward[side] += share * placing.forward[side];
       cycle.toe_out[side] += share * placing.toe_out[side];
     }
     cycle.slide = std::max(cycle.slide, placing.slide);
@@ -146,9 +145,9 @@ WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
   // Heights are over the soles' ground, which a levelled floor is within some millimetres of; a
   // straight walk's path is midway between its footprints, whichever foot the walker leans over.
   Eigen::Vector2d middle = fitPlacing(track, stretches, paths, cycle);
-  if (options.turning) middle[0] = 0.0;
+  if (options.turning) cycle.prints_left = std::exchange(middle[0], 0.0);
   cycle.series.alpha.col(0).segment<2>(1) -= middle;
-  if (!options.turning) fitHeelRise(level.skeleton, roles, feet, reference, cycle);
+  fitHeelRise(level.skeleton, roles, feet, reference, cycle);
   for (size_t k = 0; captured != nullptr && k < samples.size(); ++k) {
     captured->push_back(fitFourier(samples[k], evenPhases(), kAllHarmonics));
     captured->back().alpha.col(0).segment<2>(1) -= middle;

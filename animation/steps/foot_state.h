@@ -51,6 +51,7 @@ struct FootState {
   double lift_roll = 1.0;  ///< how much of the captured rise of the heel is kept [0, 1]
   SwingShape swing;        ///< of the swing that the foot is in
   SwingKind kind = SwingKind::kWalk;
+  double turn_rate = 0.0;  ///< of a walk's swing [rad/s], left positive
 
   bool planted() const { return at <= 1.0; }
 };

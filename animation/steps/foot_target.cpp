@@ -19,13 +19,13 @@ struct SwingRoll {
   double pitch, roll;
 };
 
-SwingRoll swingRoll(const FootState& state, const FootCycle& cycle) {
+SwingRoll swingRoll(const FootState& state, const FootBlend& cycle) {
   const double tau = state.at - 1.0;
   const double share = state.lift_roll + smoothstep(tau) * (state.strike_roll - state.lift_roll);
-  return {rolled(footPitch(cycle, state.at), share, share), swingPolynomial(cycle.roll, tau)};
+  return {rolled(cycle.pitch(state.at), share, share), cycle.polynomial(&FootCycle::roll, tau)};
 }
 
-Sole swingingSole(const FootState& state, const FootCycle& cycle) {
+Sole swingingSole(const FootState& state, const FootBlend& cycle) {
   const SwingShape& shape = state.swing;
   const double tau = state.at - 1.0, ease = smoothstep(tau);
   const Eigen::Vector3d line = state.to.position - state.from.position;
@@ -35,11 +35,11 @@ Sole swingingSole(const FootState& state, const FootCycle& cycle) {
   place.position.z() += swingHeight(shape, cycle, tau);
   const double span = line.head<2>().norm();
   if (span > 1e-9) {
-    const double sideways = swingPolynomial(cycle.sideways, tau) / span;
+    const double sideways = cycle.polynomial(&FootCycle::sideways, tau) / span;
     place.position += sideways * Eigen::Vector3d(-line.y(), line.x(), 0.0);
   }
   place.heading = state.from.heading + ease * wrapAngle(state.to.heading - state.from.heading) +
-                  swingPolynomial(cycle.yaw, tau);
+                  cycle.polynomial(&FootCycle::yaw, tau);
   place.normal = state.from.normal + ease * (state.to.normal - state.from.normal);
   const SwingRoll turned = swingRoll(state, cycle);
   sole.pitch = turned.pitch;
@@ -80,9 +80,9 @@ double pitchAtDistance(const FootShape& shape, const Eigen::Vector3d& p, double 
 
 }  // namespace
 
-Sole soleOf(const FootState& state, const FootCycle& cycle) {
+Sole soleOf(const FootState& state, const FootBlend& cycle) {
   if (!state.planted()) return swingingSole(state, cycle);
-  return {state.from, rolled(footPitch(cycle, state.at), state.strike_roll, state.lift_roll), 0.0};
+  return {state.from, rolled(cycle.pitch(state.at), state.strike_roll, state.lift_roll), 0.0};
 }
 
 double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector3d& hip,
@@ -102,7 +102,7 @@ double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector
   return pitchAtDistance(shape, q_WS.conjugate() * (hip - position), wanted, sole.pitch, most);
 }
 
-FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
+FootTarget footTarget(const FootState& state, const FootBlend& cycle, const FootShape& shape,
                       const Eigen::Vector3d& hip, double longest) {
   Sole sole = soleOf(state, cycle);
   const FootTarget target = targetOf(shape, sole);
@@ -118,7 +118,7 @@ constexpr int kLiftPoints = 100;  // of a swing at which its height is measured
 
 // Height of the lower of heel and ball over level prints, whatever the heading: of the sole turned
 // by pitch about y after roll about x.
-double levelHeight(const FootState& state, const FootCycle& cycle, const FootShape& shape) {
+double levelHeight(const FootState& state, const FootBlend& cycle, const FootShape& shape) {
   const SwingRoll turned = swingRoll(state, cycle);
   const double s = std::sin(turned.pitch), c = std::cos(turned.pitch);
   const double under = c * std::cos(turned.roll) * (shape.radius - shape.ankle_height);
@@ -137,7 +137,7 @@ bool isLevelSwing(const FootState& state) {
          state.from.position.z() == state.to.position.z();
 }
 
-double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape) {
+double swingLift(FootState state, const FootBlend& cycle, const FootShape& shape) {
   const auto endsOf = [&](const FootState& s) {
     const FootTarget target = targetOf(shape, soleOf(s, cycle));
     return soleEnds(shape, target.ankle, target.q_WF);
@@ -160,7 +160,7 @@ double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape
   return highest;
 }
 
-double liftFactor(double lift, FootState state, const FootCycle& cycle, const FootShape& shape) {
+double liftFactor(double lift, FootState state, const FootBlend& cycle, const FootShape& shape) {
   double low = 0.0, high = 20.0;
   for (int i = 0; i < 30; ++i) {
     state.swing.lift = 0.5 * (low + high);

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "animation/body/foot_shape.h"
-#include "animation/library/foot_cycle.h"
+#include "animation/steps/foot_blend.h"
 #include "animation/steps/foot_state.h"
 #include "base/rotation.h"
 
@@ -39,7 +39,7 @@ struct Sole {
   FootPlace place;
   double pitch = 0.0, roll = 0.0;  ///< toes down, and over to the right, positive [rad]
 };
-Sole soleOf(const FootState& state, const FootCycle& cycle);
+Sole soleOf(const FootState& state, const FootBlend& cycle);
 
 /// The pitch of a sole whose ankle is so far from `hip` and should be `longest` away at most
 /// (HeelRise) [rad].
@@ -52,16 +52,16 @@ inline constexpr double kHeelRests = 6.0 * HeelRise::kSoftReach;
 /// Where the foot is to be in a frame, as FootController has it of many at once. Behind the walker,
 /// where the leg from `hip` [World] would be longer than `longest` [m], the heel rises farther than
 /// captured (HeelRise).
-FootTarget footTarget(const FootState& state, const FootCycle& cycle, const FootShape& shape,
+FootTarget footTarget(const FootState& state, const FootBlend& cycle, const FootShape& shape,
                       const Eigen::Vector3d& hip, double longest);
 
 /// Whether a swing goes from one print to another on one level.
 bool isLevelSwing(const FootState& state);
 /// The lift of a swing (GaitParameters::lift), from the prints, rolls and shape that a state of it
 /// has [m].
-double swingLift(FootState state, const FootCycle& cycle, const FootShape& shape);
+double swingLift(FootState state, const FootBlend& cycle, const FootShape& shape);
 /// SwingShape::lift that makes the swing's lift what is asked [m]; what is added to clear things
 /// stays beside it.
-double liftFactor(double lift, FootState state, const FootCycle& cycle, const FootShape& shape);
+double liftFactor(double lift, FootState state, const FootBlend& cycle, const FootShape& shape);
 
 }  // namespace amble

@@ -8,6 +8,15 @@
 namespace amble {
 namespace {
 
+// Where a foot is tried, so far outwards of its line.
+FootPlace placeBeside(const TrialRequest& request, const GroundPoint& point, Side side,
+                      double aside) {
+  PrintPlace print = request.placement.print(side);
+  print.forward = 0.0;  // arcs along the line are tried themselves
+  print.left += side == kLeft ? aside : -aside;
+  return footBeside(point, print);
+}
+
 // The nearest to its line on which a foot stands; where none does, the farthest that was tried.
 FootTrial tryPlace(const TrialRequest& request, const FootholdFinder& holds, Side side, double arc,
                    double z, double reach) {
@@ -15,8 +24,7 @@ FootTrial tryPlace(const TrialRequest& request, const FootholdFinder& holds, Sid
   trial.arc = arc;
   const GroundPoint point = pathPoint(request.path, arc, z);
   for (const double aside : TrialGrid::kAside) {
-    FootPlace place = footBeside(point, side, request.placement.walk_width + 2.0 * aside,
-                                 request.placement.walk_toe_out);
+    FootPlace place = placeBeside(request, point, side, aside);
     place.position.z() = z;
     trial.hold = holds.at(place, side, reach);
     trial.aside = aside;
@@ -63,9 +71,8 @@ bool standsLike(const Foothold& hold, const Foothold& found) {
 Foothold holdAt(const TrialRequest& request, const FootholdFinder& holds, Side side,
                 const FootTrial& trial, double arc) {
   const GroundPoint point = pathPoint(request.path, arc, trial.hold.place.position.z());
-  const FootPlace place = footBeside(point, side, request.placement.walk_width + 2.0 * trial.aside,
-                                     request.placement.walk_toe_out);
-  return holds.at(place, side, holds.limits().highestStep());
+  return holds.at(placeBeside(request, point, side, trial.aside), side,
+                  holds.limits().highestStep());
 }
 
 std::pair<double, double> surfaceAround(const TrialRequest& request, const FootholdFinder& holds,

@@ -15,17 +15,14 @@ GroundPoint ahead(const Stance& stance, double forward) {
           stance.heading};
 }
 
-double staggerOf(const FootPlacement& p, Side side) {
-  return side == kLeft ? p.stagger : -p.stagger;
-}
-
 FootPlace stancePlace(const FootPlacement& p, const Stance& stance, Side side) {
+  const double sign = side == kLeft ? 1.0 : -1.0;
   if (stance.standing) {
-    return footBeside(ahead(stance, p.forward), side, p.stand_width, p.stand_toe_out);
+    return footBeside(ahead(stance, p.forward),
+                      {0.0, 0.5 * sign * p.stand_width, sign * p.stand_toe_out});
   }
   const double step = side == stance.leading ? 0.5 * p.step_length : -0.5 * p.step_length;
-  return footBeside(ahead(stance, p.forward + step + staggerOf(p, side)), side, p.walk_width,
-                    p.walk_toe_out);
+  return footBeside(ahead(stance, p.forward + step), p.print(side));
 }
 
 }  // namespace
@@ -38,10 +35,11 @@ GroundPoint pathPoint(const RootPath& path, double arc, double z) {
           at.heading};
 }
 
-FootPlace footBeside(const GroundPoint& point, Side side, double width, double toe_out) {
-  const double sign = side == kLeft ? 1.0 : -1.0;
-  const Eigen::Vector3d left(-std::sin(point.heading), std::cos(point.heading), 0.0);
-  return {point.position + 0.5 * sign * width * left, point.heading + sign * toe_out};
+FootPlace footBeside(const GroundPoint& point, const PrintPlace& print) {
+  const Eigen::Vector3d ahead(std::cos(point.heading), std::sin(point.heading), 0.0);
+  const Eigen::Vector3d left(-ahead.y(), ahead.x(), 0.0);
+  return {point.position + print.forward * ahead + print.left * left,
+          point.heading + print.toe_out};
 }
 
 Footsteps::Footsteps(const FootPlacement& placement, const Stance& from, const Stance& to,
@@ -58,13 +56,8 @@ Footsteps::Footsteps(const FootPlacement& placement, const Stance& from, const S
 
 Side Footsteps::side(int placing) const { return placing % 2 != 0 ? first_ : other(first_); }
 
-void Footsteps::place(const std::function<GroundPoint(int)>& path_at) {
-  for (int i = 1; i + 1 < steps_; ++i) {
-    GroundPoint point = path_at(i);
-    point.position += staggerOf(placement_, side(i)) *
-                      Eigen::Vector3d(std::cos(point.heading), std::sin(point.heading), 0.0);
-    places_[i + 1] = footBeside(point, side(i), placement_.walk_width, placement_.walk_toe_out);
-  }
+void Footsteps::place(const std::function<FootPlace(int)>& print_at) {
+  for (int i = 1; i + 1 < steps_; ++i) places_[i + 1] = print_at(i);
 }
 
 void Footsteps::setStances(const std::array<FootPlace, 2>& from,
@@ -100,14 +93,15 @@ double Footsteps::liftOff(int placing) const {
   return placing + 1 + halfSupport(placing + 1);
 }
 
-// Which captured swing the foot of a placing follows, where it is at `at` after it.
-SwingKind Footsteps::kindOf(int placing, double at) const {
+// Which captured swing the foot of a placing follows, where it is.
+void Footsteps::follow(int placing, FootState& foot) const {
   const bool first = from_.standing && firstSwing().captured;
   const bool last = to_.standing && lastSwing().captured;
   // A stance is of the swing before until the foot is flat, and of the swing after from then on.
-  const int swings_to = at < FootCycle::kFlat ? placing : placing + 2;
-  if (first && swings_to == 1) return SwingKind::kFirst;
-  return last && swings_to == steps_ ? SwingKind::kLast : SwingKind::kWalk;
+  const int swings_to = foot.at < FootCycle::kFlat ? placing : placing + 2;
+  if (first && swings_to == 1) foot.kind = SwingKind::kFirst;
+  if (last && swings_to == steps_) foot.kind = SwingKind::kLast;
+  if (swings_to <= steps_) foot.turn_rate = landings_[swings_to + 1].turn_rate;
 }
 
 // State of the foot whose last placing is `placing`.
@@ -135,7 +129,7 @@ FootState Footsteps::stateOf(int placing, double progress) const {
     foot.at = std::min(1.0, (progress - begin) / (end - begin));
     if (captured_last && placing == steps_)
       foot.at = FootCycle::kFlat * (progress - begin) / (steps_ - begin);
-    foot.kind = kindOf(placing, foot.at);
+    follow(placing, foot);
     return foot;
   }
   foot.to = place(placing + 2);
@@ -144,7 +138,7 @@ FootState Footsteps::stateOf(int placing, double progress) const {
   double tau = (progress - end) / (strike(placing + 2) - end);
   if (first && !captured_first) tau = std::pow(std::max(tau, 0.0), StartAndStop::kFirstDelay);
   foot.at = 1.0 + std::clamp(tau, 1e-12, 1.0);
-  foot.kind = kindOf(placing, foot.at);
+  follow(placing, foot);
   return foot;
 }
 

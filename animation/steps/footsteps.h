@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "animation/steps/foot_state.h"
+#include "animation/steps/print_place.h"
 #include "animation/steps/root_path.h"
 #include "animation/steps/stance.h"
 #include "animation/steps/start_and_stop.h"
@@ -30,6 +31,12 @@ struct FootPlacement {
   double stand_toe_out = 0.0;                     ///< the same while standing [rad]
   double half_support = 0.1;                      ///< half of a double support [steps, 0 to 0.5]
   std::array<EndSwing, 2> first = {}, last = {};  ///< of starts and of stops, by Side of the foot
+
+  /// While walking straight on.
+  PrintPlace print(Side side) const {
+    const double sign = side == kLeft ? 1.0 : -1.0;
+    return {sign * stagger, 0.5 * sign * walk_width, sign * walk_toe_out};
+  }
 };
 
 /// A place and heading on the ground that feet are put beside.
@@ -46,9 +53,9 @@ class Footsteps {
   Footsteps(const FootPlacement& placement, const Stance& from, const Stance& to, int steps,
             Side first);
 
-  /// Placings between the first and the last stance; `path_at(i)` is the root path's point midway
-  /// between nodes i and i + 1, moved on by `forward`.
-  void place(const std::function<GroundPoint(int)>& path_at);
+  /// Placings between the first and the last stance, `print_at(i)` that of a point of the root path
+  /// midway between nodes i and i + 1, moved on by `forward`.
+  void place(const std::function<FootPlace(int)>& print_at);
   /// The feet of both stances, by Side, as they stand on their ground.
   void setStances(const std::array<FootPlace, 2>& from, const std::array<FootPlace, 2>& to);
   /// Half of the double support around each node 0 to `steps` [steps]; without it that of the
@@ -62,6 +69,8 @@ class Footsteps {
   struct Landing {
     SwingShape swing;
     double strike_roll = 1.0;  ///< FootState::strike_roll [-1, 1]
+    /// FootState::turn_rate; 0 of the first and the last two: a stance is that of a straight walk.
+    double turn_rate = 0.0;
   };
   /// Of all placings, -1 first; nothing swings to placings -1 and 0.
   std::vector<Landing>& landings() { return landings_; }
@@ -78,7 +87,7 @@ class Footsteps {
   double halfSupport(int node) const;
   double strike(int placing) const;
   double liftOff(int placing) const;
-  SwingKind kindOf(int placing, double at) const;
+  void follow(int placing, FootState& foot) const;
   FootState stateOf(int placing, double progress) const;
   const EndSwing& firstSwing() const { return placement_.first[first_]; }
   const EndSwing& lastSwing() const { return placement_.last[side(steps_)]; }
@@ -92,7 +101,7 @@ class Footsteps {
   std::vector<double> half_supports_;  // by node
 };
 
-/// Where a foot stands beside a point: half the width to its side, toes out.
-FootPlace footBeside(const GroundPoint& point, Side side, double width, double toe_out);
+/// Where a foot stands beside a point.
+FootPlace footBeside(const GroundPoint& point, const PrintPlace& print);
 
 }  // namespace amble

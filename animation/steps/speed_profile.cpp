@@ -114,6 +114,23 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
       knots_[i].wanted = same ? knots_[i - 1].wanted : limits_.law.stepLength(speed[i]);
     }
   }
+  if (limits_.law.hasTurns() && !limits_.stride) turnSteps(path);
+}
+
+// Steps in turns are as captured ones. Turns are looked at over a step: where curvature jumps,
+// steps go on smoothly.
+void SpeedProfile::turnSteps(const RootPath& path) {
+  std::vector<double> headings(knots_.size());
+  for (size_t i = 0; i < knots_.size(); ++i) headings[i] = path.at(knots_[i].arc).heading;
+  const double spacing = knots_[1].arc;
+  const int last = static_cast<int>(knots_.size()) - 1;
+  for (int i = 0; i <= last; ++i) {
+    Knot& knot = knots_[i];
+    const int half = std::max(1, static_cast<int>(0.5 * knot.wanted / spacing));
+    const int from = std::max(i - half, 0), to = std::min(i + half, last);
+    const double rate = (headings[to] - headings[from]) / ((to - from) * spacing) * knot.speed;
+    if (rate != 0.0) knot.wanted *= 1.0 + knot.window * (limits_.law.turnedShare(rate) - 1.0);
+  }
 }
 
 // Steps stretched by `delta` where they may be, and what follows from that.

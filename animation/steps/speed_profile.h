@@ -70,9 +70,12 @@ class SpeedProfile {
   };
   Sample at(int frame) const;
   double arcAtStep(int step) const;  ///< [m]
+  /// Walked at an arc, were there no start and stop [m/s].
+  double speedAt(double arc) const { return 1.0 / valueAt(arc, &Knot::slowness); }
 
  private:
   void limitSpeed(const RootPath& path);
+  void turnSteps(const RootPath& path);
   double allowedSpeed(double arc) const;
   void chooseSteps();
   void stretch(double delta);

@@ -6,6 +6,7 @@
 #include "animation/steps/path_pace.h"
 #include "animation/steps/slope_gait.h"
 #include "base/ease.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {
@@ -128,6 +129,13 @@ double printArc(const WalkSteps& walk, const FootPlacement& placement, double le
   return 0.5 * (profile.arcAtStep(i) + profile.arcAtStep(i + 1));
 }
 
+// Mean turn rate of the i-th step of a path [rad/s].
+double turnRateOf(const SpeedProfile& profile, const RootPath& path, int step) {
+  const double from = profile.arcAtStep(step - 1), to = profile.arcAtStep(step);
+  const double turn = wrapAngle(path.at(to).heading - path.at(from).heading);
+  return turn / (to - from) * profile.speedAt(0.5 * (from + to));
+}
+
 bool isLevel(const WalkSteps& walk) {
   if (!walk.from_feet.level || !walk.end_feet.level) return false;
   const std::vector<FootPlace>& places = walk.feet->places();
@@ -203,10 +211,15 @@ bool StepPlacer::natural(WalkSteps& walk, const WalkRequest& request) const {
   }
   walk.feet.emplace(s_.placement, walk.from, walk.end, walk.steps, walk.first);
   const double length = request.path.length();
+  std::vector<double> rates(walk.steps + 1, 0.0);
+  for (int i = 1; i <= walk.steps; ++i) rates[i] = turnRateOf(profile, request.path, i);
   walk.feet->place([&](int i) {
     const double s = printArc(walk, s_.placement, length, i) + s_.placement.forward;
-    return pathPoint(request.path, s, walk.from.position.z());
+    const Side side = walk.feet->side(i);
+    return footBeside(pathPoint(request.path, s, walk.from.position.z()),
+                      swings_.cycles.print(side, s_.placement.print(side), rates[i + 1]));
   });
+  for (int i = 2; i + 1 < walk.steps; ++i) walk.feet->landings()[i + 1].turn_rate = rates[i];
   walk.feet->setStances(walk.from_feet.feet, walk.end_feet.feet);
   walk.refused = standOnGround(*walk.feet);
   if (walk.refused == WalkRule::kNone) swing(walk, request);

@@ -29,9 +29,10 @@ GaitParameters gaitOf(const FootPlace& from, const FootPlace& to, double lift) {
 // The lift of a swing on the level depends on how it rolls and is shaped, not on where it goes.
 bool isCaptured(const FootState& swing) {
   const SwingShape own;
-  return swing.kind == SwingKind::kWalk && isLevelSwing(swing) && swing.strike_roll == 1.0 &&
-         swing.lift_roll == 1.0 && swing.swing.lift == own.lift && swing.swing.extra == own.extra &&
-         swing.swing.delay == own.delay && swing.swing.early == own.early;
+  return swing.kind == SwingKind::kWalk && swing.turn_rate == 0.0 && isLevelSwing(swing) &&
+         swing.strike_roll == 1.0 && swing.lift_roll == 1.0 && swing.swing.lift == own.lift &&
+         swing.swing.extra == own.extra && swing.swing.delay == own.delay &&
+         swing.swing.early == own.early;
 }
 
 }  // namespace
@@ -52,7 +53,7 @@ bool shapeSwings(const SwingFeet& body, const SwingClearance& clearance, const G
       landing.strike_roll = climbStrike(landing.strike_roll, height, body.scale);
     }
     const auto swinging = [&] { return steps.at(i - 0.5)[side]; };
-    const FootCycle& cycle = body.cycles.of(side, swinging().kind);
+    const FootBlend cycle = body.cycles.of(side, swinging());
     if (wishes.lift) {
       const double lift = wishes.lift(length * (i - 0.5) / steps.steps());
       landing.swing.lift =

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "animation/steps/turn_shares.h"
+
 namespace amble {
 
 double StrideLaw::stepLength(double speed) const {
@@ -21,6 +23,20 @@ void StrideLaw::setSupports(const std::vector<Support>& captured, double leg_len
   leg_length_ = leg_length;
   supports_ = captured;
   for (Support& at : supports_) at.share /= doubleSupportNorm(at.speed, leg_length);
+}
+
+void StrideLaw::addTurn(int way, const Turn& turn) {
+  turns_[way].push_back({turn.rate, std::clamp(turn.share, kLeastTurned, kMostTurned)});
+}
+
+double StrideLaw::turnedShare(double rate) const {
+  const std::vector<Turn>& turns = turns_[rate > 0.0 ? 0 : 1];
+  const TurnShares shares = turnShares(
+      turns.size(), [&](size_t i) { return turns[i].rate; }, std::abs(rate));
+  double share = 1.0;
+  if (shares.of_low > 0.0) share += shares.of_low * (turns[shares.low].share - 1.0);
+  if (shares.of_next > 0.0) share += shares.of_next * (turns[shares.low + 1].share - 1.0);
+  return share;
 }
 
 double StrideLaw::doubleSupport(double speed) const {

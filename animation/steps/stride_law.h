@@ -1,6 +1,7 @@
 /// How step length, cadence and double support go with speed.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -55,6 +56,18 @@ class StrideLaw {
   /// Detectors of plants in captures err by as much: beyond, the norm is the better witness [1].
   static constexpr double kSupportOff = 0.022;
 
+  /// Of a captured turn: rate [rad/s, > 0] and its steps against stepLength() at its speed, within
+  /// bounds beyond which they are a fluke [1].
+  struct Turn {
+    double rate = 0.0, share = 1.0;
+  };
+  static constexpr double kLeastTurned = 0.8, kMostTurned = 1.1;
+  /// By growing rate. @param way  0 to the left, 1 to the right
+  void addTurn(int way, const Turn& turn);
+  bool hasTurns() const { return !turns_[0].empty() || !turns_[1].empty(); }
+  /// Of steps while turning at a rate [rad/s, left positive], against stepLength() [1].
+  double turnedShare(double rate) const;
+
   double capturedStep() const { return step_; }  ///< [m]
   double stepLength(double speed) const;         ///< [m]; inverse of speed()
   double speed(double step_length) const;        ///< [m/s]
@@ -68,6 +81,7 @@ class StrideLaw {
   Onset onset_;
   std::vector<Support> supports_;  // shares of the norm's
   double leg_length_ = 0.8;
+  std::array<std::vector<Turn>, 2> turns_;  // left, right
 };
 
 /// Share of time with both feet planted, at a speed [m/s], for a leg length [m, > 0]: norms of

@@ -5,7 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include "animation/library/foot_cycle.h"
 #include "animation/steps/unevenness.h"
 #include "base/ease.h"
 #include "base/range_maximum.h"
@@ -37,13 +36,13 @@ double highestOf(const FootPlace& place, const Eigen::Vector2d& p, const Eigen::
 
 }  // namespace
 
-double swingAlong(const SwingShape& shape, const FootCycle& cycle, double tau) {
+double swingAlong(const SwingShape& shape, const FootBlend& cycle, double tau) {
   const double t = (tau - shape.delay) / (1.0 - shape.delay - shape.early);
-  return swingProgress(cycle, std::clamp(t, 0.0, 1.0));
+  return cycle.progress(std::clamp(t, 0.0, 1.0));
 }
 
-double swingHeight(const SwingShape& shape, const FootCycle& cycle, double tau) {
-  const double height = shape.lift * swingPolynomial(cycle.height, tau);
+double swingHeight(const SwingShape& shape, const FootBlend& cycle, double tau) {
+  const double height = shape.lift * cycle.polynomial(&FootCycle::height, tau);
   return shape.extra > 0.0 ? height + shape.extra * bump(shape, tau) : height;
 }
 
@@ -135,7 +134,7 @@ struct SwingClearance::Moment {
   double own = 0.0;     // margin over the ground that it stands on [m]
 };
 
-SwingClearance::Moment SwingClearance::momentAt(const Strip& strip, const FootCycle& cycle,
+SwingClearance::Moment SwingClearance::momentAt(const Strip& strip, const FootBlend& cycle,
                                                 const SwingShape& shape, double tau) {
   Moment sole;
   const double along = swingAlong(shape, cycle, tau), ease = smoothstep(tau);
@@ -175,7 +174,7 @@ double SwingClearance::needOver(const Strip& strip, const Moment& sole, int firs
 }
 
 // What must be added to the swing's height at each of kSamples moments [m].
-SwingClearance::Needs SwingClearance::needs(const Strip& strip, const FootCycle& cycle,
+SwingClearance::Needs SwingClearance::needs(const Strip& strip, const FootBlend& cycle,
                                             const SwingShape& shape) {
   Needs needs = {};
   for (int k = 1; k < kSamples; ++k) {
@@ -233,7 +232,7 @@ struct SwingClearance::Ramps {
 };
 
 bool SwingClearance::clear(const FootPlace& from, const FootPlace& to, Side side,
-                           const FootCycle& cycle, SwingShape& shape) const {
+                           const FootBlend& cycle, SwingShape& shape) const {
   const double length = (to.position - from.position).head<2>().norm();
   if (length < Search::kCell || isFree(from, to, feet_[side])) return true;
   static const Ramps ramps;

@@ -9,7 +9,7 @@
 
 #include "animation/body/foot_shape.h"
 #include "animation/ground/ground.h"
-#include "animation/library/walk_cycle.h"
+#include "animation/steps/foot_blend.h"
 #include "animation/steps/foot_state.h"
 
 namespace amble {
@@ -52,9 +52,9 @@ struct SwingSearch {
 };
 
 /// Share of the way from print to print that is done at tau [0, 1].
-double swingAlong(const SwingShape& shape, const FootCycle& cycle, double tau);
+double swingAlong(const SwingShape& shape, const FootBlend& cycle, double tau);
 /// Height of the sole over the line from print to print [m].
-double swingHeight(const SwingShape& shape, const FootCycle& cycle, double tau);
+double swingHeight(const SwingShape& shape, const FootBlend& cycle, double tau);
 /// How to swing over what is there. Const: threads share it.
 class SwingClearance {
  public:
@@ -65,7 +65,7 @@ class SwingClearance {
   /// Changes `shape` so that the foot clears everything between the prints; leaves it where it does
   /// already. What goes on far above the highest lift is a wall, and for the collision check.
   /// @return false where no lift does.
-  bool clear(const FootPlace& from, const FootPlace& to, Side side, const FootCycle& cycle,
+  bool clear(const FootPlace& from, const FootPlace& to, Side side, const FootBlend& cycle,
              SwingShape& shape) const;
 
  private:
@@ -75,10 +75,10 @@ class SwingClearance {
   static constexpr int kSamples = 40;  // of a swing
   using Needs = std::array<double, kSamples>;
   struct Moment;
-  static Moment momentAt(const Strip& strip, const FootCycle& cycle, const SwingShape& shape,
+  static Moment momentAt(const Strip& strip, const FootBlend& cycle, const SwingShape& shape,
                          double tau);
   static double needOver(const Strip& strip, const Moment& sole, int first, int last);
-  static Needs needs(const Strip& strip, const FootCycle& cycle, const SwingShape& shape);
+  static Needs needs(const Strip& strip, const FootBlend& cycle, const SwingShape& shape);
   bool isFree(const FootPlace& from, const FootPlace& to, const FootShape& foot) const;
 
   const Ground& ground_;

@@ -162,7 +162,7 @@ void FootController::aim(const AnimationBuffer& buffer, const Four& frames,
     std::array<Sole, 4> soles;
     for (int i = 0; i < 4; ++i)
       soles[i] = soleOf(buffer.states[frames[i]].feet[side],
-                        blend_.feet().of(side, buffer.states[frames[i]].feet[side].kind));
+                        blend_.feet().of(side, buffer.states[frames[i]].feet[side]));
     LaneSoles lanes = sideBySide(soles);
     kernel.aim(lanes_[side], lanes, legs);
     bool risen = false;

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "animation/library/foot_cycle.h"
-#include "base/ease.h"
+#include "animation/steps/turn_shares.h"
 
 namespace amble {
 namespace {
@@ -19,6 +19,19 @@ Eigen::MatrixXd interleaved(const FourierSeries& series, int harmonics, double s
   }
   m.topRows(3) *= scale;
   return m;
+}
+
+// Where one foot of a walk is put down, on average.
+PrintPlace meanPrint(const std::vector<const WalkCycle*>& cycles, Side side, double scale) {
+  const double share = 1.0 / static_cast<double>(cycles.size());
+  PrintPlace mean;
+  for (const WalkCycle* cycle : cycles) {
+    const double half = (side == kLeft ? 0.5 : -0.5) * cycle->step_width;
+    mean.forward += share * cycle->foot_forward[side] * scale;
+    mean.left += share * (cycle->prints_left + half) * scale;
+    mean.toe_out += share * cycle->toe_out[side];
+  }
+  return mean;
 }
 
 // Cycles in order of `size`, parted where it grows by more than kSamePace from a group's first.
@@ -83,6 +96,12 @@ FootCycle scaledFoot(FootCycle foot, double scale) {
   for (double& c : foot.height) c *= scale;
   for (double& c : foot.sideways) c *= scale;
   return foot;
+}
+
+FootCycle meanFootOf(const std::vector<const WalkCycle*>& cycles, Side side, double scale) {
+  std::vector<FootCycle> feet;
+  for (const WalkCycle* cycle : cycles) feet.push_back(scaledFoot(cycle->feet[side], scale));
+  return meanFoot(feet);
 }
 
 FootCycle mixed(const FootCycle& a, const FootCycle& b, double share) {
@@ -214,12 +233,8 @@ void GaitBlend::mixStraight(const std::vector<Pace>& paces, const std::vector<Cy
     }
   }
   for (const Side side : {kLeft, kRight}) {
-    const auto footOf = [&](const Cycles& pace) {
-      std::vector<FootCycle> feet;
-      for (const WalkCycle* cycle : pace) feet.push_back(scaledFoot(cycle->feet[side], scale));
-      return meanFoot(feet);
-    };
-    feet_.walk[side] = mixed(footOf(cycles[where.low]), footOf(cycles[high]), where.share);
+    feet_.walk[side] = mixed(meanFootOf(cycles[where.low], side, scale),
+                             meanFootOf(cycles[high], side, scale), where.share);
   }
 }
 
@@ -250,7 +265,22 @@ void GaitBlend::addTurns(const std::vector<Cycles>& turns, int harmonics, double
     const Eigen::Index kept =
         std::min<Eigen::Index>(2 * kTurnHarmonics + 2, turn.coefficients.cols());
     turn.coefficients.rightCols(turn.coefficients.cols() - kept).setZero();
-    turns_[turn.turn_rate > 0.0 ? 0 : 1].push_back(std::move(turn));
+    const int way = turn.turn_rate > 0.0 ? 0 : 1;
+    law_.addTurn(way, {std::abs(turn.turn_rate), turn.step / law_.stepLength(turn.speed)});
+    addTurnFeet(cycles, scale, std::abs(turn.turn_rate), feet_.turns[way]);
+    turns_[way].push_back(std::move(turn));
+  }
+}
+
+// How those turns put down their feet, and where.
+void GaitBlend::addTurnFeet(const Cycles& cycles, double scale, double rate,
+                            std::vector<TurnFeet>& turns) const {
+  TurnFeet& feet = turns.emplace_back();
+  feet.rate = rate;
+  for (const Side side : {kLeft, kRight}) {
+    feet.cycles[side] = meanFootOf(cycles, side, scale);
+    feet.prints[side] = meanPrint(cycles, side, scale);
+    feet.prints[side].forward -= foot_forward_;  // which the path's points have been moved by
   }
 }
 
@@ -270,23 +300,16 @@ void GaitBlend::layOut() {
   }
 }
 
-// Of all paces at a turn rate. Rates change quickly where a curve begins: shares without a kink do
-// not show as a jerk of the head.
+// Of all paces at a turn rate.
 void GaitBlend::weigh(double turn_rate, int frame, LaneBlend& blend) const {
   addWeight(blend, paces_[0], frame, 1.0);
   const std::vector<Pace>& turns = turns_[turn_rate > 0.0 ? 0 : 1];
   if (turns.empty() || turn_rate == 0.0) return;
-  const double rate = std::abs(turn_rate);
   const auto rateOf = [&](size_t i) { return std::abs(turns[i].turn_rate); };
   const LanePace* paces = &paces_[1 + (turn_rate > 0.0 ? 0 : turns_[0].size())];
-  if (rate <= rateOf(0)) {
-    addWeight(blend, paces[0], frame, smoothstep(rate / rateOf(0)));
-    return;
-  }
-  const Between turn = between(turns.size(), rateOf, rate);
-  const double share = smoothstep(turn.share);
-  addWeight(blend, paces[turn.low], frame, 1.0 - share);
-  if (share > 0.0) addWeight(blend, paces[turn.low + 1], frame, share);
+  const TurnShares shares = turnShares(turns.size(), rateOf, std::abs(turn_rate));
+  addWeight(blend, paces[shares.low], frame, shares.of_low);
+  if (shares.of_next > 0.0) addWeight(blend, paces[shares.low + 1], frame, shares.of_next);
 }
 
 std::vector<GaitBlend::Share> GaitBlend::shares(const MotionLibrary& library,

@@ -4,10 +4,10 @@
 /// and right turns of the same rate. The straight walk is mixed of the two paces next to the plan's
 /// speed, once: the walker keeps his carriage where he slows for a turn or a stop, and only the
 /// step is warped. A turn adds what the captured turns do otherwise than that walk at their step,
-/// in its mean and lowest harmonics. Which is which is told by each cycle's own measured turn rate.
-/// (The paper has left turns negative; ours are positive.) Beyond the captured paces nothing is
-/// extrapolated but the step: the slowest and the fastest walk are warped, turns are held at the
-/// fastest captured rate, the speed drops instead.
+/// in its mean and lowest harmonics, and brings its feet (SwingCycles). Which is which is told by
+/// each cycle's own measured turn rate. (The paper has left turns negative; ours are positive.)
+/// Beyond the captured paces nothing is extrapolated but the step: the slowest and the fastest walk
+/// are warped, turns are held at the fastest captured rate, the speed drops instead.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,6 +19,7 @@
 
 #include "animation/library/motion_library.h"
 #include "animation/steps/stride_law.h"
+#include "animation/steps/swing_cycles.h"
 #include "animation/synthesis/cycle_lanes.h"
 #include "animation/synthesis/transition_blend.h"
 
@@ -101,6 +102,8 @@ class GaitBlend {
                    double speed);
   void joinTransitions(const MotionLibrary& library, double scale, double speed);
   void addTurns(const std::vector<Cycles>& turns, int harmonics, double scale);
+  void addTurnFeet(const Cycles& cycles, double scale, double rate,
+                   std::vector<TurnFeet>& turns) const;
   void layOut();
   void weigh(double turn_rate, int frame, LaneBlend& blend) const;
 

@@ -111,8 +111,9 @@ TEST(FootPlacing, IsWhatWasDrawn) {
   const FittedWalk walk(puppet);
   const GaitTrack track(walk.clip, walk.rig.roles, walk.rig.feet);
   const double middle = 110.0 + 0.5 * (puppet.stance - 0.5) * 110.0;  // of a double support
-  const Eigen::Vector2d point = puppet.pelvis(middle / puppet.rate).head<2>();
-  const FootPlacing placing = measurePlacing(track, middle, point, 0.0, kLeft);
+  const FittedPath path{puppet.pelvis(middle / puppet.rate).head<2>(), 0.0,
+                        puppet.speed * puppet.period, 0.0};
+  const FootPlacing placing = measurePlacing(track, middle, path, kLeft);
   EXPECT_NEAR(placing.width, 0.14, 1e-4);
   EXPECT_NEAR(0.5 * (placing.forward[kLeft] + placing.forward[kRight]),
               -walk.rig.feet[kLeft].ankle_x, 1e-3);

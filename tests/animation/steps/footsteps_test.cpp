@@ -34,7 +34,8 @@ struct Walk {
         steps(placement(), from, to, count, first) {
     const double begin = from_standing ? 0.0 : 0.5;
     steps.place([&](int i) {
-      return GroundPoint{{kStepLength * (i + begin) + placement().forward, 0.0, 0.0}, 0.0};
+      return footBeside({{kStepLength * (i + begin) + placement().forward, 0.0, 0.0}, 0.0},
+                        placement().print(steps.side(i)));
     });
   }
   static Eigen::Vector3d endOf(bool from_standing, bool to_standing, int count) {
@@ -62,8 +63,8 @@ bool samePlace(const FootPlace& a, const FootPlace& b) {
 
 TEST(FootBeside, AFootIsHalfTheWidthToItsSideWithToesOut) {
   const GroundPoint point{{1, 2, 0.5}, kPi / 2};
-  const FootPlace left = footBeside(point, kLeft, 0.2, 0.1);
-  const FootPlace right = footBeside(point, kRight, 0.2, 0.1);
+  const FootPlace left = footBeside(point, {0.0, 0.1, 0.1});
+  const FootPlace right = footBeside(point, {0.0, -0.1, -0.1});
   EXPECT_LT((left.position - Eigen::Vector3d(0.9, 2, 0.5)).norm(), 1e-15);
   EXPECT_LT((right.position - Eigen::Vector3d(1.1, 2, 0.5)).norm(), 1e-15);
   EXPECT_NEAR(left.heading - kPi / 2, 0.1, 1e-15);

@@ -20,7 +20,8 @@ Footsteps sixSteps() {
   to.position.x() = 5.0 * placement.step_length;
   Footsteps steps(placement, from, to, 6, kRight);
   steps.place([&](int i) {
-    return GroundPoint{{i * placement.step_length + placement.forward, 0.0, 0.0}, 0.0};
+    return footBeside({{i * placement.step_length + placement.forward, 0.0, 0.0}, 0.0},
+                      placement.print(steps.side(i)));
   });
   return steps;
 }
