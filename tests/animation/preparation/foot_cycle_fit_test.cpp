@@ -105,21 +105,29 @@ TEST(FootCycleFit, SlipIsHowFarTheFootMovesFromStrikeToLiftOff) {
   }
 }
 
-TEST(FootPlacing, IsWhatWasDrawn) {
+class FootPlacings : public testing::TestWithParam<double> {};
+
+// On a circle as on a line, since prints are seen from the points of the path beside them.
+TEST_P(FootPlacings, AreWhatWasDrawn) {
   Puppet puppet;
   puppet.width = 0.14;
+  puppet.turn_rate = GetParam();
   const FittedWalk walk(puppet);
   const GaitTrack track(walk.clip, walk.rig.roles, walk.rig.feet);
   const double middle = 110.0 + 0.5 * (puppet.stance - 0.5) * 110.0;  // of a double support
-  const FittedPath path{puppet.pelvis(middle / puppet.rate).head<2>(), 0.0,
-                        puppet.speed * puppet.period, 0.0};
+  const FittedPath path{puppet.pelvis(middle / puppet.rate).head<2>(),
+                        puppet.heading(middle / puppet.rate), puppet.speed * puppet.period,
+                        puppet.turn_rate * puppet.period};
   const FootPlacing placing = measurePlacing(track, middle, path, kLeft);
   EXPECT_NEAR(placing.width, 0.14, 1e-4);
+  EXPECT_NEAR(placing.left, 0.0, 1e-4);
   EXPECT_NEAR(0.5 * (placing.forward[kLeft] + placing.forward[kRight]),
               -walk.rig.feet[kLeft].ankle_x, 1e-3);
   EXPECT_NEAR(placing.toe_out[kLeft], 0.0, 1e-4);
   EXPECT_LT(placing.slide, 1e-4);
 }
+
+INSTANTIATE_TEST_SUITE_P(, FootPlacings, testing::Values(0.0, 0.6, -0.9));
 
 TEST(FootPitch, PassesThroughItsSamplesWithPeriodTwoAndNoJump) {
   FootCycle foot;

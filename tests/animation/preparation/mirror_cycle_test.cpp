@@ -55,6 +55,8 @@ TEST(MirrorCycle, KeepsSpeedAndPeriodAndTurnsTheOtherWay) {
   EXPECT_EQ(other.speed, cycle.speed);
   EXPECT_EQ(other.period, cycle.period);
   EXPECT_EQ(other.turn_rate, -cycle.turn_rate);
+  EXPECT_EQ(other.prints_left, -cycle.prints_left);
+  EXPECT_NE(cycle.prints_left, 0.0);
   EXPECT_EQ(other.series.harmonics(), cycle.series.harmonics());
   for (const Side side : {kLeft, kRight}) {
     const FootCycle &foot = cycle.feet[side], &far = other.feet[amble::other(side)];

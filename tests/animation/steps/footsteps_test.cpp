@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "animation/library/foot_cycle.h"
 #include "base/rotation.h"
 
 namespace amble {
@@ -125,6 +126,23 @@ TEST(Footsteps, BothFeetArePlantedInDoubleSupportAndOneFootBetween) {
       EXPECT_FALSE(feet[walk.steps.side(i + 1)].planted());
     }
   });
+}
+
+// A foot changes from the swing that it came by to the one that it leaves by while it is flat.
+TEST(Footsteps, AFootTurnsAsTheSwingThatItIsIn) {
+  Walk walk(true, true, 8, kLeft);
+  for (int i = 2; i <= 6; ++i) walk.steps.landings()[i + 1].turn_rate = i;
+  for (double progress = 0.01; progress < 8.0; progress += 0.01) {
+    for (const Side side : {kLeft, kRight}) {
+      const FootState foot = walk.steps.at(progress)[side];
+      int landed = -1;  // by the print that it stands on or leaves
+      for (int i = 0; i <= 8; ++i)
+        if (walk.steps.side(i) == side && samePlace(walk.steps.places()[i + 1], foot.from))
+          landed = i;
+      const int swings_to = foot.at < FootCycle::kFlat ? landed : landed + 2;
+      EXPECT_EQ(foot.turn_rate, swings_to >= 2 && swings_to <= 6 ? swings_to : 0.0) << progress;
+    }
+  }
 }
 
 TEST(Footsteps, EverySwingEndsWhereTheNextStanceBegins) {

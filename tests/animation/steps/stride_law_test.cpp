@@ -33,6 +33,21 @@ TEST(StrideLaw, StepLengthGoesWithThePowerOfSpeed) {
               StrideLaw::kStepPower, 1e-12);
 }
 
+TEST(StrideLaw, StepsInTurnsAreTheCapturedOnesAndOnTheStraightItsOwn) {
+  StrideLaw law(1.1, 0.62);
+  EXPECT_EQ(law.turnedShare(1.0), 1.0);
+  law.addTurn(0, {0.5, 0.95});
+  law.addTurn(0, {1.0, 0.9});
+  law.addTurn(1, {0.8, 3.0});
+  EXPECT_EQ(law.turnedShare(0.0), 1.0);
+  EXPECT_NEAR(law.turnedShare(0.5), 0.95, 1e-12);
+  EXPECT_NEAR(law.turnedShare(1.0), 0.9, 1e-12);
+  EXPECT_NEAR(law.turnedShare(2.0), 0.9, 1e-12);  // the fastest is held
+  EXPECT_NEAR(law.turnedShare(-0.8), StrideLaw::kMostTurned, 1e-12);
+  for (double rate = -2.0; rate < 2.0; rate += 0.001)  // without a jump
+    EXPECT_LT(std::abs(law.turnedShare(rate + 0.001) - law.turnedShare(rate)), 0.001);
+}
+
 TEST(StrideLaw, CadenceIsNeverSlowerThanItsLeast) {
   const StrideLaw law(1.1, 0.62);
   const double captured = 1.1 / 0.62;
