@@ -11,12 +11,12 @@ namespace amble {
 namespace {
 
 // Speed against the wanted one when steps are `stretch` times the wanted ones. A walk whose steps
-// give way by a few percent keeps its speed and changes its cadence; steps much longer or shorter
-// change both, as short steps are slow ones.
+// give way by a few percent keeps its speed and changes its cadence; steps much shorter change
+// both, as short steps are slow ones. Longer ones do not: nobody is asked to walk faster because a
+// stretch comes out as so many steps.
 double pace(double stretch) {
-  const double u = std::log(stretch);
-  return std::exp((u < 0.0 ? 1.5 : 1.0) * u * u * u /
-                  (u * u + StepFit::kSteady * StepFit::kSteady));
+  const double u = std::min(std::log(stretch), 0.0);
+  return std::exp(1.5 * u * u * u / (u * u + StepFit::kSteady * StepFit::kSteady));
 }
 
 // Where f, that falls smoothly from f_low to f_high, is 0: secants that keep it between them (the
