@@ -23,7 +23,7 @@ struct PlanEnd {
 
 struct RefineSettings {
   bool walk_on = true;  ///< false: pass 1 only
-  int tries = 50;       ///< a round of pass 3 [>= 0]; by trial
+  int tries = 50;       ///< a round of pass 4 [>= 0]; by trial
 };
 
 struct PlanRequest {

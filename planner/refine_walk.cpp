@@ -20,7 +20,7 @@ constexpr double kRounding = 1e-6;
 // that saves a frame because steps happen to come out whole looks like a stagger. By trial.
 constexpr double kBendCost = 0.3;  // [s/rad]
 constexpr double kGain = 0.05;     // [s]
-// Rounds of pass 3: at most, and in a row without help until it ends. By trial: a long walk has
+// Rounds of pass 4: at most, and in a row without help until it ends. By trial: a long walk has
 // more to gain.
 constexpr int kMostRounds = 12;
 constexpr int kIdleRounds = 3;
@@ -35,9 +35,29 @@ constexpr std::array<double, 5> kTurns = {0.0, 20 * kDegree, -20 * kDegree, 40 *
                                           -40 * kDegree};
 // And how fast, of the plan's speed: slower where nothing passes at that.
 constexpr std::array<double, 3> kPaces = {1.0, 0.7, 0.5};
+// Pass 3: an edge that goes near things is led past them: from where along it, and how far aside
+// [m]; a node between such edges is moved: along, aside [m] and turned. Not where that costs less
+// than kUneasy [s].
+constexpr std::array<double, 3> kShares = {0.5, 0.3, 0.7};
+constexpr std::array<double, 6> kAside = {0.2, -0.2, 0.4, -0.4, 0.1, -0.1};
+struct Move {
+  double along, aside, turn;
+};
+constexpr std::array<Move, 10> kMoves = {{{0.0, 0.15, 0.0},
+                                          {0.0, -0.15, 0.0},
+                                          {0.0, 0.0, 15 * kDegree},
+                                          {0.0, 0.0, -15 * kDegree},
+                                          {0.2, 0.0, 0.0},
+                                          {-0.2, 0.0, 0.0},
+                                          {0.0, 0.15, 15 * kDegree},
+                                          {0.0, 0.15, -15 * kDegree},
+                                          {0.0, -0.15, 15 * kDegree},
+                                          {0.0, -0.15, -15 * kDegree}}};
+constexpr double kUneasy = 0.1;
+constexpr int kMostMoves = 8;
 // How far from a corner it is cut [m]: about the radius of the tightest walks and more.
 constexpr std::array<double, 3> kCuts = {0.6, 0.9, 1.3};
-// Pass 3: how far a random stance lies from where it is looked for [m], and how far its heading is
+// Pass 4: how far a random stance lies from where it is looked for [m], and how far its heading is
 // off [rad].
 constexpr double kStray = 0.25;
 constexpr double kFarStray = 1.0;  // every other time
@@ -115,6 +135,9 @@ class Refiner {
  private:
   bool stopped() const { return limits_.stopped(); }
   void passStops();
+  void keepAway();
+  std::vector<Proposal> asideOfEdge(int i) const;
+  std::vector<Proposal> besideNode(int i) const;
   bool tries(int round, int tries);
   int last() const { return static_cast<int>(path_.edges.size()); }  // node
   Waypoint node(int i) const;
@@ -295,6 +318,51 @@ void Refiner::passStops() {
   }
 }
 
+void Refiner::keepAway() {
+  for (int i = 0; i < last() && !stopped(); ++i)
+    if (!path_.edges[i].path.empty() && path_.edges[i].unease >= kUneasy)
+      firstThatHelps(asideOfEdge(i));
+  for (int i = 1; i < last() && !stopped(); ++i) {
+    const auto uneasy = [&] {
+      return path_.edges[i - 1].unease + path_.edges[i].unease >= kUneasy;
+    };
+    if (path_.pinned[i] || node(i).stance.standing) continue;
+    for (int k = 0; k < kMostMoves && uneasy() && firstThatHelps(besideNode(i)) >= 0; ++k) {
+    }
+  }
+}
+
+// Ways that leave an edge to one side.
+std::vector<Proposal> Refiner::asideOfEdge(int i) const {
+  std::vector<Proposal> proposals;
+  double before = 0.0;
+  for (int k = 0; k < i; ++k) before += path_.edges[k].length;
+  for (const double share : kShares) {
+    const Stance on = pointOfWalk(before + share * path_.edges[i].length, 1.0).second;
+    const Eigen::Vector2d left(-std::sin(on.heading), std::cos(on.heading));
+    for (const double aside : kAside) {
+      proposals.push_back(
+          {i, i + 1, {walking(at(on) + aside * left, on.position.z(), on.heading, kLeft, 1.0)}});
+    }
+  }
+  return proposals;
+}
+
+// Ways by places around a node that is walked through.
+std::vector<Proposal> Refiner::besideNode(int i) const {
+  const Stance& here = node(i).stance;
+  const Eigen::Vector2d ahead(std::cos(here.heading), std::sin(here.heading));
+  const Eigen::Vector2d left(-ahead.y(), ahead.x());
+  std::vector<Proposal> proposals;
+  for (const Move& move : kMoves) {
+    proposals.push_back({i - 1,
+                         i + 1,
+                         {walking(at(here) + move.along * ahead + move.aside * left,
+                                  here.position.z(), here.heading + move.turn, kLeft, here.pace)}});
+  }
+  return proposals;
+}
+
 // The edge and the stance at a distance along the walk.
 std::pair<int, Stance> Refiner::pointOfWalk(double s, double pace) const {
   int edge = 0;
@@ -359,7 +427,8 @@ std::optional<Proposal> Refiner::randomProposal(int round, int index) const {
   // The streams of the roadmap's samples begin at 0: these are far from them.
   SampleStream stream(limits_.seed,
                       (1ULL << 40) + (static_cast<std::uint64_t>(round) << 32) + index);
-  switch (stream.below(3)) {
+  // A walk of one edge has no node to move, nor one to leave out.
+  switch (last() < 2 ? 2 : stream.below(3)) {
     case 0:
       return moveNode(stream);
     case 1:
@@ -392,6 +461,7 @@ bool Refiner::tries(int round, int tries) {
 void Refiner::walkOn(int most_tries, bool slower) {
   slower_ = slower;
   passStops();
+  keepAway();
   for (int round = 0, idle = 0; round < kMostRounds && idle < kIdleRounds && !stopped(); ++round) {
     if (!tries(round, most_tries)) {
       ++idle;
@@ -400,6 +470,7 @@ void Refiner::walkOn(int most_tries, bool slower) {
     idle = 0;
     shortcuts();
     passStops();
+    keepAway();
   }
 }
 
