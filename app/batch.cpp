@@ -111,7 +111,7 @@ int run(const BatchArguments& options) {
     printSummary(made, options.job.out);
   }
   if (made.stopped) return kExitStopped;
-  if (how.shard.count == 1) mergeBatch(job, options.job.out, how);
+  if (how.shard.count == 1) mergeBatch(job, options.job.out, how, made.keys);
   return kExitDone;
 }
 

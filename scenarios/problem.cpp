@@ -46,11 +46,10 @@ void requireActions(const Scenario& scenario, const MotionLibrary& library) {
   }
 }
 
-void requireStyle(const Scenario& scenario) {
+void requireStyle(const Scenario& scenario, const MotionLibrary& all) {
   const std::string& style = scenario.walk.style;
   if (style.empty()) return;
-  const std::vector<std::string> styles =
-      stylesOf(readMotionLibrary(motionLibraryFile(scenario.character.library)));
+  const std::vector<std::string> styles = stylesOf(all);
   if (std::find(styles.begin(), styles.end(), style) != styles.end()) return;
   scenario.source.fail(
       "walk.style", "nobody in the library walks in the style '" + style + "'",
@@ -117,8 +116,12 @@ MotionLibrary loadLibrary(const Scenario& scenario) {
                          "the library '" + character.library + "' is not there",
                          "'default', or the path of a motion library, relative to this file");
   }
-  requireStyle(scenario);
-  MotionLibrary library = openMotionLibrary(character.library, {}, scenario.walk.style);
+  return loadLibrary(scenario, readMotionLibrary(motionLibraryFile(character.library)));
+}
+
+MotionLibrary loadLibrary(const Scenario& scenario, const MotionLibrary& all) {
+  requireStyle(scenario, all);
+  MotionLibrary library = openMotionLibrary(all, scenario.walk.style);
   requireActions(scenario, library);
   return library;
 }
@@ -151,10 +154,8 @@ auto timed(double& seconds, Make make) {
 }
 
 // Without ground nobody stands anywhere; what is wrong then is the scene, not a place in it.
-SceneGround makeGround(const Scene& scene, const Scenario& scenario, const MotionLibrary& library,
-                       const StopRequest& stop) {
-  const GroundSettings settings = groundSettings(scenario, library);
-  SceneGround ground(scene, settings, stop);
+void requireGround(const Scene& scene, const Scenario& scenario, const SceneGround& ground) {
+  const GroundSettings& settings = ground.settings();
   if (ground.extent().isEmpty()) {
     const std::vector<std::string> hints = groundWarnings(scene, ground);
     scenario.source.fail(
@@ -164,7 +165,23 @@ SceneGround makeGround(const Scene& scene, const Scenario& scenario, const Motio
         "a floor that faces up, no steeper than " + degrees(settings.limits.max_slope) +
             " degrees, with " + metres(settings.headroom) + " m of room above it");
   }
+}
+
+std::shared_ptr<const SceneGround> makeGround(const ProblemInputs& inputs, const Scenario& scenario,
+                                              const StopRequest& stop) {
+  const GroundSettings settings = groundSettings(scenario, *inputs.library);
+  const auto ground = inputs.walked
+                          ? inputs.walked->ground(settings, stop)
+                          : std::make_shared<const SceneGround>(*inputs.scene, settings, stop);
+  requireGround(*inputs.scene, scenario, *ground);
   return ground;
+}
+
+std::shared_ptr<const SceneLayers> makeLayers(const ProblemInputs& inputs,
+                                              const SceneGround& ground, const StopRequest& stop,
+                                              Checker checker) {
+  if (inputs.walked && checker == Checker::kFast) return inputs.walked->layers(ground, stop);
+  return std::make_shared<const SceneLayers>(*inputs.scene, ground, stop, checker);
 }
 
 // Of a query, before its places' own.
@@ -225,24 +242,22 @@ struct Problem::Parts {
   Parts(const Scenario& scenario, double frame_time, ProblemInputs read, const LoadLimits& limits,
         Checker checker, LoadTimes& times)
       : inputs(std::move(read)),
-        ground(timed(
-            times.ground,
-            [&] { return makeGround(*inputs.scene, scenario, *inputs.library, limits.stop); })),
+        ground(timed(times.ground, [&] { return makeGround(inputs, scenario, limits.stop); })),
         synthesizer(timed(times.character,
                           [&] {
-                            return WalkSynthesizer(*inputs.library, ground,
+                            return WalkSynthesizer(*inputs.library, *ground,
                                                    settingsOf(scenario, frame_time));
                           })),
         body(checkedBody(synthesizer, *inputs.library, mayStoop(scenario, *inputs.library))),
         world(timed(times.collision, [&] {
-          return CollisionWorld(*inputs.scene, ground, synthesizer.skeleton(), body, limits.stop,
-                                checker);
+          return CollisionWorld(*inputs.scene, makeLayers(inputs, *ground, limits.stop, checker),
+                                synthesizer.skeleton(), body);
         })) {}
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
   const ProblemInputs inputs;
-  const SceneGround ground;
+  const std::shared_ptr<const SceneGround> ground;
   const WalkSynthesizer synthesizer;
   const Body body;
   const CollisionWorld world;
@@ -271,7 +286,7 @@ Problem::Problem(const Scenario& problem, double frame_time, ProblemInputs input
                                            times)),
       library(*parts_->inputs.library),
       scene(*parts_->inputs.scene),
-      ground(parts_->ground),
+      ground(*parts_->ground),
       floor(startFloor(scene, ground, scenario, keys)),
       synthesizer(parts_->synthesizer),
       body(parts_->body),

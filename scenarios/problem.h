@@ -14,6 +14,7 @@
 #include "planner/legs/planner.h"
 #include "scenarios/report.h"
 #include "scenarios/scenario.h"
+#include "scenarios/walked_scene.h"
 
 namespace amble {
 
@@ -22,6 +23,8 @@ struct ProblemInputs {
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const MotionLibrary> library;
   LoadTimes times = {};  ///< of reading these
+  /// What walkers find in the scene, where several do; none: it is made. @pre of this scene
+  std::shared_ptr<const WalkedScene> walked = {};
 };
 /// @throws InputError; Stopped
 ProblemInputs readInputs(const Scenario& scenario, const LoadLimits& limits);
@@ -83,6 +86,8 @@ struct Problem {
 /// What a scenario names, as Problem reads it. @throws InputError; Stopped
 SceneReading beginScene(const Scenario& scenario, const LoadLimits& limits);
 MotionLibrary loadLibrary(const Scenario& scenario);
+/// The same of its file that is read, with all styles.
+MotionLibrary loadLibrary(const Scenario& scenario, const MotionLibrary& all);
 /// What is ground to the scenario's character, whose places are ground.
 GroundSettings groundSettings(const Scenario& scenario, const MotionLibrary& library);
 

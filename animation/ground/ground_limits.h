@@ -16,6 +16,8 @@ struct GroundLimits {
 
   /// The higher of the two: where steps lead at all [m].
   double highestStep() const { return max_climb > max_drop ? max_climb : max_drop; }
+
+  bool operator==(const GroundLimits& other) const = default;
 };
 
 }  // namespace amble

@@ -234,7 +234,10 @@ std::filesystem::path motionLibraryFile(const std::string& name,
 
 MotionLibrary openMotionLibrary(const std::string& name, const std::filesystem::path& relative_to,
                                 const std::string& style) {
-  const MotionLibrary all = readMotionLibrary(motionLibraryFile(name, relative_to));
+  return openMotionLibrary(readMotionLibrary(motionLibraryFile(name, relative_to)), style);
+}
+
+MotionLibrary openMotionLibrary(const MotionLibrary& all, const std::string& style) {
   const std::vector<std::string> styles = stylesOf(all);
   if (!style.empty() && std::find(styles.begin(), styles.end(), style) == styles.end()) {
     throw InputError(all.file.string(), 0, "nobody in it walks in the style '" + style + "'",

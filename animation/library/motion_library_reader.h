@@ -20,6 +20,8 @@ MotionLibrary readMotionLibrary(const std::filesystem::path& file);
 MotionLibrary openMotionLibrary(const std::string& name,
                                 const std::filesystem::path& relative_to = {},
                                 const std::string& style = "");
+/// The same of one that is read. @param all  with all its styles
+MotionLibrary openMotionLibrary(const MotionLibrary& all, const std::string& style);
 /// The file of that library.
 std::filesystem::path motionLibraryFile(const std::string& name,
                                         const std::filesystem::path& relative_to = {});

@@ -9,6 +9,7 @@
 #include "base/sha256.h"
 #include "base/text.h"
 #include "base/version.h"
+#include "batch/job/source_digest.h"
 
 namespace amble {
 namespace {
@@ -210,7 +211,7 @@ Scenario scenarioOf(const BatchJob& job, const BatchItem& item) {
 std::string describeItem(const BatchJob& job, const BatchItem& item, const std::string& scene,
                          const std::string& library) {
   const Scenario scenario = scenarioOf(job, item);
-  std::string text = "amble " + version() + "\n";
+  std::string text = "amble " + version() + " " + sourceDigest() + "\n";
   const auto add = [&](const std::string& name, const std::string& value) {
     text += name + " " + withoutControls(value) + "\n";
   };

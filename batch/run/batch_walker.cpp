@@ -62,6 +62,7 @@ std::shared_ptr<const BatchSceneData> readBatchScene(const BatchJob& job, int sc
   try {
     SceneReading reading = beginScene(scenarioOf(job, any), limits);
     data->scene = std::make_shared<const Scene>(reading.finish());
+    data->walked = std::make_shared<const WalkedScene>(data->scene);
     data->inputs = digestsOf(job, data->scene->inputs);
     data->digest = digestOfInputs(data->inputs);
   } catch (const InputError& error) {
@@ -72,12 +73,27 @@ std::shared_ptr<const BatchSceneData> readBatchScene(const BatchJob& job, int sc
   return data;
 }
 
+std::shared_ptr<const BatchLibraryData> readDrawersLibrary(const BatchJob& job) {
+  auto data = std::make_shared<BatchLibraryData>();
+  try {
+    data->library = std::make_shared<const MotionLibrary>(openMotionLibrary("default"));
+  } catch (const InputError& error) {
+    data->wrong = relativeText(job, error.what());
+  }
+  return data;
+}
+
 std::shared_ptr<const BatchDrawer> makeBatchDrawer(const BatchJob& job, int scene,
                                                    const BatchSceneData& data,
+                                                   const BatchLibraryData& library,
                                                    const LoadLimits& limits) {
   auto made = std::make_shared<BatchDrawer>();
   BatchItem any;
   any.scene = scene;
+  if (!library.library) {
+    made->wrong = library.wrong;
+    return made;
+  }
   Scenario scenario = scenarioOf(job, any);
   scenario.has_ends = false;
   scenario.character.library = "default";
@@ -85,8 +101,7 @@ std::shared_ptr<const BatchDrawer> makeBatchDrawer(const BatchJob& job, int scen
   scenario.walk.style.clear();
   scenario.walk.actions.clear();
   try {
-    const ProblemInputs inputs{
-        data.scene, std::make_shared<const MotionLibrary>(loadLibrary(scenario)), {}};
+    const ProblemInputs inputs{data.scene, library.library, {}, data.walked};
     made->problem = std::make_unique<const Problem>(scenario, 1.0 / job.fps, inputs, limits);
     made->drawer = std::make_unique<const WayDrawer>(*made->problem);
   } catch (const InputError& error) {
@@ -103,7 +118,7 @@ std::shared_ptr<const BatchLibraryData> readBatchLibrary(const BatchJob& job,
     const MotionLibrary all = readMotionLibrary(motionLibraryFile(scenario.character.library));
     data->inputs = digestsOf(job, {all.file, all.file.parent_path() / all.skeleton_file});
     data->digest = digestOfInputs(data->inputs);
-    data->library = std::make_shared<const MotionLibrary>(loadLibrary(scenario));
+    data->library = std::make_shared<const MotionLibrary>(loadLibrary(scenario, all));
   } catch (const InputError& error) {
     data->wrong = relativeText(job, error.what());
     if (data->digest.empty()) data->digest = "wrong: " + data->wrong;
@@ -120,7 +135,8 @@ std::shared_ptr<const BatchWalker> makeBatchWalker(const BatchJob& job, const Ba
   scenario.has_ends = false;
   try {
     walker->problem = std::make_unique<const Problem>(
-        scenario, 1.0 / job.fps, ProblemInputs{scene.scene, library.library, {}}, limits);
+        scenario, 1.0 / job.fps, ProblemInputs{scene.scene, library.library, {}, scene.walked},
+        limits);
   } catch (const InputError& error) {
     walker->wrong = relativeText(job, error.what());
     return walker;

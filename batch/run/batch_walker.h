@@ -28,25 +28,14 @@ InputDigests digestsOf(const BatchJob& job, const std::vector<std::filesystem::p
 
 /// A scene as it was read, or why it could not be.
 struct BatchSceneData {
-  std::shared_ptr<const Scene> scene;  ///< null where it could not be read
+  std::shared_ptr<const Scene> scene;         ///< null where it could not be read
+  std::shared_ptr<const WalkedScene> walked;  ///< what its walkers share; null the same
   InputDigests inputs;
   std::string digest;
   std::string wrong;  ///< in a line
 };
 std::shared_ptr<const BatchSceneData> readBatchScene(const BatchJob& job, int scene,
                                                      const LoadLimits& limits);
-
-/// Who draws the ways of a scene: one person for all walkers, so that a way is the same to each of
-/// them. Of the default library, as tall as the tallest of the job.
-struct BatchDrawer {
-  std::unique_ptr<const Problem> problem;
-  std::unique_ptr<const WayDrawer> drawer;
-  std::string wrong;
-};
-/// @throws Stopped
-std::shared_ptr<const BatchDrawer> makeBatchDrawer(const BatchJob& job, int scene,
-                                                   const BatchSceneData& data,
-                                                   const LoadLimits& limits);
 
 /// A library in an item's style, with its actions.
 struct BatchLibraryData {
@@ -55,8 +44,24 @@ struct BatchLibraryData {
   std::string digest;
   std::string wrong;
 };
+
+/// Who draws the ways of a scene: one person for all walkers, so that a way is the same to each of
+/// them. Of the default library, as tall as the tallest of the job.
+struct BatchDrawer {
+  std::unique_ptr<const Problem> problem;
+  std::unique_ptr<const WayDrawer> drawer;
+  std::string wrong;
+};
+/// @param library  the default one, as readDrawersLibrary reads it. @throws Stopped
+std::shared_ptr<const BatchDrawer> makeBatchDrawer(const BatchJob& job, int scene,
+                                                   const BatchSceneData& data,
+                                                   const BatchLibraryData& library,
+                                                   const LoadLimits& limits);
+
 std::shared_ptr<const BatchLibraryData> readBatchLibrary(const BatchJob& job,
                                                          const BatchItem& item);
+/// The default one, without a style.
+std::shared_ptr<const BatchLibraryData> readDrawersLibrary(const BatchJob& job);
 
 /// Somebody who can be asked to walk, or why nobody can.
 struct BatchWalker {

@@ -6,6 +6,7 @@
 #include "base/files.h"
 #include "batch/run/batch_walker.h"
 #include "batch/run/pack_batch.h"
+#include "environments/scene/kept_meshes.h"
 
 namespace amble {
 namespace {
@@ -26,10 +27,13 @@ std::vector<std::string> keysOfItems(const BatchJob& job, const std::vector<Batc
   for (; any.library < static_cast<int>(job.libraries.size()); ++any.library)
     libraries.push_back(readBatchLibrary(job, any)->digest);
   std::vector<std::string> keys;
+  KeptMeshes meshes;
+  LoadLimits sharing = limits;
+  sharing.meshes = &meshes;
   int scene = -1;
   std::string digest;
   for (const BatchItem& item : items) {  // those of one scene are together
-    if (item.scene != scene) digest = readBatchScene(job, item.scene, limits)->digest;
+    if (item.scene != scene) digest = readBatchScene(job, item.scene, sharing)->digest;
     scene = item.scene;
     keys.push_back(
         itemKey(describeItem(job, item, digest, libraries[static_cast<size_t>(item.library)])));
@@ -70,13 +74,11 @@ void writeTables(const BatchFolder& batch, const std::vector<std::string>& keys,
 }  // namespace
 
 MergeSummary mergeBatch(const BatchJob& job, const std::filesystem::path& folder,
-                        const BatchOptions& options) {
+                        const BatchOptions& options, std::vector<std::string> keys) {
   const BatchFolder batch(folder);
-  const std::vector<BatchItem> items = listItems(job);
-  const std::vector<std::string> keys =
-      keysOfItems(job, items, {options.memory, {options.stop, {}}});
+  if (keys.empty()) keys = keysOfItems(job, listItems(job), {options.memory, {options.stop, {}}});
   MergeSummary summary;
-  summary.total = static_cast<int>(items.size());
+  summary.total = static_cast<int>(keys.size());
   for (const std::string& key : keys) summary.missing += batch.has(key) ? 0 : 1;
   if (summary.missing > 0) return summary;
   writeTables(batch, keys, summary.by_status);

@@ -20,9 +20,10 @@ struct MergeSummary {
 /// Writes index.csv and index.jsonl, a row a walk in the job's order, CREDITS.md and, where it is
 /// asked for, packs (pack_batch.h); takes away walks that are not the job's. Where some are missing
 /// nothing is written and nothing taken away.
+/// @param keys  of the job's items, as a run of all of it has found them; none: they are found
 /// @throws InputError; Stopped
 MergeSummary mergeBatch(const BatchJob& job, const std::filesystem::path& folder,
-                        const BatchOptions& options);
+                        const BatchOptions& options, std::vector<std::string> keys = {});
 
 /// Of a walk that is there. @throws InputError
 WalkRow readRowOf(const BatchFolder& batch, const std::string& key);

@@ -3,15 +3,21 @@
 #include <mutex>
 
 #include "base/error.h"
+#include "base/freed_memory.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "batch/run/batch_folder.h"
 #include "batch/run/batch_walker.h"
 #include "batch/run/make_walk.h"
 #include "batch/run/shelf.h"
+#include "environments/scene/kept_meshes.h"
 
 namespace amble {
 namespace {
+
+// Freed memory goes back whenever a scene is done with, and after so many walks of one: a run of a
+// hundred thousand keeps to what its scenes need.
+constexpr int kGiveBackEvery = 32;
 
 // How often each of a numbered kind is used by the items.
 template <typename NumberOf>
@@ -50,6 +56,8 @@ class BatchRun {
         })) {
     limits_.memory = options.memory;
     limits_.stop.flag = options.stop;
+    limits_.meshes = &meshes_;
+    summary_.keys.resize(items_.size());
     summary_.total = static_cast<int>(items_.size());
   }
 
@@ -87,6 +95,17 @@ class BatchRun {
   void doItem(int i) {
     limits_.stop.check();
     const BatchItem& item = items_[static_cast<size_t>(i)];
+    const bool kept = isKept(i, item);
+    walkers_.used(walker_of_[static_cast<size_t>(i)]);
+    drawers_.used(item.scene);
+    libraries_.used(libraryOf(item));
+    const bool scene_over = scenes_.used(item.scene);
+    const int done = count(kept);
+    if (scene_over || done % kGiveBackEvery == 0) giveBackFreedMemory();
+  }
+
+  // Whether it was there before; else it is made.
+  bool isKept(int i, const BatchItem& item) {
     const auto scene = scenes_.get(item.scene, [&] {
       return timed(summary_.loading, [&] { return readBatchScene(job_, item.scene, limits_); });
     });
@@ -94,13 +113,10 @@ class BatchRun {
       return timed(summary_.loading, [&] { return readBatchLibrary(job_, item); });
     });
     const std::string key = itemKey(describeItem(job_, item, scene->digest, library->digest));
+    summary_.keys[static_cast<size_t>(i)] = key;
     const bool kept = folder_.has(key);
     if (!kept) make(i, key, *scene, *library);
-    walkers_.used(walker_of_[static_cast<size_t>(i)]);
-    scenes_.used(item.scene);
-    drawers_.used(item.scene);
-    libraries_.used(libraryOf(item));
-    count(kept);
+    return kept;
   }
 
   void make(int i, const std::string& key, const BatchSceneData& scene,
@@ -111,8 +127,7 @@ class BatchRun {
     if (scene.wrong.empty() && library.wrong.empty()) {
       if (drawnWay(job_, item) >= 0)
         drawer = drawers_.get(item.scene, [&] {
-          return timed(summary_.loading,
-                       [&] { return makeBatchDrawer(job_, item.scene, scene, limits_); });
+          return timed(summary_.loading, [&] { return makeDrawer(item.scene, scene); });
         });
       walker = walkers_.get(walker_of_[static_cast<size_t>(i)],
                             [&] { return makeWalker(item, scene, library); });
@@ -131,6 +146,11 @@ class BatchRun {
     ++summary_.made_by_status[made.row.status];
   }
 
+  std::shared_ptr<const BatchDrawer> makeDrawer(int scene, const BatchSceneData& data) {
+    const auto library = drawers_library_.get(0, [&] { return readDrawersLibrary(job_); });
+    return makeBatchDrawer(job_, scene, data, *library, limits_);
+  }
+
   std::shared_ptr<const BatchWalker> makeWalker(const BatchItem& item, const BatchSceneData& scene,
                                                 const BatchLibraryData& library) {
     const Stopwatch watch;
@@ -140,11 +160,13 @@ class BatchRun {
     return made;
   }
 
-  void count(bool kept) {
+  // How many are done.
+  int count(bool kept) {
     const std::lock_guard lock(mutex_);
     ++(kept ? summary_.kept : summary_.made);
-    if (options_.progress)
-      options_.progress({summary_.kept + summary_.made, summary_.total, summary_.made});
+    const int done = summary_.kept + summary_.made;
+    if (options_.progress) options_.progress({done, summary_.total, summary_.made});
+    return done;
   }
 
   const BatchJob& job_;
@@ -154,7 +176,9 @@ class BatchRun {
   const std::span<const BatchItem> items_;
   const std::vector<int> walker_of_;  // by item of the shard
   LoadLimits limits_;
+  KeptMeshes meshes_;
   Shelf<BatchSceneData> scenes_;
+  Shelf<BatchLibraryData> drawers_library_{std::vector<int>{1}};
   Shelf<BatchDrawer> drawers_;
   Shelf<BatchLibraryData> libraries_;  // by libraryOf()
   Shelf<BatchWalker> walkers_;

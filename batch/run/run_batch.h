@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/output_file.h"
 #include "batch/job/batch_items.h"
@@ -41,7 +42,8 @@ struct BatchOptions {
 struct BatchSummary {
   int total = 0, kept = 0, made = 0;  ///< walks of the shard; those there before; made now
   std::map<std::string, int> made_by_status;
-  bool stopped = false;   ///< told to stop: what was made by then is there
+  std::vector<std::string> keys;  ///< of each walk of the shard (merge_batch.h); "": not come to
+  bool stopped = false;           ///< told to stop: what was made by then is there
   double planning = 0.0;  ///< of what was made: roadmaps, search, refinement; of all threads [s]
   double seconds = 0.0;   ///< by the clock
   double loading = 0.0, labelling = 0.0,

@@ -26,11 +26,13 @@ class Shelf {
     if (!place.thing) place.thing = make();
     return place.thing;
   }
-  /// One of its uses is over, whether it was asked for or not.
-  void used(int index) {
+  /// One of its uses is over, whether it was asked for or not. @return whether it was the last
+  bool used(int index) {
     Place& place = places_[static_cast<size_t>(index)];
     const std::lock_guard lock(place.mutex);
-    if (--place.uses == 0) place.thing.reset();
+    if (--place.uses > 0) return false;
+    place.thing.reset();
+    return true;
   }
 
  private:

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "animation/body/pose.h"
@@ -79,17 +81,24 @@ struct CollisionModel {
   CollisionModel(const Scene& scene_in, const SceneGround& ground_in, const Skeleton& skeleton_in,
                  const Body& body_in, const StopRequest& stop = {},
                  Checker checker = Checker::kFast)
+      : CollisionModel(scene_in,
+                       std::make_shared<const SceneLayers>(scene_in, ground_in, stop, checker),
+                       skeleton_in, body_in) {}
+  CollisionModel(const Scene& scene_in, std::shared_ptr<const SceneLayers> layers_in,
+                 const Skeleton& skeleton_in, const Body& body_in)
       : scene(scene_in),
         skeleton(skeleton_in),
         body(body_in),
         track(skeleton_in, body_in),
-        layers(scene_in, ground_in, stop, checker) {}
+        shared(std::move(layers_in)),
+        layers(*shared) {}
 
   const Scene& scene;
   Skeleton skeleton;
   Body body;
   BodyTrack track;
-  SceneLayers layers;
+  std::shared_ptr<const SceneLayers> shared;
+  const SceneLayers& layers;
 
   int parts() const { return static_cast<int>(body.parts.size()); }
 

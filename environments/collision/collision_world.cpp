@@ -1,6 +1,7 @@
 #include "environments/collision/collision_world.h"
 
 #include <cassert>
+#include <utility>
 
 #include "environments/collision/collision_model.h"
 #include "environments/collision/motion_check.h"
@@ -13,6 +14,10 @@ CollisionWorld::CollisionWorld(const Scene& scene, const SceneGround& ground,
                                const Skeleton& skeleton, const Body& body, const StopRequest& stop,
                                Checker checker)
     : model_(std::make_unique<CollisionModel>(scene, ground, skeleton, body, stop, checker)) {}
+
+CollisionWorld::CollisionWorld(const Scene& scene, std::shared_ptr<const SceneLayers> layers,
+                               const Skeleton& skeleton, const Body& body)
+    : model_(std::make_unique<CollisionModel>(scene, std::move(layers), skeleton, body)) {}
 
 CollisionWorld::~CollisionWorld() = default;
 

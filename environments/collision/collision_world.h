@@ -44,6 +44,7 @@ struct CollisionScratchDeleter {
 using CollisionScratchPtr = std::unique_ptr<CollisionScratch, CollisionScratchDeleter>;
 
 struct CollisionModel;
+class SceneLayers;  // scene_layers.h
 
 /// Const after construction: threads may share it, each with its own scratch.
 class CollisionWorld {
@@ -52,6 +53,9 @@ class CollisionWorld {
   /// @throws Stopped if that is asked for.
   CollisionWorld(const Scene& scene, const SceneGround& ground, const Skeleton& skeleton,
                  const Body& body, const StopRequest& stop = {}, Checker checker = Checker::kFast);
+  /// The same of layers that other bodies meet too. @pre they are the scene's
+  CollisionWorld(const Scene& scene, std::shared_ptr<const SceneLayers> layers,
+                 const Skeleton& skeleton, const Body& body);
   ~CollisionWorld();
 
   CollisionScratchPtr makeScratch() const;

@@ -16,6 +16,8 @@ inline constexpr double kOneLevel = 0.03;
 struct GroundPlace {
   Eigen::Vector2d at{0, 0};
   std::optional<double> z;  ///< names a surface, that nearest to it within kFloorReach [m]
+
+  bool operator==(const GroundPlace& other) const { return at == other.at && z == other.z; }
 };
 /// How far from a place's z its floor may lie [m].
 inline constexpr double kFloorReach = 0.3;
@@ -29,6 +31,8 @@ struct GroundSettings {
   std::optional<double> level;
   /// ...and what these places name, or have where there is no ground.
   std::vector<GroundPlace> places;
+
+  bool operator==(const GroundSettings& other) const = default;
 };
 
 }  // namespace amble

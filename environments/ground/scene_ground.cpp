@@ -126,7 +126,7 @@ GroundSettings atLevel(double level) {
 }  // namespace
 
 struct SceneGround::Parts {
-  ScenePieces pieces;
+  std::shared_ptr<const ScenePieces> pieces;
   TriangleGrid surfaces = {};
   std::vector<Eigen::Vector3d> normals = {};  // of the surfaces
   std::optional<GroundCells> cells = {};
@@ -136,12 +136,17 @@ SceneGround::SceneGround(const Scene& scene, double level) : SceneGround(scene, 
 
 SceneGround::SceneGround(const Scene& scene, const GroundSettings& settings,
                          const StopRequest& stop)
+    : SceneGround(scene, std::make_shared<const ScenePieces>(splitScene(scene, stop)), settings,
+                  stop) {}
+
+SceneGround::SceneGround(const Scene& scene, std::shared_ptr<const ScenePieces> pieces,
+                         const GroundSettings& settings, const StopRequest& stop)
     : settings_(settings),
-      parts_(std::make_unique<Parts>(Parts{splitScene(scene, stop)})),
-      up_(facingUp(scene, parts_->pieces, settings.limits.max_slope)),
+      parts_(std::make_unique<Parts>(Parts{std::move(pieces)})),
+      up_(facingUp(scene, *parts_->pieces, settings.limits.max_slope)),
       ground_triangles_(up_.size(), false),
       ground_objects_(scene.objects.size(), false) {
-  const ScenePieces& of_scene = parts_->pieces;
+  const ScenePieces& of_scene = *parts_->pieces;
   parts_->cells.emplace(scene, of_scene, up_, settings, stop);
   std::vector<Triangle3> ground;
   for (size_t t = 0; t < up_.size(); ++t) {
@@ -166,8 +171,8 @@ SceneGround::SceneGround(SceneGround&&) noexcept = default;
 
 const Eigen::AlignedBox2d& SceneGround::extent() const { return parts_->surfaces.extent(); }
 const GroundCells& SceneGround::cells() const { return *parts_->cells; }
-const ScenePieces& SceneGround::pieces() const { return parts_->pieces; }
-const TriangleGrid& SceneGround::all() const { return parts_->pieces.grid; }
+const ScenePieces& SceneGround::pieces() const { return *parts_->pieces; }
+const TriangleGrid& SceneGround::all() const { return parts_->pieces->grid; }
 const TriangleGrid& SceneGround::surfaces() const { return parts_->surfaces; }
 
 SurfacePoint SceneGround::pointOf(int triangle, double height) const {

@@ -26,6 +26,9 @@ class SceneGround : public Ground {
   /// @throws Stopped if that is asked for.
   explicit SceneGround(const Scene& scene, const GroundSettings& settings = {},
                        const StopRequest& stop = {});
+  /// The same of pieces that are there already. @pre they are the scene's, by splitScene
+  SceneGround(const Scene& scene, std::shared_ptr<const ScenePieces> pieces,
+              const GroundSettings& settings, const StopRequest& stop = {});
   /// The same with whatever is level with a floor.
   SceneGround(const Scene& scene, double level);
   ~SceneGround() override;
@@ -75,6 +78,7 @@ class SceneGround : public Ground {
   const TriangleGrid& surfaces() const;
   /// By number of ScenePieces.
   bool isGroundTriangle(int triangle) const { return ground_triangles_[triangle]; }
+  const std::vector<bool>& groundTriangles() const { return ground_triangles_; }
 
  private:
   SurfacePoint pointOf(int triangle, double height) const;

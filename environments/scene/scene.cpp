@@ -12,6 +12,7 @@
 #include "base/rotation.h"
 #include "base/strict_yaml.h"
 #include "base/text.h"
+#include "environments/scene/kept_meshes.h"
 #include "environments/scene/mesh_reader.h"
 #include "environments/scene/mesh_warnings.h"
 
@@ -77,6 +78,7 @@ class SceneReading::Reader {
       const YamlNode mesh = item["mesh"];
       if (mesh && mesh.isScalar() && !mesh.isNull()) files.push_back(mesh.asPath());
     }
+    std::erase_if(files, [&](const std::filesystem::path& file) { return takeKept(file); });
     small_.emplace(files, limits_.memory, stopped());
   }
 
@@ -225,17 +227,36 @@ class SceneReading::Reader {
 
   const MeshFile& meshFile(const std::filesystem::path& path, const YamlNode& node) {
     const auto found = meshes_.find(path);
-    if (found != meshes_.end()) return found->second;
+    if (found != meshes_.end()) return *found->second;
     std::error_code error;
     if (!std::filesystem::exists(path, error))
       node.fail("no such file: " + path.string(), "a mesh beside the scene file");
     scene_.inputs.push_back(path);
-    const MeshFile& file = meshes_.emplace(path, takeMesh(path)).first->second;
-    scene_.inputs.insert(scene_.inputs.end(), file.others.begin(), file.others.end());
-    return file;
+    const auto file = takeMesh(path);
+    meshes_.emplace(path, file);
+    scene_.inputs.insert(scene_.inputs.end(), file->others.begin(), file->others.end());
+    return *file;
   }
 
-  MeshFile takeMesh(const std::filesystem::path& path) {
+  // Whether a scene before this one has read it.
+  bool takeKept(const std::filesystem::path& path) {
+    if (limits_.meshes == nullptr) return false;
+    if (kept_.count(path) > 0) return true;
+    const KeptMeshes::Stamp& stamp = stamps_[path] = KeptMeshes::stampOf(path);
+    const auto mesh = limits_.meshes->find(stamp);
+    if (mesh) kept_.emplace(path, mesh);
+    return mesh != nullptr;
+  }
+
+  std::shared_ptr<const MeshFile> takeMesh(const std::filesystem::path& path) {
+    const auto kept = kept_.find(path);
+    if (kept != kept_.end()) return kept->second;
+    const auto mesh = std::make_shared<const MeshFile>(readNow(path));
+    if (limits_.meshes) limits_.meshes->keep(stamps_.at(path), mesh);
+    return mesh;
+  }
+
+  MeshFile readNow(const std::filesystem::path& path) {
     if (auto ready = ahead_.extract(path)) return std::move(ready.mapped());
     try {
       return readMesh(path, limits_.memory, stopped());
@@ -277,9 +298,11 @@ class SceneReading::Reader {
   YamlNode root_;
   Scene scene_;
   std::optional<SmallMeshes> small_;
-  std::map<std::string, int> line_of_;  // of objects by name
-  std::map<std::filesystem::path, MeshFile> ahead_,
-      meshes_;  // read and not yet asked for; the rest
+  std::map<std::string, int> line_of_;               // of objects by name
+  std::map<std::filesystem::path, MeshFile> ahead_;  // read and not yet asked for
+  std::map<std::filesystem::path, std::shared_ptr<const MeshFile>> meshes_,  // asked for
+      kept_;                                                   // of scenes before this one
+  std::map<std::filesystem::path, KeptMeshes::Stamp> stamps_;  // of before they were read
   Eigen::AlignedBox3d bounds_;
   double widest_ = -1.0;  // largest coordinate of the object that reaches farthest [m]
   YamlNode widest_node_;

@@ -16,6 +16,8 @@
 
 namespace amble {
 
+class KeptMeshes;  // kept_meshes.h
+
 enum class Role { kAuto, kGround, kObstacle, kIgnore };
 
 struct Box {
@@ -57,7 +59,8 @@ struct Scene {
 /// What bounds the loading of a scene, beside what its files say.
 struct LoadLimits {
   size_t memory = GuardLimits{}.memory;  ///< that reading a mesh file may fill [bytes, > 0]
-  StopRequest stop;                      ///< ends the loading, with Stopped
+  StopRequest stop = {};                 ///< ends the loading, with Stopped
+  KeptMeshes* meshes = nullptr;  ///< of scenes that were read before; null: each reads its own
 };
 
 /// @throws InputError as DESIGN.md, section 5 asks (unknown and doubled keys, ranges, doubled

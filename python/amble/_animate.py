@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, List, Optional, Sequence, Tuple
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple
 
 from . import _amble, _check
 from ._clips import Clip
 from ._errors import NoWalkError
 from ._motion import Steps
 from ._walk import Path
+
+if TYPE_CHECKING:  # arrays bring NumPy when they are made: to load it takes as long as the rest
+    import numpy as np
+    from numpy.typing import NDArray
 
 
 class Animation(Steps):

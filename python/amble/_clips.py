@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import json
-from typing import Any, Dict, Optional, Sequence, Tuple, Union
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any, Dict, Optional, Sequence, Tuple, Union
 
 from . import _amble, _check
 from ._errors import NoWalkError
 from ._motion import Motion
 from ._walk import Path
+
+if TYPE_CHECKING:  # arrays bring NumPy when they are made: to load it takes as long as the rest
+    import numpy as np
+    from numpy.typing import NDArray
 
 
 class Clip(Motion):

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Tuple
 
-import numpy as np
-from numpy.typing import NDArray
+if TYPE_CHECKING:  # arrays bring NumPy when they are made: to load it takes as long as the rest
+    import numpy as np
+    from numpy.typing import NDArray
 
 
 class Motion:

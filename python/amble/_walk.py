@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Dict, Optional, Sequence, Union
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any, Dict, Optional, Sequence, Union
 
 from . import _amble, _check
 from ._errors import NoWalkError
 from ._motion import Steps
+
+if TYPE_CHECKING:  # arrays bring NumPy when they are made: to load it takes as long as the rest
+    import numpy as np
+    from numpy.typing import NDArray
 
 Path = Union[str, "os.PathLike[str]"]
 
