@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "animation/synthesis/gait_blend.h"
+#include "animation/synthesis/motion_shares.h"
 #include "scenarios/foot_measures.h"
 
 namespace amble {
@@ -69,24 +69,15 @@ void labelEvents(const AnimationBuffer& walk, FrameLabels& labels) {
 
 // What is averaged into one has equal parts of its share.
 void labelMotions(const RunResult& run, FrameLabels& labels) {
-  const MotionLibrary& library = run.problem->library;
-  const WalkSynthesizer& walker = run.problem->synthesizer;
-  const GaitBlend blend(library, walker.stature() / library.stature, walker.settings().speed);
-  std::vector<std::pair<const Motion*, size_t>> columns;  // motion, index of its share
-  const auto shares = blend.shares(library, 0.0);
-  labels.motions.push_back(library.find("stand"));
-  for (size_t i = 0; i < shares.size(); ++i) {
-    for (const std::string& name : shares[i].motions) {
-      columns.emplace_back(library.find(name), i);
-      labels.motions.push_back(columns.back().first);
-    }
-  }
+  const MotionShares shares(run.problem->library, run.problem->synthesizer);
+  for (const auto& motions : shares.motions())
+    labels.motions.insert(labels.motions.end(), motions.begin(), motions.end());
   for (const FrameState& state : run.outcome.walk.buffer.states) {
-    const auto now = blend.shares(library, state.blended_turn_rate);
-    labels.shares.push_back(static_cast<float>(state.standing));
-    for (const auto& [motion, i] : columns) {
-      const double part = now[i].share / static_cast<double>(now[i].motions.size());
-      labels.shares.push_back(static_cast<float>((1.0 - state.standing) * part));
+    const std::vector<double> now = shares.at(state);
+    for (size_t i = 0; i < now.size(); ++i) {
+      const size_t parts = shares.motions()[i].size();
+      labels.shares.insert(labels.shares.end(), parts,
+                           static_cast<float>(now[i] / static_cast<double>(parts)));
     }
   }
 }

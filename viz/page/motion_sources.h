@@ -10,7 +10,8 @@
 namespace amble {
 
 /// Those of which there is something in some frame: the library's standing posture, its walks as
-/// they are blended, and what is held for the whole walk. A capture and its mirror image are one.
+/// they are blended, its starts and stops, and what is held for the whole walk. Of walks that are
+/// averaged into one, a capture and its mirror image are one.
 /// @pre the walk is the synthesizer's, which is the library's
 std::vector<PageSource> motionSources(const AnimationBuffer& walk, const MotionLibrary& library,
                                       const WalkSynthesizer& synthesizer);
