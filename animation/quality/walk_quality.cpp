@@ -119,30 +119,38 @@ Support supportAtPace(const AnimationBuffer& walk) {
   return longest;
 }
 
-// What the pelvis misses of the path's turn from the first to the last of whole strides at pace
-// that turn one way, by its mean heading over each: it swings to either side, the more the faster a
-// walk turns, by up to 20 degrees. 0 where they do not turn one way.
+// What the pelvis misses of the path's turn while a walk at pace turns one way: between two moments
+// of one phase at which it turns as fast, whole strides apart and as far around as there are such.
+// In between it swings by up to 20 degrees to either side, the more the faster the walk turns. 0
+// where there are none.
 double turnMiss(const Clip& clip, const JointRoles& roles, const AnimationBuffer& walk,
                 const Support& strides) {
-  constexpr double kOneWay = 0.9;  // share of all turning that is left over [1]
+  constexpr double kOneWay = 0.9;              // share of turning that is left [1]
+  constexpr double kSameRate = 2.0 * kDegree;  // [rad/s]
+  const double same_phase = 0.55 * strides.strides / strides.frames;  // half of a frame [cycles]
   const std::vector<double> headings = pelvisHeadings(clip, roles);
-  const int last = strides.first + strides.frames, stride = strides.frames / strides.strides;
-  std::vector<double> path = {0.0};  // from the first frame on
-  double either_way = 0.0;
-  for (int i = strides.first; i < last; ++i) {
+  std::vector<double> path = {0.0}, either_way = {0.0};  // turned since the first frame
+  for (int i = strides.first; i < strides.first + strides.frames; ++i) {
     const double turn = wrapAngle(walk.states[i + 1].heading - walk.states[i].heading);
     path.push_back(path.back() + turn);
-    either_way += std::abs(turn);
+    either_way.push_back(either_way.back() + std::abs(turn));
   }
-  const double slow = kTurns * strides.frames * walk.frame_time;
-  if (std::abs(path.back()) <= std::max(slow, kOneWay * either_way)) return 0.0;
-  double asked = 0.0, achieved = 0.0;
-  for (int i = 0; i < stride; ++i) {
-    const int late = strides.frames - stride + i;
-    asked += path[late] - path[i];
-    achieved += headings[strides.first + late] - headings[strides.first + i];
+  double farthest = 0.0, miss = 0.0;
+  for (int i = 0; i <= strides.frames; ++i) {
+    for (int k = i + 1; k <= strides.frames; ++k) {
+      const FrameState &from = walk.states[strides.first + i], &to = walk.states[strides.first + k];
+      const double turned = path[k] - path[i];
+      if (std::abs(std::remainder(to.phase - from.phase, 1.0)) > same_phase ||
+          std::abs(to.blended_turn_rate - from.blended_turn_rate) > kSameRate ||
+          std::abs(turned) <= farthest ||
+          std::abs(turned) <= std::max(kTurns * (k - i) * walk.frame_time,
+                                       kOneWay * (either_way[k] - either_way[i])))
+        continue;
+      farthest = std::abs(turned);
+      miss = std::abs((headings[strides.first + k] - headings[strides.first + i]) / turned - 1.0);
+    }
   }
-  return std::abs(achieved / asked - 1.0);
+  return miss;
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ struct SpeedLimits {
 struct StepFit {
   /// Steps are made no shorter and no longer than these shares of the wanted ones; by trial: a
   /// narrower range refuses short walks, a wider one minces and leaps [1].
-  static constexpr double kLeastStretch = 0.35, kMostStretch = 1.35;
+  static constexpr double kLeastStretch = 0.35, kMostStretch = 1.2;
   static constexpr double kSpacing = 0.02;       ///< of knots: a step has thirty [m]
   static constexpr double kShortestPath = 0.05;  ///< shorter is no walk: turn on the spot [m]
   /// Over this many straight steps a stretched stride fades to the plan's at a walking stance;
