@@ -42,14 +42,16 @@ std::vector<Eigen::Vector3d> upwardNormals(const std::vector<Triangle3>& triangl
   return normals;
 }
 
-double topOf(const Triangle3& t) { return std::max({t[0].z(), t[1].z(), t[2].z()}); }
+HeightRange heightsOf(const Triangle3& t) {
+  const auto [low, high] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
+  return {low, high};
+}
 
 // Whether a triangle may have its highest point over some strip between two heights.
-bool mayEndBetween(const Triangle3& t, double low, double high) {
-  const auto [bottom, top] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
-  if (top < low || bottom > high) return false;  // which most are
+bool mayEndBetween(const Triangle3& t, const HeightRange& own, double low, double high) {
+  if (own.high < low || own.low > high) return false;  // which most are
   // The half of a wall's side that its diagonal bounds does not end there.
-  return top <= high || std::abs(upwardness(t)) >= kUpright;
+  return own.high <= high || std::abs(upwardness(t)) >= kUpright;
 }
 
 // The plane of a triangle in a strip's frame: what of it is over a box is no higher than over its
@@ -129,6 +131,7 @@ struct SceneGround::Parts {
   std::shared_ptr<const ScenePieces> pieces;
   TriangleGrid surfaces = {};
   std::vector<Eigen::Vector3d> normals = {};  // of the surfaces
+  std::vector<HeightRange> heights = {};      // of all triangles
   std::optional<GroundCells> cells = {};
 };
 
@@ -162,6 +165,8 @@ SceneGround::SceneGround(const Scene& scene, std::shared_ptr<const ScenePieces> 
       heights_.extend(Eigen::AlignedBox1d::VectorType(corner.z()));
   }
   parts_->normals = upwardNormals(ground);
+  parts_->heights.reserve(up_.size());
+  for (const Triangle3& t : of_scene.triangles()) parts_->heights.push_back(heightsOf(t));
   parts_->surfaces = TriangleGrid(std::move(ground));
   is_level_ = heights_.isEmpty() || heights_.sizes()[0] <= kLevel;
 }
@@ -200,7 +205,16 @@ void SceneGround::surfaces(std::span<const Eigen::Vector2d> points, double z, do
   for (const Eigen::Vector2d& p : points) plan.extend(p);
   plan = {plan.min().array() - kSeam, plan.max().array() + kSeam};
   const TriangleGrid& ground = surfaces();
-  std::vector<int> near;
+  struct Near {
+    int triangle;
+    Eigen::AlignedBox3d box;
+
+    bool isBeside(const Eigen::Vector2d& p) const {
+      return p.x() < box.min().x() - kSeam || p.x() > box.max().x() + kSeam ||
+             p.y() < box.min().y() - kSeam || p.y() > box.max().y() + kSeam;
+    }
+  };
+  std::vector<Near> near;
   ground.visitBox(plan, [&](int t) {
     const auto& [a, b, c] = ground.triangles()[t];
     const Eigen::AlignedBox3d box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
@@ -208,19 +222,25 @@ void SceneGround::surfaces(std::span<const Eigen::Vector2d> points, double z, do
     if ((box.min().head<2>().array() > plan.max().array()).any() ||
         (box.max().head<2>().array() < plan.min().array()).any())
       return;
-    near.push_back(t);
+    near.push_back({t, box});
   });
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
+  std::sort(near.begin(), near.end(),
+            [](const Near& a, const Near& b) { return a.triangle < b.triangle; });
+  const auto same = [](const Near& a, const Near& b) { return a.triangle == b.triangle; };
+  near.erase(std::unique(near.begin(), near.end(), same), near.end());
   for (size_t i = 0; i < points.size(); ++i) {
-    out[i].reset();
-    for (const int t : near) {
-      if (out[i] && topOf(ground.triangles()[t]) <= out[i]->height) continue;
-      const auto height = heightOver(ground.triangles()[t], points[i].x(), points[i].y());
-      if (!height || std::abs(*height - z) > reach || (out[i] && *height <= out[i]->height))
-        continue;
-      out[i] = pointOf(t, *height);
+    double best = kNone;
+    int found = -1;
+    for (const Near& one : near) {
+      if (one.isBeside(points[i]) || one.box.max().z() <= best) continue;
+      const auto height =
+          heightOver(ground.triangles()[one.triangle], points[i].x(), points[i].y());
+      if (!height || std::abs(*height - z) > reach || *height <= best) continue;
+      best = *height;
+      found = one.triangle;
     }
+    out[i].reset();
+    if (found >= 0) out[i] = pointOf(found, best);
   }
 }
 
@@ -230,15 +250,17 @@ double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, do
   double highest = kNone;
   all().visitBox(strip.plan(), [&](int t) {
     const Triangle3& thing = all().triangles()[t];
+    const HeightRange& own = parts_->heights[t];
     const double needed = std::max(highest, low);
-    if (topOf(thing) < needed || !mayEndBetween(thing, low, high)) return;
+    if (own.high < needed || !mayEndBetween(thing, own, low, high)) return;
     if (strip.planeOf(thing).highestOver(0.0, strip.box.max().x(), half_width) < needed) return;
     highest = std::max(highest, strip.crestOf(thing, low, high));
   });
   return highest;
 }
 
-// What lies over all pieces is looked for once; of that each piece is shown the highest first.
+// What lies over all pieces is looked for once; of that each piece, in their order along the line,
+// is shown the highest first.
 std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, double half_width,
                                         double low, double high) const {
   constexpr double kRounding = 1e-6;  // [m]
@@ -253,11 +275,12 @@ std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, dou
   std::vector<Thing> things;
   all().visitBox(whole.plan(), [&](int t) {
     const Triangle3& thing = all().triangles()[t];
-    if (!mayEndBetween(thing, low, high)) return;
+    const HeightRange& own = parts_->heights[t];
+    if (!mayEndBetween(thing, own, low, high)) return;
     const Eigen::AlignedBox2d at = whole.extentOf(thing);
     if (!at.intersects(whole.box)) return;
-    things.push_back({topOf(thing), at.min().x() - kRounding, at.max().x() + kRounding,
-                      whole.planeOf(thing), t});
+    things.push_back(
+        {own.high, at.min().x() - kRounding, at.max().x() + kRounding, whole.planeOf(thing), t});
   });
   std::sort(things.begin(), things.end(), [](const Thing& a, const Thing& b) {
     return a.top != b.top ? a.top > b.top : a.triangle < b.triangle;
@@ -265,15 +288,26 @@ std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, dou
   things.erase(std::unique(things.begin(), things.end(),
                            [](const Thing& a, const Thing& b) { return a.triangle == b.triangle; }),
                things.end());
-  for (size_t i = 0; i < pieces.size(); ++i) {
-    const Strip strip(pieces[i], half_width);
-    const double begin = whole.along.dot(pieces[i].from - whole.origin),
-                 end = whole.along.dot(pieces[i].to - whole.origin);
-    for (const Thing& thing : things) {
-      if (thing.top <= crests[i]) break;
-      if (thing.end < begin || thing.begin > end) continue;
-      if (thing.plane.highestOver(begin, end, half_width) < std::max(crests[i], low)) continue;
-      crests[i] = std::max(crests[i], strip.crestOf(all().triangles()[thing.triangle], low, high));
+  struct Piece {
+    Strip strip;
+    double begin, end;  // along the line
+  };
+  std::vector<Piece> along;
+  along.reserve(pieces.size());
+  for (const PlanSegment& piece : pieces) {
+    along.push_back({Strip(piece, half_width), whole.along.dot(piece.from - whole.origin),
+                     whole.along.dot(piece.to - whole.origin)});
+  }
+  for (const Thing& thing : things) {
+    const Triangle3& triangle = all().triangles()[thing.triangle];
+    const auto first = std::partition_point(
+        along.begin(), along.end(), [&](const Piece& piece) { return piece.end < thing.begin; });
+    for (auto piece = first; piece != along.end() && piece->begin <= thing.end; ++piece) {
+      double& crest = crests[piece - along.begin()];
+      if (thing.top <= crest) continue;
+      if (thing.plane.highestOver(piece->begin, piece->end, half_width) < std::max(crest, low))
+        continue;
+      crest = std::max(crest, piece->strip.crestOf(triangle, low, high));
     }
   }
   return crests;

@@ -18,8 +18,13 @@ Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box, double by) {
   return {box.min().array() - by, box.max().array() + by};
 }
 
+struct Corner {
+  double at[3];
+};
+
+// What of a triangle is within a box has a corner more for each of its sides, at most.
 struct Polygon {
-  std::array<Eigen::Vector3d, 8> corners;
+  std::array<Corner, 8> corners;
   int count = 0;
 };
 
@@ -32,37 +37,43 @@ bool isBeside(const Triangle3& t, const Eigen::AlignedBox2d& box) {
   return false;
 }
 
+// What of a polygon is on the one side of a line across an axis, where sign * x >= limit there.
+// @return false where all of it is, and `out` is not written
+bool cut(const Polygon& in, int axis, double sign, double limit, Polygon& out) {
+  std::array<double, 8> inside;  // by corner [m]
+  bool all = true;
+  for (int k = 0; k < in.count; ++k) {
+    inside[k] = sign * in.corners[k].at[axis] - limit;
+    all = all && inside[k] >= 0.0;
+  }
+  if (all) return false;
+  out.count = 0;
+  for (int k = 0; k < in.count; ++k) {
+    const int next = k + 1 < in.count ? k + 1 : 0;
+    const Corner &a = in.corners[k], &b = in.corners[next];
+    const double da = inside[k], db = inside[next];
+    if (da >= 0.0) out.corners[out.count++] = a;
+    if ((da >= 0.0) == (db >= 0.0)) continue;
+    const double share = da / (da - db);
+    Corner& on = out.corners[out.count++];
+    for (int i = 0; i < 3; ++i) on.at[i] = a.at[i] + share * (b.at[i] - a.at[i]);
+  }
+  return true;
+}
+
 // What of a triangle is within a box of the plane: Sutherland and Hodgman's clipping, side by side
 // of the box.
 Polygon clip(const Triangle3& t, const Eigen::AlignedBox2d& box) {
-  std::array<Eigen::Vector3d, 8> out;
-  Polygon in;
-  if (isBeside(t, box)) return in;
-  std::copy(t.begin(), t.end(), in.corners.begin());
-  in.count = 3;
-  for (int side = 0; side < 4 && in.count > 0; ++side) {
-    const int axis = side / 2;
-    const double sign = side % 2 == 0 ? 1.0 : -1.0;
-    const double limit = side % 2 == 0 ? box.min()[axis] : -box.max()[axis];
-    std::array<double, 8> inside;  // of the side, by corner [m]
-    bool all = true;
-    for (int k = 0; k < in.count; ++k) {
-      inside[k] = sign * in.corners[k][axis] - limit;
-      all = all && inside[k] >= 0.0;
-    }
-    if (all) continue;
-    int kept = 0;
-    for (int k = 0; k < in.count; ++k) {
-      const int next = k + 1 < in.count ? k + 1 : 0;
-      const Eigen::Vector3d &a = in.corners[k], &b = in.corners[next];
-      const double da = inside[k], db = inside[next];
-      if (da >= 0.0) out[kept++] = a;
-      if ((da >= 0.0) != (db >= 0.0)) out[kept++] = a + da / (da - db) * (b - a);
-    }
-    std::copy_n(out.begin(), kept, in.corners.begin());
-    in.count = kept;
+  Polygon polygons[2];
+  int in = 0;
+  if (isBeside(t, box)) return polygons[in];
+  for (int k = 0; k < 3; ++k) polygons[in].corners[k] = {t[k].x(), t[k].y(), t[k].z()};
+  polygons[in].count = 3;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (cut(polygons[in], axis, 1.0, box.min()[axis], polygons[1 - in])) in = 1 - in;
+    if (cut(polygons[in], axis, -1.0, -box.max()[axis], polygons[1 - in])) in = 1 - in;
   }
-  return in;
+  return polygons[in];
 }
 
 }  // namespace
@@ -101,23 +112,29 @@ std::optional<Eigen::AlignedBox3d> boundsWithin(const Triangle3& t,
   const Polygon part = clip(t, box);
   if (part.count == 0) return std::nullopt;
   Eigen::AlignedBox3d bounds;
-  for (int k = 0; k < part.count; ++k) bounds.extend(part.corners[k]);
+  for (int k = 0; k < part.count; ++k) bounds.extend(Eigen::Vector3d(part.corners[k].at));
   return bounds;
 }
 
 std::optional<HeightRange> heightsWithin(const Triangle3& t, const Eigen::AlignedBox2d& box) {
-  const auto bounds = boundsWithin(t, box);
-  if (!bounds) return std::nullopt;
-  return HeightRange{bounds->min().z(), bounds->max().z()};
+  const Polygon part = clip(t, box);
+  if (part.count == 0) return std::nullopt;
+  HeightRange range{part.corners[0].at[2], part.corners[0].at[2]};
+  for (int k = 1; k < part.count; ++k) {
+    range.low = std::min(range.low, part.corners[k].at[2]);
+    range.high = std::max(range.high, part.corners[k].at[2]);
+  }
+  return range;
 }
 
 double areaWithin(const Triangle3& t, const Eigen::AlignedBox2d& box) {
   const Polygon part = clip(t, box);
   double twice = 0.0;
   for (int k = 2; k < part.count; ++k) {
-    const Eigen::Vector3d a = part.corners[k - 1] - part.corners[0];
-    const Eigen::Vector3d b = part.corners[k] - part.corners[0];
-    twice += a.x() * b.y() - a.y() * b.x();
+    const auto &origin = part.corners[0].at, &before = part.corners[k - 1].at,
+               &corner = part.corners[k].at;
+    twice += (before[0] - origin[0]) * (corner[1] - origin[1]) -
+             (before[1] - origin[1]) * (corner[0] - origin[0]);
   }
   return 0.5 * std::abs(twice);
 }
@@ -167,9 +184,9 @@ std::pair<int, int> TriangleGrid::columnsWithin(const Triangle3& t, const Range&
   if (part.count == 0) return {0, -1};
   const auto begin = part.corners.begin();
   const auto [low, high] = std::minmax_element(
-      begin, begin + part.count, [](const auto& a, const auto& b) { return a.x() < b.x(); });
+      begin, begin + part.count, [](const auto& a, const auto& b) { return a.at[0] < b.at[0]; });
   const double margin = kSeam + 1e-9 * cell_;
-  return {column(low->x() - margin, 0), column(high->x() + margin, 0)};
+  return {column(low->at[0] - margin, 0), column(high->at[0] + margin, 0)};
 }
 
 // A large triangle's bounds hold squares that it does not overlap: most of them for a slanted
