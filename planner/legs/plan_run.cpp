@@ -181,7 +181,7 @@ std::optional<EdgePath> Plan::walkAllLegs() {
   std::optional<Eigen::Vector3d> stopped_at;
   if (outcome_.why) {
     stopped_at = outcome_.why->at;
-    addLeastOverlap(planner->refused(), steering_, *outcome_.why);
+    addLeastOverlap(planner->refused(), steering_, request_.limits.threads, *outcome_.why);
   }
   describeRefused(planner->refused(), stopped_at, outcome_);
   if (!solved) return std::nullopt;

@@ -192,8 +192,8 @@ void SampledRoadmap::insertPassage(const StancePair& pair, const SearchLimits& l
   bool up = false, down = false;
   for (const double shift : kPassageShifts) {
     if (limits.stopped() || (up && down)) return;
-    const auto [rises, falls] =
-        insertPair({ahead(pair.first, -shift), ahead(pair.second, shift)}, !up, !down, scratch);
+    const auto [rises, falls] = insertPair({ahead(pair.first, -shift), ahead(pair.second, shift)},
+                                           !up, !down, limits.threads, scratch);
     up = up || rises;
     down = down || falls;
   }
@@ -224,7 +224,7 @@ SampledRoadmap::Crossing SampledRoadmap::insertCrossing(const WayGuide::Narrow& 
       for (const Stance& second : seconds) {
         if (limits.stopped()) return Crossing::kUnknown;
         ++asked;
-        if (insertPair({first, second}, true, false, scratch).first) return Crossing::kWalked;
+        if (insertPair({first, second}, true, false, 1, scratch).first) return Crossing::kWalked;
       }
     }
   }
@@ -234,11 +234,21 @@ SampledRoadmap::Crossing SampledRoadmap::insertCrossing(const WayGuide::Narrow& 
 // The ends become nodes if one of the walks between them that are asked for is there.
 // @return whether walks lead from the first to the second, and back
 std::pair<bool, bool> SampledRoadmap::insertPair(const StancePair& pair, bool there, bool back,
-                                                 SteeringScratch& scratch) {
+                                                 int threads, SteeringScratch& scratch) {
   const auto& [first, second] = pair;
   SteerResult going, coming;
-  if (there) going = steer({first}, {second}, scratch);
-  if (back) coming = steer({second}, {first}, scratch);
+  if (there && back) {
+    const SteeringScratchPtr other = steering_.makeScratch();
+    parallelFor(2, threads, [&](int i, int) {
+      (i == 0 ? going : coming) = i == 0 ? steering_.steer({first}, {second}, scratch)
+                                         : steering_.steer({second}, {first}, *other);
+    });
+    note({first}, {second}, going);
+    note({second}, {first}, coming);
+  } else {
+    if (there) going = steer({first}, {second}, scratch);
+    if (back) coming = steer({second}, {first}, scratch);
+  }
   if (going.edge || coming.edge) {
     Candidate end{.at = {second}, .end = true};
     const PlaceId begin = insert({.at = {first}, .end = true}, scratch);
@@ -252,9 +262,13 @@ std::pair<bool, bool> SampledRoadmap::insertPair(const StancePair& pair, bool th
 SteerResult SampledRoadmap::steer(const Waypoint& from, const Waypoint& to,
                                   SteeringScratch& scratch) {
   SteerResult result = steering_.steer(from, to, scratch);
+  note(from, to, result);
+  return result;
+}
+
+void SampledRoadmap::note(const Waypoint& from, const Waypoint& to, const SteerResult& result) {
   count_.add(result);
   if (!result.edge) refused_.push_back({{from, to, result.failure}});
-  return result;
 }
 
 std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(

@@ -153,7 +153,7 @@ class SampledRoadmap {
   SteerResult steer(const Candidate& candidate, Question question, SteeringScratch& scratch) const;
   void insertPassages(const Eigen::AlignedBox2d& region, const SearchLimits& limits);
   void insertPassage(const StancePair& pair, const SearchLimits& limits, SteeringScratch& scratch);
-  std::pair<bool, bool> insertPair(const StancePair& pair, bool there, bool back,
+  std::pair<bool, bool> insertPair(const StancePair& pair, bool there, bool back, int threads,
                                    SteeringScratch& scratch);
   enum class Crossing { kWalked, kRefused, kUnknown };
   Crossing insertCrossing(const WayGuide::Narrow& narrow, const SearchLimits& limits,
@@ -162,6 +162,7 @@ class SampledRoadmap {
                                 const SearchLimits& limits,
                                 std::vector<SteeringScratchPtr>& scratches);
   SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch);
+  void note(const Waypoint& from, const Waypoint& to, const SteerResult& result);
 
   const Steering& steering_;
   StanceSampler sampler_;

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/parallel.h"
 #include "base/rotation.h"
 #include "planner/why/ground_profile.h"
 #include "planner/why/passage.h"
@@ -302,7 +303,7 @@ Obstruction whatTheGroundLacks(const GroundGap& gap, const PlanRequest& request)
 }
 
 void addLeastOverlap(const std::vector<const RefusedEdge*>& refused, const WalkSteering& steering,
-                     Obstruction& why) {
+                     int threads, Obstruction& why) {
   if (why.rule != WalkRule::kContact) return;
   const Scene& scene = steering.world().scene();
   std::vector<const RefusedEdge*> near;
@@ -312,19 +313,21 @@ void addLeastOverlap(const std::vector<const RefusedEdge*>& refused, const WalkS
     const std::string object = objectName(scene.objects[failure.object]);
     if (object == why.object || object == why.other) near.push_back(edge);
   }
-  const SteeringScratchPtr scratch = steering.makeScratch();
-  const CollisionScratchPtr collision = steering.world().makeScratch();
   const size_t stride = 1 + near.size() / kMostReplayed;
+  std::vector<Overlap> overlaps((near.size() + stride - 1) / stride);
+  parallelFor(static_cast<int>(overlaps.size()), threads, [&](int i, int) {
+    const SteeringScratchPtr scratch = steering.makeScratch();
+    const CollisionScratchPtr collision = steering.world().makeScratch();
+    const RefusedEdge& edge = *near[i * stride];
+    const auto attempt = steering.attempt(edge.from, edge.to, *scratch);
+    AnimationBuffer walk;
+    if (!attempt.refused || steering.animateRefused(*attempt.refused, walk) != WalkRule::kNone)
+      return;
+    overlaps[i] = deepest(walk, steering.synthesizer().skeleton(), steering.world(), *collision);
+  });
   std::optional<Overlap> least;
-  AnimationBuffer walk;
-  for (size_t i = 0; i < near.size(); i += stride) {
-    const auto attempt = steering.attempt(near[i]->from, near[i]->to, *scratch);
-    if (!attempt.refused) continue;
-    if (steering.animateRefused(*attempt.refused, walk) != WalkRule::kNone) continue;
-    const Overlap own =
-        deepest(walk, steering.synthesizer().skeleton(), steering.world(), *collision);
+  for (const Overlap& own : overlaps)
     if (own.part >= 0 && (!least || own.depth < least->depth)) least = own;
-  }
   if (!least) return;
   const std::string object = objectName(scene.objects[least->object]);
   if (object != why.object && object != why.other) return;

@@ -40,9 +40,9 @@ Obstruction whatTheGroundLacks(const GroundGap& gap, const PlanRequest& request)
 
 /// Of the walks that were refused near the place of a contact, those of kMostReplayed, the one that
 /// comes nearest to passing: which part it has in which object, and how deep at most, is written
-/// into `why`. Cost: a few milliseconds.
+/// into `why`. Cost: some milliseconds. @param threads  [>= 1]
 void addLeastOverlap(const std::vector<const RefusedEdge*>& refused, const WalkSteering& steering,
-                     Obstruction& why);
+                     int threads, Obstruction& why);
 inline constexpr int kMostReplayed = 12;
 
 }  // namespace amble
