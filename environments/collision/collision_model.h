@@ -20,7 +20,9 @@ namespace amble {
 
 /// Of what a part at a frame is free as far as it moves in the intervals beside it.
 struct FreeAround {
-  bool obstacles, ground;
+  bool obstacles = false, ground = false;
+
+  bool all() const { return obstacles && ground; }
 };
 
 /// Memory of one thread; nothing in it outlives a call but its size.
@@ -41,6 +43,7 @@ class CollisionScratch {
     const size_t cells = static_cast<size_t>(frames) * parts;
     if (capsules.size() < cells) capsules.resize(cells);
     if (free_around.size() < cells) free_around.resize(cells);
+    if (ways.size() < cells) ways.resize(cells);
     placed.assign(frames, false);
     if (motions.nears.size() < cells) {
       motions.bounds.resize(cells);
@@ -56,6 +59,7 @@ class CollisionScratch {
   double near(int frame, int part) const {
     return motions.nears[static_cast<size_t>(frame) * parts + part];
   }
+  double& way(int frame, int part) { return ways[static_cast<size_t>(frame) * parts + part]; }
   FreeAround& freeAround(int frame, int part) {
     return free_around[static_cast<size_t>(frame) * parts + part];
   }
@@ -66,10 +70,12 @@ class CollisionScratch {
   ObstacleSet::ScratchPtr exact;
   Pose middle;
   BodyTrack::Scratch lanes;
-  // [frame][part]: places, where `placed`; motion to the next frame; of what the part was proved
-  // free as far as it moves in the intervals beside the frame.
+  // [frame][part]: places, where `placed`; motion to the next frame; how far a point of the part
+  // goes until the frame at most, from some frame before; of what the part was proved free as far
+  // as it moves in the intervals beside the frame.
   std::vector<Capsule> capsules;
   BodyTrack::Motions motions;
+  std::vector<double> ways;
   std::vector<FreeAround> free_around;
   std::vector<bool> placed;
 };

@@ -297,6 +297,13 @@ bool GroundLayer::isAbove(const Capsule& capsule, double depth) const {
   return lowest >= near_top_[cell.x() + static_cast<size_t>(cell.y()) * count_.x()];
 }
 
+bool GroundLayer::isFree(const Capsule& capsule, double depth) const {
+  if (isAbove(capsule, depth)) return true;
+  Eigen::AlignedBox3d box = capsule.bounds();
+  box.translate(Eigen::Vector3d(0.0, 0.0, depth));
+  return !meetsSpan(box);
+}
+
 bool GroundLayer::meetsSpan(const Eigen::AlignedBox3d& box) const {
   if (box.min().z() >= top_) return false;  // which most are on level ground
   const Eigen::AlignedBox2d plan(Eigen::Vector2d(box.min().head<2>()),

@@ -38,6 +38,10 @@ class GroundLayer {
   /// false says nothing.
   bool isAbove(const Capsule& capsule, double depth) const;
 
+  /// The same, or that its bounds lie beside all heights that the layer fills in each square below
+  /// or above them: nearer to uneven ground, at some times the cost.
+  bool isFree(const Capsule& capsule, double depth) const;
+
   /// True only if nothing between the places a and b of a capsule touches the ground, lifted by
   /// `depth`, each point leaving its straight way by no more than `bend` [m, >= 0]; false says
   /// nothing.

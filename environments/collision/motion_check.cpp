@@ -67,26 +67,62 @@ void MotionCheck::prepare(int frame) {
   const int last = std::min(frame + kAhead, poses_.size() - 1);
   place(frame, last + 1, 1);
   world_.track.measure(poses_, frame, last, scratch_.capsules, scratch_.motions, scratch_.lanes);
+  const int parts = world_.parts(), end = std::min(frame + kAhead, poses_.size());
+  for (int part = 0; part < parts; ++part) scratch_.way(frame, part) = 0.0;
+  for (int i = frame; i + 1 < end; ++i)
+    for (int part = 0; part < parts; ++part)
+      scratch_.way(i + 1, part) = scratch_.way(i, part) + 2.0 * scratch_.near(i, part);
+  for (int i = frame; i < end; ++i)
+    for (int part = 0; part < parts; ++part) scratch_.freeAround(i, part) = {};
+  for (int part = 0; part < parts; ++part) clearSpan(frame, end, part, {});
 }
 
-// Leaves in freeAround of what a part is free as far as it moves in the intervals beside the frame.
-// In those soles may be no less deep than at the frame.
+// Marks of what a part is free at frames [first, end) and in the intervals beside them. Soles are
+// near the ground: for them it is not asked about here.
+// @param known  what is marked already
+void MotionCheck::clearSpan(int first, int end, int part, const FreeAround& known) {
+  const int middle = (first + end) / 2;
+  const bool is_sole = world_.body.parts[part].sole >= 0;
+  double near = 0.0;
+  for (int i = std::max(0, first - 1); i < std::min(end, poses_.size() - 1); ++i)
+    near = std::max(near, scratch_.near(i, part));
+  const double way = std::max(scratch_.way(middle, part) - scratch_.way(first, part),
+                              scratch_.way(end - 1, part) - scratch_.way(middle, part));
+  const Capsule swept = scratch_.capsule(middle, part).inflated(way + near);
+  const FreeAround free = {
+      known.obstacles || world_.layers.isFree(swept, is_sole ? kSoleDepth : 0.0),
+      known.ground || (!is_sole && world_.layers.ground().isAbove(swept, 0.0))};
+  if (free.obstacles != known.obstacles || free.ground != known.ground)
+    for (int i = first; i < end; ++i) scratch_.freeAround(i, part) = free;
+  if ((free.obstacles && (free.ground || is_sole)) || end - first <= kShortSpan) return;
+  for (int i = first; i < end; i += kShortSpan)
+    clearSpan(i, std::min(i + kShortSpan, end), part, free);
+}
+
+// Leaves in freeAround of what a part is free as far as it moves in the intervals beside the frame,
+// where spans have not told. In those soles may be no less deep than at the frame.
 std::optional<Contact> MotionCheck::checkFrame(int frame) {
   std::optional<Contact> found;
   const bool has_before = frame > 0, has_after = frame + 1 < poses_.size();
   const GroundLayer& ground = world_.layers.ground();
   for (int part = 0; part < world_.parts(); ++part) {
-    const Capsule& capsule = scratch_.capsule(frame, part);
-    const double near = std::max(has_before ? scratch_.near(frame - 1, part) : 0.0,
-                                 has_after ? scratch_.near(frame, part) : 0.0);
-    const double depth = world_.allowedDepth(part, soles_[frame], soles_[frame]);
-    const Capsule around = capsule.inflated(near);
-    const FreeAround free = {world_.layers.touchedObstacle(around, depth, *scratch_.exact) < 0,
-                             ground.isAbove(around, depth)};
-    scratch_.freeAround(frame, part) = free;
-    int object =
-        free.obstacles ? -1 : world_.layers.touchedObstacle(capsule, depth, *scratch_.exact);
-    if (object < 0 && !free.ground) object = ground.touched(capsule, depth, *scratch_.exact);
+    FreeAround& free = scratch_.freeAround(frame, part);
+    int object = -1;
+    if (!free.all()) {
+      const Capsule& capsule = scratch_.capsule(frame, part);
+      const double near = std::max(has_before ? scratch_.near(frame - 1, part) : 0.0,
+                                   has_after ? scratch_.near(frame, part) : 0.0);
+      const double depth = world_.allowedDepth(part, soles_[frame], soles_[frame]);
+      const Capsule around = capsule.inflated(near);
+      if (!free.obstacles)
+        free.obstacles = world_.layers.touchedObstacle(around, depth, *scratch_.exact) < 0;
+      if (!free.ground) {
+        const bool is_sole = world_.body.parts[part].sole >= 0;
+        free.ground = is_sole ? ground.isAbove(around, depth) : ground.isFree(around, depth);
+      }
+      if (!free.obstacles) object = world_.layers.touchedObstacle(capsule, depth, *scratch_.exact);
+      if (object < 0 && !free.ground) object = ground.touched(capsule, depth, *scratch_.exact);
+    }
     if (object < 0 && part == world_.body.head)
       object = world_.touchedCrown(placed(frame), scratch_);
     if (object >= 0 && !found) found = Contact{frame, 0.0, part, object, 0.0};

@@ -129,6 +129,7 @@ SceneLayers::SceneLayers(const Scene& scene, const SceneGround& ground, const St
   banks_.emplace(split.banks, stop, checker);
   Eigen::AlignedBox3d bounds = obstacles_->bounds();
   bounds.extend(banks_->bounds());
+  empty_ = bounds.isEmpty();
   parallelFor(2, 2, [&](int part, int) {
     if (part == 0)
       field_.emplace(standing, fieldRegion(bounds, ground), stop);

@@ -31,6 +31,11 @@ class SceneLayers {
   /// which stand on what they are part of.
   ObstacleSet::Nearest nearestObstacle(const Capsule& capsule, double limit, bool is_sole,
                                        ObstacleSet::Scratch& scratch) const;
+  /// True only if the capsule touches no obstacle, nor would it higher by up to `depth` [m, >= 0];
+  /// false says nothing. Cost: some nanoseconds.
+  bool isFree(const Capsule& capsule, double depth) const {
+    return empty_ || field_->isFree(capsule.inflated(depth));
+  }
   const GroundLayer& ground() const { return *ground_; }
 
  private:
@@ -38,6 +43,7 @@ class SceneLayers {
 
   // Each is there once it is made; some are made at the same time.
   std::optional<ObstacleSet> obstacles_, banks_;
+  bool empty_ = false;  // of obstacles and banks
   std::optional<GroundLayer> ground_;
   std::optional<ClearanceField> field_;
 };

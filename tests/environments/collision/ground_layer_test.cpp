@@ -173,8 +173,12 @@ TEST(GroundLayer, WhatIsAboveTheGroundTouchesNothing) {
       const Capsule capsule = randomCapsule(generator, box, 0.3);
       const bool is_free = stair.layer.touched(capsule, 0.002, *stair.scratch) < 0;
       free += is_free;
-      if (!stair.layer.isAbove(capsule, 0.002)) continue;
-      ++above;
+      const bool is_above = stair.layer.isAbove(capsule, 0.002);
+      if (is_above) {
+        EXPECT_TRUE(stair.layer.isFree(capsule, 0.002));
+      }
+      if (!stair.layer.isFree(capsule, 0.002)) continue;
+      above += is_above;
       EXPECT_TRUE(is_free) << capsule.from.transpose() << " to " << capsule.to.transpose()
                            << " radius " << capsule.radius;
     }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/rotation.h"
 #include "environments/ground/scene_ground.h"
 #include "tests/environments/test_scenes.h"
 
@@ -168,6 +169,41 @@ TEST_P(MotionCheckTest, MoreFramesOnTheSameWayGiveTheSameVerdict) {
       EXPECT_EQ(checkOf(fine).all(false).has_value(), gap < 0.0) << gap;
     }
   }
+}
+
+// Frames as near to one another as a walk's, so that spans of them are told at once: the verdict is
+// that of each interval by itself, and so is the contact.
+TEST_P(MotionCheckTest, ASlowFlightMeetsWhatItsIntervalsMeet) {
+  std::uniform_real_distribution<double> turn(0.0, 2.0 * kPi), place(-0.5, 0.5);
+  int met = 0, missed = 0;
+  for (int n = 0; n < 150; ++n) {
+    const double far = 0.5 + turn(generator) / 6.0, begin = turn(generator),
+                 rise = place(generator);
+    PoseArray poses(1);
+    poses.resize(40 + n % 50);
+    for (int i = 0; i < poses.size(); ++i) {
+      const double at = begin + 0.02 * i;
+      poses.p_WR(i) = {far * std::cos(at), far * std::sin(at), 4.0 + rise * std::cos(3.0 * at)};
+    }
+    double least = HUGE_VAL;
+    int first = poses.size();  // interval that touches
+    for (int i = poses.size() - 2; i >= 0; --i) {
+      const double gap = world.gap(poses, i);
+      least = std::min(least, gap);
+      if (gap < 2.0 * kProofGap) first = i;
+    }
+    if (least > -1e-5 && least < 2.0 * kProofGap) continue;
+    for (const bool any : {false, true}) {
+      const auto contact = checkOf(poses).all(any);
+      ASSERT_EQ(contact.has_value(), least < 0.0) << least;
+      if (contact) {
+        EXPECT_GE(contact->frame, first);
+      }
+    }
+    ++(least < 0.0 ? met : missed);
+  }
+  EXPECT_GT(met, 10);
+  EXPECT_GT(missed, 10);
 }
 
 TEST(MotionCheckGround, ABallMayComeDownToTheFloorAndNoDeeper) {
