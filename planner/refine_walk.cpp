@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -16,6 +17,8 @@ namespace {
 
 // Less is rounding: durations are whole numbers of frames [s].
 constexpr double kRounding = 1e-6;
+// What an edge may cost is told with so much to spare, against the rounding of sums [s].
+constexpr double kSlack = 1e-6;
 // A radian that the path bends counts as so much time, and a proposal must gain so much: a bend
 // that saves a frame because steps happen to come out whole looks like a stagger. By trial.
 constexpr double kBendCost = 0.3;  // [s/rad]
@@ -24,9 +27,6 @@ constexpr double kGain = 0.05;     // [s]
 // more to gain.
 constexpr int kMostRounds = 12;
 constexpr int kIdleRounds = 3;
-// Proposals judged ahead, a thread: more keep threads busy, but are lost where one of the first
-// helps.
-constexpr int kAheadPerThread = 4;
 // Pass 1: nodes farther apart than this are not joined: what could be is by the roadmap [m].
 constexpr double kFarthestShortcut = 20.0;
 // Pass 2: how far from the node to the line between its neighbours, and headings off that line's.
@@ -198,21 +198,26 @@ Answer Refiner::judge(const Proposal& proposal, SteeringScratch& scratch) const 
     if (!steering_.place(way.back().stance)) return answer;
   }
   way.push_back(node(proposal.last));
-  double old_duration = 0.0, duration = 0.0;
-  for (int i = proposal.first; i < proposal.last; ++i) old_duration += path_.edges[i].cost();
+  double old_duration = 0.0, duration = 0.0, straightened = 0.0;
+  for (int i = proposal.first; i < proposal.last; ++i) {
+    old_duration += path_.edges[i].cost();
+    straightened += bend(path_.edges[i]);
+  }
   std::vector<WalkEdge> edges;
   for (size_t i = 0; i + 1 < way.size(); ++i) {
     if (duration + leastDuration(way, i) > old_duration + kRounding) return answer;
-    const SteerResult result = steering_.steer(way[i], way[i + 1], scratch);
+    // What it may cost for the whole to help, by the last line of this, if what is left is as quick
+    // and as straight as can be.
+    const double may_be = old_duration + std::min(0.0, kBendCost * straightened - kGain);
+    const double most = may_be - duration - leastDuration(way, i + 1) + kRounding + kSlack;
+    const SteerResult result = steering_.steerWithin(way[i], way[i + 1], most, scratch);
     answer.count.add(result);
     if (!result.edge) return answer;
     duration += result.edge->cost();
+    straightened -= bend(*result.edge);
     if (i + 2 < way.size()) way[i + 1].stance = result.edge->to;
     edges.push_back(*result.edge);
   }
-  double straightened = 0.0;
-  for (int i = proposal.first; i < proposal.last; ++i) straightened += bend(path_.edges[i]);
-  for (const WalkEdge& edge : edges) straightened -= bend(edge);
   const double gain = old_duration - duration + kBendCost * straightened;
   if (duration <= old_duration + kRounding && gain >= kGain) answer.edges = std::move(edges);
   return answer;
@@ -235,24 +240,27 @@ void Refiner::take(const Proposal& proposal, std::vector<WalkEdge> edges) {
   assert(path_.pinned.size() == path_.edges.size() + 1);
 }
 
-// Takes the first proposal that helps and returns its index; -1 where none does.
+// Takes the first proposal that helps and returns its index; -1 where none does. Threads go on to
+// the next ones until one helps: of those before it all are judged, whoever is first, and of those
+// after it nothing is used.
 int Refiner::firstThatHelps(const std::vector<Proposal>& proposals) {
   const int total = static_cast<int>(proposals.size());
-  const int ahead = limits_.threads > 1 ? kAheadPerThread * limits_.threads : 1;
-  for (int begin = 0; begin < total; begin += ahead) {
-    if (stopped()) return -1;
-    std::vector<Answer> answers(std::min(ahead, total - begin));
-    parallelFor(static_cast<int>(answers.size()), limits_.threads, [&](int i, int thread) {
-      answers[i] = judge(proposals[begin + i], *scratches_[thread]);
-    });
-    for (size_t i = 0; i < answers.size(); ++i) {
-      count_.add(answers[i].count);
-      if (answers[i].edges.empty()) continue;
-      take(proposals[begin + i], std::move(answers[i].edges));
-      return begin + static_cast<int>(i);
-    }
-  }
-  return -1;
+  std::vector<Answer> answers(total);
+  std::atomic<int> first{total};  // that helps, of those judged so far
+  std::atomic<bool> cut_short{false};
+  parallelFor(total, limits_.threads, [&](int i, int thread) {
+    if (i > first) return;
+    if (stopped()) cut_short = true;
+    if (cut_short) return;
+    answers[i] = judge(proposals[i], *scratches_[thread]);
+    if (answers[i].edges.empty()) return;
+    for (int known = first; i < known && !first.compare_exchange_weak(known, i);) continue;
+  });
+  const int taken = first;
+  for (int i = 0; i <= std::min(taken, total - 1); ++i) count_.add(answers[i].count);
+  if (cut_short || taken == total) return -1;
+  take(proposals[taken], std::move(answers[taken].edges));
+  return taken;
 }
 
 void Refiner::shortcuts() {

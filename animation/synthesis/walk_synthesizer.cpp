@@ -266,12 +266,14 @@ void setGait(const std::vector<GaitParameters>& gait, AnimationBuffer& buffer) {
 }  // namespace
 
 WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const RootPath& path,
-                                 bool any_leading, AnimationBuffer& out,
-                                 const GaitWishes& wishes) const {
+                                 bool any_leading, AnimationBuffer& out, const GaitWishes& wishes,
+                                 const WalkFilter& is_wanted) const {
   const Impl& m = *impl_;
   const WalkRequest request{from, to, path, any_leading, wishes};
   const WalkSteps walk = m.placer.plan(request);
   if (walk.refused != WalkRule::kNone) return {walk.refused, walk.steps, walk.end.leading};
+  if (is_wanted && !is_wanted(walk.frames(), walk.gait))
+    return {WalkRule::kNone, walk.steps, walk.end.leading, true};
   out.states.clear();
   out.states.push_back(m.stanceState(from, walk.from_feet, 0.0));
   for (int k = 1; k < walk.frames(); ++k) out.states.push_back(m.walkingState(walk, request, k));

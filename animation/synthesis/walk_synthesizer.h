@@ -8,7 +8,9 @@
 /// nothing but its arguments.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <span>
 
 #include "animation/body/foot_shape.h"
 #include "animation/body/joint_roles.h"
@@ -37,8 +39,14 @@ struct CharacterSettings {
 struct WalkResult {
   WalkRule refused = WalkRule::kNone;
   int steps = 0;
-  Side leading = kLeft;  ///< the foot in front at the end, if the walk ends walking
+  Side leading = kLeft;   ///< the foot in front at the end, if the walk ends walking
+  bool unwanted = false;  ///< it was planned, and then not animated (WalkFilter)
 };
+
+/// Asked once the steps of a walk are planned, what it will be: whether it is to be animated. Most
+/// of a walk's cost comes after that.
+/// @param intervals  between its frames; @param gait  of its steps, in their order
+using WalkFilter = std::function<bool(int intervals, std::span<const GaitParameters> gait)>;
 
 /// Const after construction: threads may share it. Buffers are the caller's, and keep their memory
 /// from call to call.
@@ -68,9 +76,11 @@ class WalkSynthesizer {
   /// Walks along `path` from one stance to another; `path` begins at from.position and ends at
   /// to.position with their headings. The foot that leads at the end is given back; where
   /// `any_leading` is false it must be to.leading. `out` is overwritten: first frame is stance
-  /// `from`, last frame stance `to`. On refusal its content is unspecified.
+  /// `from`, last frame stance `to`. On refusal its content is unspecified, and where `is_wanted`
+  /// says no: whether anything would refuse such a walk is not known.
   WalkResult walk(const Stance& from, const Stance& to, const RootPath& path, bool any_leading,
-                  AnimationBuffer& out, const GaitWishes& wishes = {}) const;
+                  AnimationBuffer& out, const GaitWishes& wishes = {},
+                  const WalkFilter& is_wanted = {}) const;
 
   /// Turns on the spot by `angle` [rad, left positive, |angle| <= 2 pi] from standing at `at` to
   /// standing, in small steps.

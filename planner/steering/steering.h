@@ -96,6 +96,7 @@ struct SteerResult {
   SteeringFailure failure;  ///< meaningful where there is no edge
   int poses = 0;            ///< frames handed to the collision check
   bool assumed = false;     ///< that there is an edge, which nobody has made (looksFree)
+  bool too_dear = false;    ///< an edge would cost more than was asked for (steerWithin)
 };
 
 /// Scratch memory of one thread.
@@ -121,6 +122,15 @@ class Steering {
   /// The walk from one waypoint to another, checked, or the rule that refused.
   virtual SteerResult steer(const Waypoint& from, const Waypoint& to,
                             SteeringScratch& scratch) const = 0;
+
+  /// The same for who has no use for an edge that costs more than `most` [s]: where the first that
+  /// is proposed would, the answer may be that (`too_dear`), and what refuses it, or what else
+  /// would do, has not been asked. An edge that is given is that of steer(), and costs no more, but
+  /// for what nearness to things adds.
+  virtual SteerResult steerWithin(const Waypoint& from, const Waypoint& to, double /*most*/,
+                                  SteeringScratch& scratch) const {
+    return steer(from, to, scratch);
+  }
 
   /// Whether there is so much room all along that steer() will find a walk, nearly for sure: for
   /// who only wants to know whether one place is reached from another. False says nothing.

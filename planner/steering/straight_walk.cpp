@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/rotation.h"
 
@@ -20,11 +21,8 @@ constexpr int kOnAxis = 4;           // parts of a capsule's axis, at whose ends
 // Lifts differ by so much from step to step without anything to step over [m].
 constexpr double kNoLift = 0.01;
 
-// On level ground with nothing to step over: legs that are lifted over furniture measure nothing.
-bool isPlain(const AnimationBuffer& buffer, double captured_lift) {
+bool isLevel(const AnimationBuffer& buffer) {
   Eigen::AlignedBox1d heights;
-  for (const Footprint& print : buffer.footprints)
-    if (print.gait.lift > captured_lift + kNoLift) return false;
   for (const FrameState& state : buffer.states)
     heights.extend(Eigen::AlignedBox1d::VectorType(state.position.z()));
   return heights.sizes()[0] <= SceneGround::kLevel;
@@ -37,6 +35,7 @@ StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround&
   const Eigen::AlignedBox2d extent = ground.extent();
   StraightWalk walk;
   if (extent.isEmpty()) return walk;
+  // On level ground with nothing to step over: legs that are lifted over furniture measure nothing.
   for (int i = 0; i < kPlaces * kPlaces * kDirections; ++i) {
     const int place = i / kDirections;
     const Eigen::Vector2d share((place % kPlaces + 0.5) / kPlaces,
@@ -55,9 +54,13 @@ StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround&
     to.position += length * Eigen::Vector3d(std::cos(from.heading), std::sin(from.heading), 0.0);
     walk.path = RootPath({makeBezier(from.position.head<2>(), from.heading, to.position.head<2>(),
                                      to.heading, 1.0 / 3.0)});
-    if (synthesizer.walk(from, to, walk.path, true, walk.buffer).refused == WalkRule::kNone &&
-        isPlain(walk.buffer, synthesizer.capturedLift()))
-      return walk;
+    const WalkResult made = synthesizer.walk(
+        from, to, walk.path, true, walk.buffer, {}, [&](int, std::span<const GaitParameters> gait) {
+          return std::none_of(gait.begin(), gait.end(), [&](const GaitParameters& step) {
+            return step.lift > synthesizer.capturedLift() + kNoLift;
+          });
+        });
+    if (made.refused == WalkRule::kNone && !made.unwanted && isLevel(walk.buffer)) return walk;
   }
   return {};
 }

@@ -9,6 +9,8 @@
 /// than level walking on slopes that people walk. What slows a walk is in its time.
 #pragma once
 
+#include <span>
+
 #include "animation/synthesis/animation_buffer.h"
 
 namespace amble {
@@ -17,5 +19,7 @@ namespace amble {
 /// @param speed  on the straight [m/s, > 0]
 /// @return [s, >= 0]; 0 on level ground with nothing to step over
 double effortOf(const AnimationBuffer& walk, double captured_lift, double speed);
+/// The same of a walk that is planned but not animated, from its steps.
+double effortOf(std::span<const GaitParameters> steps, double captured_lift, double speed);
 
 }  // namespace amble

@@ -211,9 +211,22 @@ SteeringFailure WalkSteering::touched(const Contact& contact, const AnimationBuf
           state.heading};
 }
 
+// Asked of a planned walk: whether that alone, in time and effort, does not cost more [s].
+WalkFilter WalkSteering::costsAtMost(double most) const {
+  if (most == HUGE_VAL) return {};
+  return [this, most](int intervals, std::span<const GaitParameters> gait) {
+    const CharacterSettings& settings = synthesizer_.settings();
+    return intervals * settings.frame_time +
+               effortOf(gait, synthesizer_.capturedLift(), settings.speed) <=
+           most;
+  };
+}
+
 // The one place that knows what an edge is made of: its parts, each begun where the one before it
 // in time ends.
-WalkResult WalkSteering::make(const WalkEdge& edge, EdgePart part, AnimationBuffer& out) const {
+// @param most  what the edge may cost for a walk to be animated [s]
+WalkResult WalkSteering::make(const WalkEdge& edge, EdgePart part, AnimationBuffer& out,
+                              double most) const {
   const Stance leave = withHeading(edge.from, edge.from.heading + edge.turn_first);
   const Stance arrive = withHeading(edge.to, edge.to.heading - edge.turn_last);
   switch (part) {
@@ -221,7 +234,8 @@ WalkResult WalkSteering::make(const WalkEdge& edge, EdgePart part, AnimationBuff
       return synthesizer_.smallSteps(
           edge.from, shifts(edge) ? edge.to.position : edge.from.position, edge.turn_first, out);
     case EdgePart::kWalk:
-      return synthesizer_.walk(leave, arrive, edge.path, edge.any_leading, out);
+      return synthesizer_.walk(leave, arrive, edge.path, edge.any_leading, out, {},
+                               costsAtMost(most));
     case EdgePart::kTurnLast:
       return synthesizer_.turnOnSpot(arrive, edge.turn_last, out);
   }
@@ -232,9 +246,9 @@ WalkResult WalkSteering::make(const WalkEdge& edge, EdgePart part, AnimationBuff
 // refused by visit(part, result). @return whether all were taken
 template <typename Visit>
 bool WalkSteering::visitParts(const WalkEdge& edge, const PartOrder& order, AnimationBuffer& buffer,
-                              Visit visit) const {
+                              Visit visit, double most) const {
   return std::all_of(order.begin(), order.end(), [&](EdgePart part) {
-    return !hasPart(edge, part) || visit(part, make(edge, part, buffer));
+    return !hasPart(edge, part) || visit(part, make(edge, part, buffer, most));
   });
 }
 
@@ -252,7 +266,7 @@ bool WalkSteering::coreTouches(const WalkEdge& edge, SteeringScratch& scratch,
 }
 
 // Stages 2 to 4, of the walk first, since it is refused more often than the turns.
-SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
+SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch, double most) const {
   WalkScratch& own = walkScratch(scratch);
   SteerResult result;
   if (coreTouches(edge, scratch, result.failure)) return result;
@@ -261,6 +275,10 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
   const auto passes = [&](EdgePart part, const WalkResult& made) {
     if (made.refused != WalkRule::kNone) {
       result.failure = failure(made.refused, edge.from, edge.to);
+      return false;
+    }
+    if (made.unwanted) {
+      result.too_dear = true;
       return false;
     }
     result.poses += own.buffer.size();
@@ -277,7 +295,7 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
     if (!edge.to.standing) edge.to.leading = made.leading;
     return true;
   };
-  if (!visitParts(edge, kLikeliestRefused, own.buffer, passes)) return result;
+  if (!visitParts(edge, kLikeliestRefused, own.buffer, passes, most)) return result;
   edge.duration = frames * synthesizer_.settings().frame_time;
   edge.unease = kNearnessCost * near * synthesizer_.settings().frame_time;
   result.edge = std::move(edge);
@@ -286,32 +304,40 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch) const {
 
 SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to,
                                 SteeringScratch& scratch) const {
-  return steer(from, to, scratch, nullptr);
+  return steer(from, to, scratch, HUGE_VAL, nullptr);
+}
+
+SteerResult WalkSteering::steerWithin(const Waypoint& from, const Waypoint& to, double most,
+                                      SteeringScratch& scratch) const {
+  return steer(from, to, scratch, most, nullptr);
 }
 
 WalkSteering::Attempt WalkSteering::attempt(const Waypoint& from, const Waypoint& to,
                                             SteeringScratch& scratch) const {
   Attempt attempt;
-  attempt.result = steer(from, to, scratch, &attempt.refused);
+  attempt.result = steer(from, to, scratch, HUGE_VAL, &attempt.refused);
   if (attempt.result.edge) attempt.refused.reset();
   return attempt;
 }
 
+// The edge is the first proposal that nothing refuses. Where one costs more than `most`, whether
+// that is so is not asked: those after it bend more and are hardly shorter.
 SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch,
-                                std::optional<WalkEdge>* refused) const {
+                                double most, std::optional<WalkEdge>* refused) const {
   SteerResult all;
   all.failure = failure(WalkRule::kNoCurve, from.stance, to.stance);
   const auto passes = [&](WalkEdge edge) {
     std::optional<WalkEdge> proposal;
     if (refused) proposal = edge;
-    SteerResult one = judge(std::move(edge), scratch);
+    SteerResult one = judge(std::move(edge), scratch, most);
     all.poses += one.poses;
+    all.too_dear = one.too_dear;
     all.edge = std::move(one.edge);
-    if (!all.edge && stageOf(one.failure.rule) >= stageOf(all.failure.rule)) {
+    if (!all.edge && !all.too_dear && stageOf(one.failure.rule) >= stageOf(all.failure.rule)) {
       all.failure = one.failure;
       if (refused) *refused = std::move(proposal);
     }
-    return all.edge.has_value();
+    return all.edge || all.too_dear;
   };
   const Eigen::Vector3d line = to.stance.position - from.stance.position;
   if (line.head<2>().norm() < kSamePlace) {

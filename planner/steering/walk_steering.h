@@ -14,6 +14,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "animation/synthesis/walk_synthesizer.h"
 #include "environments/collision/collision_world.h"
@@ -44,6 +45,8 @@ class WalkSteering : public Steering {
   bool place(Stance& stance) const override;
   SteerResult steer(const Waypoint& from, const Waypoint& to,
                     SteeringScratch& scratch) const override;
+  SteerResult steerWithin(const Waypoint& from, const Waypoint& to, double most,
+                          SteeringScratch& scratch) const override;
   bool looksFree(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch) const override;
   double topSpeed() const override;
   std::vector<double> floors(double x, double y) const override { return ground_.floors(x, y); }
@@ -94,14 +97,16 @@ class WalkSteering : public Steering {
  private:
   WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
                const SceneGround& ground, double comfort, const StraightWalk& walk);
-  SteerResult judge(WalkEdge edge, SteeringScratch& scratch) const;
-  SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch,
+  SteerResult judge(WalkEdge edge, SteeringScratch& scratch, double most = HUGE_VAL) const;
+  SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch, double most,
                     std::optional<WalkEdge>* refused) const;
   bool coreTouches(const WalkEdge& edge, SteeringScratch& scratch, SteeringFailure& failure) const;
-  WalkResult make(const WalkEdge& edge, EdgePart part, AnimationBuffer& out) const;
+  WalkFilter costsAtMost(double most) const;
+  WalkResult make(const WalkEdge& edge, EdgePart part, AnimationBuffer& out,
+                  double most = HUGE_VAL) const;
   template <typename Visit>
   bool visitParts(const WalkEdge& edge, const PartOrder& order, AnimationBuffer& buffer,
-                  Visit visit) const;
+                  Visit visit, double most = HUGE_VAL) const;
 
   const WalkSynthesizer& synthesizer_;
   const CollisionWorld& world_;

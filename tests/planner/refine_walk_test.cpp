@@ -119,6 +119,31 @@ TEST_F(RefineWalk, CountsTheSameAtAnyNumberOfThreads) {
   EXPECT_EQ(one.refusals, three.refusals);
 }
 
+// A disc that makes no edge that costs more than it is asked for.
+class ThriftySteering : public DiscSteering {
+ public:
+  mutable std::atomic<int> spared{0};
+  SteerResult steerWithin(const Waypoint& from, const Waypoint& to, double most,
+                          SteeringScratch& scratch) const override {
+    SteerResult result = steer(from, to, scratch);
+    if (!result.edge || result.edge->cost() <= most) return result;
+    ++spared;
+    result.edge.reset();
+    result.too_dear = true;
+    return result;
+  }
+};
+
+TEST_F(RefineWalk, IsTheSameWhetherDearEdgesAreMadeOrNot) {
+  ThriftySteering thrifty;
+  twoRooms(thrifty, 0.8);
+  const EdgePath path = pathOver(steering, crooked);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    for (const int threads : {1, 3})
+      expectSame(refined(steering, path, seed), refined(thrifty, path, seed, threads));
+  EXPECT_GT(thrifty.spared, 100);
+}
+
 TEST_F(RefineWalk, StraightWalkIsLeftAsItIs) {
   const EdgePath path = pathOver(steering, {standing(1, 1), standing(3, 1)});
   EXPECT_EQ(refined(steering, path, 1).edges.size(), 1u);

@@ -4,6 +4,7 @@
 
 #include "base/rotation.h"
 #include "base/sample_stream.h"
+#include "planner/steering/walk_effort.h"
 #include "tests/planner/furnished_room.h"
 
 namespace amble {
@@ -72,6 +73,42 @@ TEST_F(WalkSteeringTest, AnimatingAnEdgeAgainGivesWhatWasChecked) {
     }
   }
   EXPECT_GT(edges, 3);
+}
+
+// Facing one another's way, so that there is one proposal.
+TEST_F(WalkSteeringTest, WithinAPriceTheEdgeIsTheSameOrCostsMore) {
+  SampleStream stream(11, 0);
+  int dear = 0, same = 0, refused = 0;
+  for (int i = 0; i < 120; ++i) {
+    Waypoint from = anywhere(stream), to = anywhere(stream);
+    const Eigen::Vector3d way = to.stance.position - from.stance.position;
+    from.stance.heading = to.stance.heading = std::atan2(way.y(), way.x());
+    const SteerResult exact = steering.steer(from, to, *scratch);
+    const double usual = way.norm() / room.synthesizer.settings().speed;
+    for (const double most : {HUGE_VAL, 2.0 * usual + 2.0, usual, 0.5 * usual}) {
+      const SteerResult within = steering.steerWithin(from, to, most, *scratch);
+      if (within.too_dear) {
+        ++dear;
+        EXPECT_EQ(within.poses, 0);
+        EXPECT_FALSE(within.edge.has_value());
+        EXPECT_TRUE(!exact.edge || exact.edge->duration + exact.edge->effort > most);
+        continue;
+      }
+      ASSERT_EQ(within.edge.has_value(), exact.edge.has_value());
+      if (exact.edge) {
+        ++same;
+        EXPECT_EQ(within.edge->cost(), exact.edge->cost());
+        EXPECT_EQ(within.edge->steps, exact.edge->steps);
+        EXPECT_LE(exact.edge->duration + exact.edge->effort, most);
+      } else {
+        ++refused;
+        EXPECT_EQ(within.failure.rule, exact.failure.rule);
+      }
+    }
+  }
+  EXPECT_GT(dear, 20);
+  EXPECT_GT(same, 20);
+  EXPECT_GT(refused, 20);
 }
 
 TEST_F(WalkSteeringTest, EdgesBeginAndEndInTheirStances) {
@@ -400,7 +437,7 @@ TEST(WalkSteeringUneven, PassagesOfAStairAreWalkedUpAndDown) {
   EXPECT_GE(steering.layers(), 1);
   const auto passages = steering.passages();
   ASSERT_FALSE(passages.empty());
-  int up = 0, down = 0;
+  int up = 0, down = 0, foretold = 0;
   for (const StancePair& pair : passages) {
     Stance low = pair.first, high = pair.second;
     EXPECT_FALSE(steering.stand(low, *scratch));
@@ -408,12 +445,26 @@ TEST(WalkSteeringUneven, PassagesOfAStairAreWalkedUpAndDown) {
     const SteerResult rising = steering.steer({low}, {high}, *scratch);
     up += rising.edge.has_value();
     down += steering.steer({high}, {low}, *scratch).edge.has_value();
-    if (rising.edge) {
-      EXPECT_GT(rising.edge->effort, 0.0);  // 0.85 m are won
-    }
+    if (!rising.edge) continue;
+    const WalkEdge& edge = *rising.edge;
+    EXPECT_GT(edge.effort, 0.0);  // 0.85 m are won
+    if (edge.turn_first != 0.0 || edge.turn_last != 0.0) continue;
+    // Planned it costs what it does when it has been made.
+    const CharacterSettings& settings = room.synthesizer.settings();
+    AnimationBuffer buffer;
+    const WalkResult planned = room.synthesizer.walk(
+        edge.from, edge.to, edge.path, edge.any_leading, buffer, {},
+        [&](int intervals, std::span<const GaitParameters> gait) {
+          ++foretold;
+          EXPECT_NEAR(intervals * settings.frame_time, edge.duration, 1e-9);
+          EXPECT_EQ(effortOf(gait, room.synthesizer.capturedLift(), settings.speed), edge.effort);
+          return false;
+        });
+    EXPECT_TRUE(planned.unwanted);
   }
   EXPECT_GT(up, 0);
   EXPECT_GT(down, 0);
+  EXPECT_GT(foretold, 0);
 }
 
 }  // namespace
