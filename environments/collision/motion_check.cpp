@@ -68,12 +68,12 @@ void MotionCheck::prepare(int frame) {
   place(frame, last + 1, 1);
   world_.track.measure(poses_, frame, last, scratch_.capsules, scratch_.motions, scratch_.lanes);
   const int parts = world_.parts(), end = std::min(frame + kAhead, poses_.size());
-  for (int part = 0; part < parts; ++part) scratch_.way(frame, part) = 0.0;
-  for (int i = frame; i + 1 < end; ++i)
-    for (int part = 0; part < parts; ++part)
-      scratch_.way(i + 1, part) = scratch_.way(i, part) + 2.0 * scratch_.near(i, part);
-  for (int i = frame; i < end; ++i)
-    for (int part = 0; part < parts; ++part) scratch_.freeAround(i, part) = {};
+  const int cells = (end - frame) * parts;
+  std::fill_n(&scratch_.freeAround(frame, 0), cells, FreeAround{});
+  double* const way = &scratch_.way(frame, 0);
+  const double* const near = &scratch_.motions.nears[static_cast<size_t>(frame) * parts];
+  std::fill_n(way, parts, 0.0);
+  for (int i = parts; i < cells; ++i) way[i] = way[i - parts] + 2.0 * near[i - parts];
   for (int part = 0; part < parts; ++part) clearSpan(frame, end, part, {});
 }
 
@@ -84,8 +84,9 @@ void MotionCheck::clearSpan(int first, int end, int part, const FreeAround& know
   const int middle = (first + end) / 2;
   const bool is_sole = world_.body.parts[part].sole >= 0;
   double near = 0.0;
-  for (int i = std::max(0, first - 1); i < std::min(end, poses_.size() - 1); ++i)
-    near = std::max(near, scratch_.near(i, part));
+  const int begin = std::max(0, first - 1), intervals = std::min(end, poses_.size() - 1) - begin;
+  const double* own = &scratch_.motions.nears[static_cast<size_t>(begin) * world_.parts() + part];
+  for (int i = 0; i < intervals; ++i, own += world_.parts()) near = std::max(near, *own);
   const double way = std::max(scratch_.way(middle, part) - scratch_.way(first, part),
                               scratch_.way(end - 1, part) - scratch_.way(middle, part));
   const Capsule swept = scratch_.capsule(middle, part).inflated(way + near);
