@@ -55,9 +55,9 @@ KeptGraph makeKeptGraph(const std::vector<std::filesystem::path>& files,
   std::optional<double> frame_time;
   if (making.fps > 0.0) frame_time = 1.0 / making.fps;
   const GraphClips clips =
-      readGraphClips(files, making.read.forReader(), frame_time, making.threads);
+      readGraphClips(files, making.read.forReader(), frame_time, making.threads, making.stop);
   tell("clustering");
-  kept.graph = makeGraph(clips, making.threads);
+  kept.graph = makeGraph(clips, making.threads, making.stop);
   warnings = clips.warnings;
   return kept;
 }

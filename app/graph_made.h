@@ -15,6 +15,7 @@ struct GraphMaking {
   ReadOptions read;
   double fps = 0.0;  ///< [1/s]; 0: kGraphRate or that of the slowest clip
   int threads = 1;   ///< changes no result
+  StopRequest stop;  ///< ends it, with Stopped
   std::function<void(const std::string&)> stage;  ///< told what is done now
 };
 

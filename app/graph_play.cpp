@@ -128,30 +128,16 @@ int listLoops(const KeptGraph& kept, const std::vector<FrameLoop>& loops) {
 int loop(const LoopArguments& options) {
   const KeptGraph kept = readFreshGraph(options.play.graph);
   const int clip = clipNamed(kept, options.clip, "CLIP");
-  const int shortest =
-      std::max(1, static_cast<int>(std::lround(options.shortest / kept.graph.frame_time)));
-  std::vector<FrameLoop> loops =
-      loopsOf(kept.graph, cutAt(kept.graph, options.error), clip, shortest);
-  if (options.at >= 0) {
-    const int at =
-        frameNamed(kept, kept.graph.clips[clip].name + ":" + std::to_string(options.at), "--at");
-    std::stable_sort(loops.begin(), loops.end(), [&](const FrameLoop& a, const FrameLoop& b) {
-      return std::abs(a.leave - at) < std::abs(b.leave - at);
-    });
-  }
+  LoopWishes wishes{options.error, options.shortest, {}};
+  if (options.at >= 0) wishes.left_near = options.at;
+  const std::vector<FrameLoop> loops = loopsIn(kept, clip, wishes);
   if (loops.empty()) {
     say(stderr, "amble graph loop: {} comes to no place again at error {:g} m\n", options.clip,
         options.error);
     return kExitNone;
   }
   if (options.play.out.file.empty()) return listLoops(kept, loops);
-  std::vector<NamedRange> ranges;
-  for (const PlayedRange& range : rangesOf(kept.graph, loops[0], options.count)) {
-    const GraphClip& played = kept.graph.clips[range.clip];
-    ranges.push_back({range.clip, played.inFile(played.first + range.first),
-                      played.inFile(played.first + range.last)});
-  }
-  return playRanges(kept, options.play, ranges);
+  return playRanges(kept, options.play, rangesOfLoop(kept, loops[0], options.count));
 }
 
 }  // namespace

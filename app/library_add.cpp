@@ -7,11 +7,9 @@
 #include <memory>
 
 #include "animation/body/reference_pose.h"
-#include "animation/library/library_parts_writer.h"
-#include "animation/library/motion_library_reader.h"
 #include "animation/library/motion_library_writer.h"
-#include "animation/preparation/motion_library_add.h"
 #include "animation/synthesis/walk_synthesizer.h"
+#include "app/library_addition.h"
 #include "app/read_options.h"
 #include "app/say.h"
 #include "base/error.h"
@@ -32,32 +30,21 @@ struct LibraryAddArguments {
   ReadOptions read;
 };
 
-// What is made of one clip: the motion, and the walk's mirror image.
-std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
-                                      const LibraryAddArguments& options) {
-  MotionRequest request;
-  request.name = options.name.empty() ? clip.stem().string() : options.name;
+LibraryAddition additionOf(const LibraryAddArguments& options) {
+  LibraryAddition how;
+  how.name = options.name;
   const auto& kinds = motionKindNames();
-  request.kind =
+  how.kind =
       static_cast<MotionKind>(std::find(kinds.begin(), kinds.end(), options.kind) - kinds.begin());
-  if (!options.turning.empty()) request.turning = options.turning == "turn";
-  request.style = options.style;
-  request.chains = options.chains;
-  request.file = clip;
-  request.read = options.read.forReader();
-  request.source.clip = clip.filename().string();
-  request.source.licence = options.licence.empty() ? "unknown" : options.licence;
-  request.source.credit = options.credit.empty() ? "unknown" : options.credit;
-  if (options.frames.size() == 2) request.frames = {options.frames[0], options.frames[1]};
-  std::vector<MotionRequest> requests = {request};
-  // A manner is its walker's own, lame on the left and not on the right.
-  const bool mirrors = options.style.empty() ? !options.no_mirror : options.mirror;
-  if (request.kind == MotionKind::kWalk && mirrors) {
-    request.name += "-mirrored";
-    request.source.mirrored = true;
-    requests.push_back(request);
-  }
-  return requests;
+  if (!options.turning.empty()) how.turning = options.turning == "turn";
+  how.style = options.style;
+  how.chains = options.chains;
+  if (options.frames.size() == 2) how.frames = {options.frames[0], options.frames[1]};
+  how.mirror = options.style.empty() ? !options.no_mirror : options.mirror;
+  how.licence = options.licence;
+  how.credit = options.credit;
+  how.read = options.read.forReader();
+  return how;
 }
 
 void sayAdded(const Motion& motion) {
@@ -76,23 +63,6 @@ void sayAdded(const Motion& motion) {
       cycle.series.harmonics(), cycle.residual / kDegree);
 }
 
-MotionLibrary libraryAt(const std::filesystem::path& file) {
-  if (std::filesystem::exists(file)) return readMotionLibrary(file);
-  if (file.extension() != ".yaml" && file.extension() != ".yml") {
-    throw InputError(file.string(), 0, "is no name of a library", "NAME.yaml");
-  }
-  std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  while (!std::filesystem::exists(folder)) folder = folder.parent_path();
-  if (!std::filesystem::is_directory(folder)) {
-    throw InputError(file.string(), 0, "lies in " + folder.string() + ", which is no folder",
-                     "a folder, or one that can be made");
-  }
-  MotionLibrary library;
-  library.file = file;
-  library.skeleton_file = skeletonNameBeside(file);
-  return library;
-}
-
 void requireStyle(const LibraryAddArguments& options) {
   if (options.style.empty()) {
     if (!options.mirror) return;
@@ -108,10 +78,11 @@ int run(const LibraryAddArguments& options) {
   requireStyle(options);
   const std::filesystem::path file = options.library;
   MotionLibrary library = libraryAt(file);
+  const LibraryAddition how = additionOf(options);
   int added = 0;
   try {
     for (const std::string& clip : options.clips) {
-      for (const MotionRequest& request : requestsOf(clip, options)) {
+      for (const MotionRequest& request : requestsOf(clip, how)) {
         addMotion(library, request);
         sayAdded(library.motions.back());
         ++added;

@@ -1,5 +1,6 @@
 #include "app/played_graph.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -45,6 +46,30 @@ PlayedGraph playGraph(const KeptGraph& kept, const std::string& file,
   if (how.foot_lock)
     made.motion.clip = lockFeet(made.motion.clip, made.roles, plantsOf(made.motion.planted));
   return made;
+}
+
+std::vector<FrameLoop> loopsIn(const KeptGraph& kept, int clip, const LoopWishes& wishes) {
+  const int shortest =
+      std::max(1, static_cast<int>(std::lround(wishes.shortest / kept.graph.frame_time)));
+  std::vector<FrameLoop> loops =
+      loopsOf(kept.graph, cutAt(kept.graph, wishes.error), clip, shortest);
+  if (!wishes.left_near) return loops;
+  const int at = frameNamed(
+      kept, kept.graph.clips[clip].name + ":" + std::to_string(*wishes.left_near), "--at");
+  std::stable_sort(loops.begin(), loops.end(), [&](const FrameLoop& a, const FrameLoop& b) {
+    return std::abs(a.leave - at) < std::abs(b.leave - at);
+  });
+  return loops;
+}
+
+std::vector<NamedRange> rangesOfLoop(const KeptGraph& kept, const FrameLoop& loop, int count) {
+  std::vector<NamedRange> ranges;
+  for (const PlayedRange& range : rangesOf(kept.graph, loop, count)) {
+    const GraphClip& played = kept.graph.clips[range.clip];
+    ranges.push_back({range.clip, played.inFile(played.first + range.first),
+                      played.inFile(played.first + range.last)});
+  }
+  return ranges;
 }
 
 }  // namespace amble

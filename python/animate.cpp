@@ -3,6 +3,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
 #include "animation/library/library_style.h"
@@ -10,10 +13,13 @@
 #include "animation/library/motion_library_writer.h"
 #include "animation/preparation/motion_library_build.h"
 #include "app/animated.h"
+#include "app/library_addition.h"
+#include "app/library_found.h"
 #include "base/rotation.h"
 #include "python/arrays.h"
 #include "python/clips.h"
 #include "python/module.h"
+#include "python/stoppable.h"
 #include "python/text.h"
 
 namespace amble {
@@ -98,8 +104,85 @@ std::shared_ptr<MotionLibrary> openLibrary(const std::string& name) {
 
 std::shared_ptr<MotionLibrary> buildLibrary(const std::filesystem::path& recipe,
                                             const std::filesystem::path& captures) {
+  const auto library = std::make_shared<MotionLibrary>();
+  runStoppable([&](const std::atomic<bool>& stop) {
+    *library = buildMotionLibrary(recipe, captures, StopRequest{&stop, {}});
+  });
+  return library;
+}
+
+std::shared_ptr<MotionLibrary> newLibrary(const std::filesystem::path& file) {
   const py::gil_scoped_release released;
-  return std::make_shared<MotionLibrary>(buildMotionLibrary(recipe, captures));
+  return std::make_shared<MotionLibrary>(libraryAt(file));
+}
+
+struct AdditionAsked {
+  std::string kind = "walk";
+  LibraryAddition how;
+};
+
+// All of them, or none.
+void addTo(MotionLibrary& library, const std::vector<std::filesystem::path>& clips,
+           const AdditionAsked& asked) {
+  MotionLibrary longer = library;
+  runStoppable([&](const std::atomic<bool>& stop) {
+    LibraryAddition how = asked.how;
+    const auto& kinds = motionKindNames();
+    how.kind =
+        static_cast<MotionKind>(std::find(kinds.begin(), kinds.end(), asked.kind) - kinds.begin());
+    for (const std::filesystem::path& clip : clips) {
+      for (const MotionRequest& request : requestsOf(clip, how)) {
+        StopRequest{&stop, {}}.check();
+        addMotion(longer, request);
+      }
+    }
+  });
+  library = std::move(longer);
+}
+
+/// What `amble library find --json` says, and of clips that cannot be read what is wrong.
+py::tuple findIn(const std::vector<std::string>& paths, const std::string& type, double at_least,
+                 int threads) {
+  std::string text;
+  std::vector<std::string> wrong;
+  runStoppable([&](const std::atomic<bool>& stop) {
+    MotionSearch search;
+    search.paths = paths;
+    search.type = type;
+    search.at_least = at_least;
+    search.threads = threads;
+    search.done = [&](int, int) { return !stop; };
+    text = foundJson(findMotions(search, wrong), type)
+               .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  });
+  return py::make_tuple(toText(text), toTexts(wrong));
+}
+
+void bindAddition(py::module_& module) {
+  py::class_<AdditionAsked>(module, "AdditionAsked")
+      .def(py::init<>())
+      .def_readwrite("kind", &AdditionAsked::kind)
+      .def_property(
+          "name", [](const AdditionAsked& asked) { return asked.how.name; },
+          [](AdditionAsked& asked, const std::string& name) { asked.how.name = name; })
+      .def("choose",
+           [](AdditionAsked& asked, const std::optional<bool>& turning, const std::string& style,
+              const std::vector<std::string>& chains,
+              const std::optional<std::pair<int, int>>& frames, const std::optional<bool>& mirror,
+              const std::string& licence, const std::string& credit) {
+             LibraryAddition& how = asked.how;
+             how.turning = turning;
+             how.style = style;
+             how.chains = chains;
+             how.frames = frames;
+             how.mirror = mirror;
+             how.licence = licence;
+             how.credit = credit;
+           });
+  module.def("new_library", &newLibrary);
+  module.def("find_motions", &findIn);
+  module.def("motion_kinds", &motionKindNames);
+  module.def("chain_names", &chainNames);
 }
 
 void bindAnimateAsked(py::module_& module) {
@@ -123,6 +206,7 @@ void bindAnimateAsked(py::module_& module) {
 
 void bindAnimate(py::module_& module) {
   bindAnimateAsked(module);
+  bindAddition(module);
   py::class_<AnimatedWalk, std::shared_ptr<AnimatedWalk>>(module, "Animation")
       .def_property_readonly("refused",
                              [](const AnimatedWalk& made) { return toText(made.refused); })
@@ -145,6 +229,7 @@ void bindAnimate(py::module_& module) {
                                  motions.append(describe(motion));
                                return motions;
                              })
+      .def("add", &addTo)
       .def("write", [](const MotionLibrary& library, const std::filesystem::path& file) {
         const py::gil_scoped_release released;
         writeMotionLibrary(library, file);

@@ -3,11 +3,14 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <cmath>
+
 #include "app/graph_made.h"
 #include "app/graph_ways.h"
 #include "app/played_graph.h"
 #include "python/clips.h"
 #include "python/module.h"
+#include "python/stoppable.h"
 #include "python/text.h"
 
 namespace amble {
@@ -29,14 +32,16 @@ GraphPtr openGraph(const std::filesystem::path& file) {
 
 GraphPtr buildGraph(const std::vector<std::filesystem::path>& clips,
                     const std::filesystem::path& out, double fps, int threads) {
-  const py::gil_scoped_release released;
-  GraphMaking making;
-  making.fps = fps;
-  making.threads = threads;
   const auto made = std::make_shared<PythonGraph>();
   made->file = out.string();
-  made->kept = makeKeptGraph(clips, out, making, made->warnings);
-  writeGraph(made->kept, out);
+  runStoppable([&](const std::atomic<bool>& stop) {
+    GraphMaking making;
+    making.fps = fps;
+    making.threads = threads;
+    making.stop.flag = &stop;
+    made->kept = makeKeptGraph(clips, out, making, made->warnings);
+    writeGraph(made->kept, out);
+  });
   return made;
 }
 
@@ -63,6 +68,37 @@ std::shared_ptr<PythonClip> play(const PythonGraph& graph, const std::string& ra
   return clip;
 }
 
+std::string rangesText(const KeptGraph& kept, const std::vector<NamedRange>& ranges) {
+  std::string text;
+  for (const NamedRange& range : ranges) {
+    text += (text.empty() ? "" : ",") + kept.graph.clips[range.clip].name + ":" +
+            std::to_string(range.first) + "-" + std::to_string(range.last);
+  }
+  return text;
+}
+
+/// The loops of a clip, the wished one first: frames of its file, seconds, metres.
+py::list loops(const PythonGraph& graph, const std::string& clip, double error, double shortest,
+               const std::optional<int>& left_near, int count) {
+  std::vector<FrameLoop> found;
+  {
+    const py::gil_scoped_release released;
+    found = loopsIn(graph.kept, clipNamed(graph.kept, clip, "CLIP"), {error, shortest, left_near});
+  }
+  py::list out;
+  const ClusterGraph& of = graph.kept.graph;
+  for (const FrameLoop& loop : found) {
+    py::dict one;
+    one["leave"] = toText(frameName(of, loop.leave));
+    one["enter"] = toText(frameName(of, loop.enter));
+    one["duration"] = (loop.leave - loop.enter) * of.frame_time;
+    one["error"] = std::sqrt(static_cast<double>(loop.error));
+    one["play"] = toText(rangesText(graph.kept, rangesOfLoop(graph.kept, loop, count)));
+    out.append(one);
+  }
+  return out;
+}
+
 py::dict clipsOf(const PythonGraph& graph) {
   py::dict out;
   for (const GraphClip& clip : graph.kept.graph.clips)
@@ -79,6 +115,7 @@ void bindGraph(py::module_& module) {
       .def_property_readonly("warnings",
                              [](const PythonGraph& graph) { return toTexts(graph.warnings); })
       .def("query", &query)
+      .def("loops", &loops)
       .def("play", &play);
   module.def("open_graph", &openGraph);
   module.def("build_graph", &buildGraph);

@@ -12,6 +12,7 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "environments/ground/ground_warnings.h"
+#include "scenarios/walked_scene.h"
 #include "scenarios/walker_body.h"
 #include "scenarios/walker_ground.h"
 

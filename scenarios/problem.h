@@ -14,9 +14,10 @@
 #include "planner/legs/planner.h"
 #include "scenarios/report.h"
 #include "scenarios/scenario.h"
-#include "scenarios/walked_scene.h"
 
 namespace amble {
+
+class WalkedScene;  // walked_scene.h
 
 /// What a problem is read from; problems may share it.
 struct ProblemInputs {

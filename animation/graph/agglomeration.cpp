@@ -30,10 +30,14 @@ class Agglomeration {
     }
   }
 
-  std::vector<Merge> merges() {
-    parallelFor(count_, threads_, [this](int i, int) { findFirst(i); });
+  std::vector<Merge> merges(const StopRequest& stop) {
+    parallelFor(count_, threads_, [&](int i, int) {
+      stop.check();
+      findFirst(i);
+    });
     std::vector<Merge> merges;
     while (slots_.size() > 1) {
+      stop.check();
       const int a = nearestPair(), b = nearest_[a];
       merges.push_back({nodes_[a], nodes_[b], bound_[a]});
       nodes_[b] = count_ + static_cast<int>(merges.size()) - 1;
@@ -139,9 +143,9 @@ void meanOf(const float* a, int frames_a, const float* b, int frames_b, float* m
   for (int i = 0; i < kFeatureRows; ++i) mean[i] = of_a * a[i] + of_b * b[i];
 }
 
-std::vector<Merge> agglomerate(FrameFeatures features, int threads) {
+std::vector<Merge> agglomerate(FrameFeatures features, int threads, const StopRequest& stop) {
   if (features.cols() == 0) return {};
-  return Agglomeration(std::move(features), threads).merges();
+  return Agglomeration(std::move(features), threads).merges(stop);
 }
 
 }  // namespace amble

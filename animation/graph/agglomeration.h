@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "animation/graph/frame_features.h"
+#include "base/stop_request.h"
 
 namespace amble {
 
@@ -28,8 +29,8 @@ struct Merge {
 };
 
 /// n - 1 merges, in the order in which they were made. @param threads  [>= 1]; changes no result.
-/// Takes n² times two to four comparisons of frames. @pre finite features
-std::vector<Merge> agglomerate(FrameFeatures features, int threads);
+/// Takes n² times two to four comparisons of frames. @pre finite features. @throws Stopped
+std::vector<Merge> agglomerate(FrameFeatures features, int threads, const StopRequest& stop = {});
 
 /// What stands for two clusters of so many frames each, of which `a` and `b` are the means.
 void meanOf(const float* a, int frames_a, const float* b, int frames_b, float* mean);

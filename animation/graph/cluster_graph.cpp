@@ -30,7 +30,7 @@ bool ClusterGraph::hasRoom(int frame) const {
   return frame - clip.first >= kJoinRoom && clip.last() - frame >= kJoinRoom;
 }
 
-void growTrees(ClusterGraph& graph, int threads) {
+void growTrees(ClusterGraph& graph, int threads, const StopRequest& stop) {
   graph.merges.clear();
   for (int state = 0; state < kSupportStates; ++state) {
     std::vector<int> frames;
@@ -44,7 +44,7 @@ void growTrees(ClusterGraph& graph, int threads) {
     const auto node = [&](int own) {
       return own < count ? frames[own] : graph.frames() + before + own - count;
     };
-    for (const Merge& merge : agglomerate(std::move(features), threads))
+    for (const Merge& merge : agglomerate(std::move(features), threads, stop))
       graph.merges.push_back({node(merge.a), node(merge.b), merge.error});
   }
 }

@@ -48,8 +48,8 @@ struct ClusterGraph {
 /// only where no others are alike [frames].
 inline constexpr int kJoinRoom = 5;
 
-/// Fills `merges`. @pre clips, features and states are there
-void growTrees(ClusterGraph& graph, int threads);
+/// Fills `merges`. @pre clips, features and states are there. @throws Stopped
+void growTrees(ClusterGraph& graph, int threads, const StopRequest& stop = {});
 
 /// Frames of one clip, one after another, that are in one cluster: a clip-frame sequence.
 struct FrameSequence {

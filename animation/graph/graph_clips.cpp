@@ -136,15 +136,19 @@ double frameTimeOf(const std::vector<ReadClip>& read) {
 
 GraphClips readGraphClips(const std::vector<std::filesystem::path>& files,
                           const MotionReadOptions& options, std::optional<double> frame_time,
-                          int threads) {
+                          int threads, const StopRequest& stop) {
   const int count = static_cast<int>(files.size());
   std::vector<ReadClip> read(count);
-  parallelFor(count, threads, [&](int i, int) { read[i] = readOne(files[i], options); });
+  parallelFor(count, threads, [&](int i, int) {
+    stop.check();
+    read[i] = readOne(files[i], options);
+  });
   GraphClips result;
   result.roles = read[0].capture.motion.roles;
   result.frame_time = frame_time.value_or(frameTimeOf(read));
   result.clips.resize(count);
   parallelFor(count, threads, [&](int i, int) {
+    stop.check();
     result.clips[i] = playable(read[i], read[0], result.frame_time, files[i]);
   });
   const std::vector<std::string> names = namesOf(files);
@@ -160,7 +164,7 @@ GraphClips readGraphClips(const std::vector<std::filesystem::path>& files,
   return result;
 }
 
-ClusterGraph makeGraph(const GraphClips& clips, int threads) {
+ClusterGraph makeGraph(const GraphClips& clips, int threads, const StopRequest& stop) {
   ClusterGraph graph;
   graph.frame_time = clips.frame_time;
   graph.clips = clips.about;
@@ -173,7 +177,7 @@ ClusterGraph makeGraph(const GraphClips& clips, int threads) {
     const std::vector<SupportState> states = supportStates(clip.planted);
     graph.states.insert(graph.states.end(), states.begin(), states.end());
   }
-  growTrees(graph, threads);
+  growTrees(graph, threads, stop);
   return graph;
 }
 

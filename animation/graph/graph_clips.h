@@ -39,12 +39,12 @@ inline constexpr double kGraphRate = 30.0;
 
 /// @param frame_time  of all of them [s]; none: of kGraphRate, or of the slowest clip
 /// @throws InputError as the reader does; for clips too short to be compared (three frames), or
-/// that cannot be carried over
+/// that cannot be carried over; Stopped
 GraphClips readGraphClips(const std::vector<std::filesystem::path>& files,
                           const MotionReadOptions& options, std::optional<double> frame_time,
-                          int threads);
+                          int threads, const StopRequest& stop = {});
 
-/// A graph of them. @param threads  changes no result
-ClusterGraph makeGraph(const GraphClips& clips, int threads);
+/// A graph of them. @param threads  changes no result. @throws Stopped
+ClusterGraph makeGraph(const GraphClips& clips, int threads, const StopRequest& stop = {});
 
 }  // namespace amble

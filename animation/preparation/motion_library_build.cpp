@@ -74,7 +74,7 @@ std::vector<MotionRequest> readRequests(const YamlNode& node, const YamlNode& ro
 }  // namespace
 
 MotionLibrary buildMotionLibrary(const std::filesystem::path& recipe,
-                                 const std::filesystem::path& captures) {
+                                 const std::filesystem::path& captures, const StopRequest& stop) {
   const YamlNode root = readYaml(recipe);
   root.requireKeys({"skeleton", "captures", "unit", "licence", "credit", "sources", "motions"});
   MotionLibrary library;
@@ -91,7 +91,10 @@ MotionLibrary buildMotionLibrary(const std::filesystem::path& recipe,
   std::stable_partition(requests.begin(), requests.end(), [](const MotionRequest& request) {
     return request.kind == MotionKind::kPosture;
   });
-  for (const MotionRequest& request : requests) addMotion(library, request);
+  for (const MotionRequest& request : requests) {
+    stop.check();
+    addMotion(library, request);
+  }
   return library;
 }
 

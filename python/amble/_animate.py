@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import os
 from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple
 
 from . import _amble, _check
 from ._clips import Clip
-from ._errors import NoWalkError
+from ._errors import InputError, NoWalkError
 from ._motion import Steps
 from ._walk import Path
 
@@ -91,6 +92,53 @@ class Library:
         library = cls.__new__(cls)
         library._made = _amble.build_library(recipe, captures)
         return library
+
+    @classmethod
+    def new(cls, path: Path) -> "Library":
+        """An empty one for add(), that is going to be written there; the file's, where there is one."""
+        library = cls.__new__(cls)
+        library._made = _amble.new_library(path)
+        return library
+
+    @staticmethod
+    def find(type: str, paths: Sequence[Path] = ("default",), *, at_least: float = 0.75,
+             threads: Optional[int] = None) -> List[Dict[str, Any]]:
+        """Clips and motions that are mostly of a type, as `amble library find --json` says them, the surest first.
+
+        type:     "stand", "walk", "run", "jump" or "unknown"
+        paths:    clips, folders of them, libraries
+        at_least: share of the clip's frames that are of that type [0 to 1]
+
+        Raises InputError for a clip that cannot be read.
+        """
+        _check.one_of("type", type, ("stand", "walk", "run", "jump", "unknown"))
+        found, wrong = _amble.find_motions([os.fspath(path) for path in paths], type,
+                                           _check.number("at_least", at_least, 0, 1, ""), _check.threads(threads))
+        if wrong:
+            raise InputError(wrong[0])
+        return json.loads(found)
+
+    def add(self, *clips: Path, name: str = "", kind: str = "walk", turning: Optional[bool] = None, style: str = "",
+            joints: Sequence[str] = (), frames: Optional[Tuple[int, int]] = None, mirror: Optional[bool] = None,
+            licence: str = "unknown", credit: str = "unknown") -> None:
+        """Adds motions of captures, as `amble library add` does; write() keeps them. All of the clips, or none.
+
+        name:    of the motion; "": the clip's
+        kind:    "walk", "movement", "posture", "start", "stop" or "blocking"
+        turning: of a walk; None: as it is found
+        style:   in whose manner it walks; it is blended with none but its like
+        joints:  chains that a movement or a posture moves; none: all
+        frames:  first and last to look at, as the file numbers them; None: all
+        mirror:  whether a walk's mirror image is added too; None: where it has no style
+        """
+        if style and kind not in ("walk", "start", "stop"):
+            raise ValueError(f"style of a {kind}; expected a walk, a start or a stop")
+        for chain in joints:
+            _check.one_of("joints", chain, _amble.chain_names())
+        asked = _amble.AdditionAsked()
+        asked.kind, asked.name = _check.one_of("kind", kind, _amble.motion_kinds()), name
+        asked.choose(turning, style, list(joints), frames, mirror, licence, credit)
+        self._made.add(list(clips), asked)
 
     def __repr__(self) -> str:
         return f"<amble.Library {os.fspath(self.file)}: {len(self.motions)} motions, {self.stature:.2f} m>"

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
-from typing import Any, Dict, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 from . import _amble, _check
 from ._clips import Clip
+from ._errors import NoWalkError
 from ._walk import Path
 
 
@@ -69,3 +70,28 @@ class Graph:
         """
         return Clip(self._made.play(ranges, _check.number("blend", blend, 0, 10, "s"),
                                     _check.optional("fps", fps, 1, 1000, "frames a second") or 0.0, footlock))
+
+    def loops(self, clip: str, *, error: float = _amble.graph_error, shortest: float = 0.4,
+              at: Optional[int] = None, count: int = 2) -> List[Dict[str, Any]]:
+        """Parts of a clip that can be played again and again, as `amble graph loop` lists them, the smoothest first.
+
+        error:    frames that differ by less are alike [m]
+        shortest: loops take at least so long [s]
+        at:       those that are left nearest to this frame of the file first; None: the smoothest
+        count:    times that "play" goes through it
+
+        Of each: "leave" and "enter" ("CLIP:FRAME"), "duration" [s], "error" [m], and "play", for play().
+        """
+        return self._made.loops(clip, _check.number("error", error, 0, 100, "m"),
+                                _check.number("shortest", shortest, 0, 1000, "s"),
+                                None if at is None else _check.whole("at", at, 0, 10**9),
+                                _check.whole("count", count, 1, 10000))
+
+    def loop(self, clip: str, count: int = 2, *, at: Optional[int] = None, shortest: float = 0.4,
+             error: float = _amble.graph_error, blend: float = _amble.graph_blend, fps: Optional[float] = None,
+             footlock: bool = False) -> Clip:
+        """A clip played through the first of its loops so many times. Raises NoWalkError where it has none."""
+        found = self.loops(clip, error=error, shortest=shortest, at=at, count=count)
+        if not found:
+            raise NoWalkError(f"{clip} comes to no place again at error {error:g} m")
+        return self.play(found[0]["play"], blend=blend, fps=fps, footlock=footlock)

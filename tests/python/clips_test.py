@@ -102,6 +102,20 @@ class Clips(unittest.TestCase):
         with self.assertRaises(amble.InputError):
             graph.play("nobody:1-2")
 
+    def test_a_loop_is_the_programs(self):
+        amble.Graph.build([self.here / "straight.bvh"], self.here / "loop.graph")
+        graph = amble.Graph(self.here / "loop.graph")
+        listed = run("graph", "loop", self.here / "loop.graph", "straight").splitlines()
+        for said, loop in zip(listed, graph.loops("straight")):
+            self.assertEqual(said, f"{loop['leave']} back to {loop['enter']}  {loop['duration']:.2f} s, "
+                                   f"error {loop['error']:.3f} m")
+        for options, wishes in {("--count", "3"): {"count": 3}, ("--at", "150"): {"at": 150}}.items():
+            with self.subTest(options):
+                self.assertEqual(self.written(graph.loop("straight", **wishes)),
+                                 self.program("looped.bvh", "graph", "loop", self.here / "loop.graph", "straight", *options))
+        with self.assertRaises(amble.NoWalkError):
+            graph.loop("straight", error=0)
+
     def test_a_walk_of_an_engine_is_the_programs(self):
         engine = self.here / "engine.yaml"
         run("library", "engine", "build", self.here / "straight.bvh", "-o", engine)
@@ -131,6 +145,31 @@ class Clips(unittest.TestCase):
             self.assertGreater(motion["speed"], 0)
         library.write(self.here / "again.yaml")
         self.assertEqual(amble.Library(self.here / "again.yaml").motions, library.motions)
+
+    def test_a_library_that_is_added_to_is_the_programs(self):
+        files = self.here / "straight.bvh", self.here / "turn.bvh"
+        run("library", "add", self.here / "program.yaml", *files, "--licence", "CC0", "--credit", "nobody")
+        library = amble.Library.new(self.here / "module.yaml")
+        library.add(*files, licence="CC0", credit="nobody")
+        library.write(self.here / "module.yaml")
+        program, module = ((self.here / f"{name}.yaml").read_text() for name in ("program", "module"))
+        self.assertEqual(module.replace("module", "program"), program)
+        count = len(library.motions)
+        with self.assertRaisesRegex(amble.InputError, "straight"):  # a name that it has
+            library.add(self.here / "turn.bvh", files[0])
+        self.assertEqual(len(library.motions), count)
+        with self.assertRaisesRegex(ValueError, "a posture"):
+            library.add(files[0], kind="posture", style="old-man")
+
+    def test_what_is_found_is_what_the_program_finds(self):
+        paths = ["default", self.here / "straight.bvh", self.here / "turn.bvh"]
+        found = amble.Library.find("walk", paths, at_least=0.5)
+        said = run("library", "find", *paths, "--type", "walk", "--at-least", "0.5", "--json")
+        self.assertEqual(found, json.loads(said))
+        self.assertGreater(len(found), 2)
+        (self.here / "wrong.bvh").write_text("no")
+        with self.assertRaisesRegex(amble.InputError, "wrong.bvh"):
+            amble.Library.find("walk", [self.here / "wrong.bvh"])
 
     def test_a_file_that_is_no_capture_says_where_it_is_wrong(self):
         (self.here / "bad.bvh").write_text("HIERARCHY\nROOT Hips\n{\n  OFFSET 0 0 zero\n}\n")

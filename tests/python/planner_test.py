@@ -122,6 +122,18 @@ class Planners(unittest.TestCase):
         # What one walk keeps, its arrays and its file, is 300 kB.
         self.assertLess(ask(60) - before, 1_000_000)
 
+    def test_thousands_of_plans_take_no_more_memory_than_a_hundred(self):
+        """Each of which reads its scene and its library. Ten thousand: docs/performance.md."""
+        def ask(count):
+            for i in range(count):
+                walk = amble.plan(short_walk(self.here / "floor.yaml", planner={"seed": i}), fps=24, threads=1)
+                walk.arrays, walk.report
+            gc.collect()
+            return resident()
+
+        before = ask(100)
+        self.assertLess(ask(200) - before, 1_500_000)
+
 
 class Stopping(unittest.TestCase):
     def stopped_by(self, number, endless):
@@ -144,6 +156,17 @@ class Stopping(unittest.TestCase):
     def test_ctrl_c_ends_the_growing_of_a_roadmap(self):
         with self.assertRaises(KeyboardInterrupt):
             self.stopped_by(signal.SIGINT, lambda: amble.Planner(ROOM, max_failures=1_000_000, time_limit=600))
+
+    def test_ctrl_c_ends_the_building_of_a_graph(self):
+        """Of so many frames that clustering them takes a minute."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        here = pathlib.Path(folder.name)
+        walk = amble.animate(duration=200, turn=5)
+        walk.write(here / "long.bvh")
+        with self.assertRaises(KeyboardInterrupt):
+            self.stopped_by(signal.SIGINT, lambda: amble.Graph.build([here / "long.bvh"], here / "long.graph", fps=240))
+        self.assertFalse((here / "long.graph").exists())
 
     def test_whatever_a_handler_raises_ends_a_plan(self):
         class Enough(Exception):

@@ -1,6 +1,10 @@
 #include "batch/run/run_batch.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <atomic>
+#include <fstream>
 
 #include "scenarios/run_scenario.h"
 #include "tests/batch/small_job.h"
@@ -105,6 +109,47 @@ TEST_F(RunBatch, OnASharedRoadmapWalksDoNotDependOnOneAnother) {
   make(two, "two");
   make(one, "one");
   for (const auto& [file, bytes] : filesIn("one")) EXPECT_EQ(filesIn("two").at(file), bytes);
+}
+
+TEST_F(RunBatch, ARunKnowsTheKeysThatMergingFinds) {
+  const BatchJob walks = twoRooms();
+  EXPECT_EQ(make(walks, "out").keys, keysOfItems(walks, listItems(walks), {}));
+  BatchOptions second;
+  second.shard = {2, 2};
+  const std::vector<std::string> all = keysOfItems(walks, listItems(walks), {});
+  EXPECT_EQ(make(walks, "half", second).keys, std::vector<std::string>(all.begin() + 2, all.end()));
+}
+
+// Memory of the process [bytes].
+size_t resident() {
+  std::ifstream in("/proc/self/statm");
+  size_t all = 0, here = 0;
+  in >> all >> here;
+  return here * static_cast<size_t>(::getpagesize());
+}
+
+// What one scene with its walker takes is 10 MB.
+TEST_F(RunBatch, MemoryDoesNotGrowFromSceneToScene) {
+  constexpr int kScenes = 10, kWalks = 2;
+  std::string scenes = "scenes:\n";
+  for (int i = 0; i < kScenes; ++i) {
+    std::string scene = kScene;
+    scene.replace(scene.rfind("at: [3, 1.5"), 11, "at: [3, 0." + std::to_string(i));
+    const std::string name = "scene-" + std::to_string(i) + ".yaml";
+    write(name, scene);
+    scenes += "  - {scene: " + name + ", ways: " + kWays + "}\n";
+  }
+  std::vector<size_t> sizes;  // as the second walk of each scene is done
+  BatchOptions options;
+  options.progress = [&](const BatchProgress& at) {
+    if (at.done % kWalks == 0) sizes.push_back(resident());
+  };
+  make(job(scenes + "fps: 30\n"), "out", options);
+  ASSERT_EQ(sizes.size(), static_cast<size_t>(kScenes));
+  const auto half = sizes.begin() + kScenes / 2;
+  const size_t first = *std::max_element(sizes.begin(), half),
+               second = *std::max_element(half, sizes.end());
+  EXPECT_LT(second, first + (size_t{4} << 20));
 }
 
 TEST_F(RunBatch, NothingIsMergedWhileWalksAreMissing) {

@@ -1,0 +1,36 @@
+/// Motions of captures added to a library: what `amble library add` does before it writes.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "animation/preparation/motion_library_add.h"
+
+namespace amble {
+
+/// How clips become motions.
+struct LibraryAddition {
+  std::string name;  ///< of the motion; "": the clip's
+  MotionKind kind = MotionKind::kWalk;
+  std::optional<bool> turning;  ///< of a walk; none: as it is found
+  std::string style;
+  std::vector<std::string> chains;            ///< that a movement or posture moves; none: all
+  std::optional<std::pair<int, int>> frames;  ///< of the file: look only there
+  /// Whether a walk's mirror image is added too; none: where it has no style.
+  std::optional<bool> mirror;
+  std::string licence = "unknown", credit = "unknown";
+  MotionReadOptions read;
+};
+
+/// What is made of one clip: the motion, and the walk's mirror image.
+std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
+                                      const LibraryAddition& how);
+
+/// The library of a file, or where there is none an empty one that may be written there.
+/// @throws InputError
+MotionLibrary libraryAt(const std::filesystem::path& file);
+
+}  // namespace amble

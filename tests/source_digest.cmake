@@ -1,0 +1,43 @@
+cmake_policy(VERSION 3.25)
+# The digest of sources is that of their contents and paths, whatever their order; what it is written to is left as it is
+# while they are what they were.
+#   -DROOT=  source tree   -DFOLDER=  to work in
+file(REMOVE_RECURSE "${FOLDER}")
+file(WRITE "${FOLDER}/a.cpp" "int a;\n")
+file(WRITE "${FOLDER}/b/c.h" "int c;\n")
+
+# Into `out`: the digest of these.
+function(digest_of out)
+  string(REPLACE ";" "\n" lines "${ARGN}")
+  file(WRITE "${FOLDER}/list.txt" "${lines}")
+  execute_process(COMMAND "${CMAKE_COMMAND}" "-DROOT=${FOLDER}" "-DLIST=${FOLDER}/list.txt" "-DOUT=${FOLDER}/out.cpp"
+                          -P "${ROOT}/cmake/source_digest.cmake" COMMAND_ERROR_IS_FATAL ANY)
+  file(READ "${FOLDER}/out.cpp" text)
+  if(NOT text MATCHES "return \"([0-9a-f]+)\"")
+    message(FATAL_ERROR "no digest in ${text}")
+  endif()
+  string(LENGTH "${CMAKE_MATCH_1}" digits)
+  if(NOT digits EQUAL 64)
+    message(FATAL_ERROR "${CMAKE_MATCH_1}: expected 64 digits")
+  endif()
+  set(${out} "${CMAKE_MATCH_1}" PARENT_SCOPE)
+endfunction()
+
+digest_of(first a.cpp b/c.h)
+file(TIMESTAMP "${FOLDER}/out.cpp" written "%s")
+execute_process(COMMAND "${CMAKE_COMMAND}" -E sleep 1.1)
+digest_of(again b/c.h a.cpp)
+file(TIMESTAMP "${FOLDER}/out.cpp" later "%s")
+if(NOT first STREQUAL again)
+  message(SEND_ERROR "the order of files changes the digest")
+endif()
+if(NOT written EQUAL later)
+  message(SEND_ERROR "it was written again without need")
+endif()
+digest_of(one a.cpp)
+file(WRITE "${FOLDER}/a.cpp" "int b;\n")
+digest_of(changed a.cpp b/c.h)
+if(one STREQUAL first OR changed STREQUAL first)
+  message(SEND_ERROR "a digest of other sources is the same")
+endif()
+file(REMOVE_RECURSE "${FOLDER}")
