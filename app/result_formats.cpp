@@ -71,6 +71,11 @@ void addViews(const ResultSubject& subject, std::vector<ResultFile>& files) {
   for (const auto& [name, from] : pointsOfView()) {
     if (std::find(subject.views.begin(), subject.views.end(), name) == subject.views.end())
       continue;
+    if (from == PointOfView::kCorner) {  // as walk.png is seen
+      files.push_back(
+          {"walk-" + name + ".png", [subject](std::ostream& out) { out << pictureOf(subject); }});
+      continue;
+    }
     files.push_back(
         {"walk-" + name + ".png", [subject, from](std::ostream& out) {
            writePng(out, renderWalk(subject.view, {.from = from, .threads = subject.threads}));

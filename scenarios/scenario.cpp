@@ -248,6 +248,11 @@ Scenario readScenario(const ScenarioFile& file) {
   if (!file.unread.empty())
     throw InputError(file.file.string(), 0, file.unread, "a file that can be read");
   const YamlNode root = parseYaml(file.text, file.file.string());
+  if (root.isMap() && root.has("objects") && !root.has("scene")) {
+    throw InputError(file.file.string(), 0, "is a scene",
+                     "a scenario, which has start and goal and names it: `scene: " +
+                         file.file.filename().string() + "`");
+  }
   root.requireKeys({"scene", "character", "start", "goal", "via", "queries", "bounds", "walk",
                     "planner", "expect"});
   Scenario scenario;

@@ -66,7 +66,9 @@ WrittenMotion readAsWritten(const std::filesystem::path& file, const MotionReadO
   if (ending == ".asf") {
     throw InputError(file.string(), 0, "a skeleton without a motion", "the .amc that goes with it");
   }
-  throw InputError(file.string(), 0, "no kind of capture that Amble knows",
+  std::error_code ignored;
+  const bool there = std::filesystem::exists(file, ignored);
+  throw InputError(file.string(), 0, there ? "no kind of capture that Amble knows" : "is not there",
                    ".bvh, .amc, .fbx, .gltf, .glb, .vrma or .dae");
 }
 

@@ -50,6 +50,12 @@ TEST(Scenario, MissingKeysAreNamed) {
   EXPECT_TRUE(hasPart(errorOfText("scene: a\nstart: {heading: 3}\ngoal: {at: [1, 1]}\n"), "at"));
 }
 
+TEST(Scenario, ASceneInPlaceOfOneIsToldByItsObjects) {
+  const std::string error = errorOfText("objects:\n  - {name: floor, box: {size: [6, 4, 0.1]}}\n");
+  EXPECT_TRUE(startsWith(error, "dir/case.yaml: is a scene;")) << error;
+  EXPECT_TRUE(hasPart(error, "`scene: case.yaml`")) << error;
+}
+
 struct BadCase {
   const char* text;   // put behind kLeast
   const char* where;  // what the message begins with

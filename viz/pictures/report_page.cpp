@@ -76,8 +76,7 @@ class Writer {
     xml_.text("h1", {}, report_.scenario);
     const auto lead = xml_.open("p", {{"class", "lead"}});
     xml_.text("span", {{"class", solved() ? "status solved" : "status"}},
-              spaced(statusName(report_.status)));
-    out_ << ": ";
+              spaced(statusName(report_.status)) + ":");
     xml_.text("span", {}, summary());
   }
 

@@ -29,6 +29,7 @@ TEST(MotionReader, RefusesWhatItDoesNotKnowAndWhatIsNotThere) {
   const TestFolder folder;
   EXPECT_NE(fileRefusal(folder.write("walk.txt", "a walk")).find("no kind of capture"),
             std::string::npos);
+  EXPECT_NE(fileRefusal(folder.path() / "none").find("none: is not there"), std::string::npos);
   EXPECT_NE(fileRefusal(folder.path() / "none.bvh").find("cannot be opened"), std::string::npos);
   EXPECT_NE(fileRefusal(folder.write("walk.bvh", "HIERARCHX\n")).find("walk.bvh:1: 'HIERARCHX'"),
             std::string::npos);
