@@ -16,6 +16,7 @@ constexpr double kSideStep = 0.05;          // sides are felt so finely [m]
 constexpr double kPost = 0.02;              // radius of what they are felt with [m]
 constexpr double kHips = 0.5, kHead = 1.0;  // heights, as shares of the stature
 constexpr double kAskew = 35.0 * kDegree;   // [rad]
+constexpr double kRounding = 1e-9;          // of a heading that does not turn [rad]
 constexpr double kSameGap = 0.4;            // looks of one gap are no farther apart [m]
 
 struct FeltSide {
@@ -161,7 +162,7 @@ PassedThings findPassed(const RunResult& run) {
   for (size_t i = 1; i < states.size(); ++i) {
     const double turn = wrapAngle(states[i].heading - states[i - 1].heading);
     (turn > 0.0 ? passed.turned_left : passed.turned_right) += std::abs(turn);
-    const bool turns = turn != 0.0 && states[i].arc == states[i - 1].arc;
+    const bool turns = std::abs(turn) > kRounding && states[i].arc == states[i - 1].arc;
     if (turns && !on_spot) ++passed.turns_on_spot;
     on_spot = turns;
   }

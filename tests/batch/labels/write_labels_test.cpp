@@ -93,6 +93,19 @@ TEST_F(WalkLabelled, ADoorIsToldAndAWayPastNothingIsNone) {
   EXPECT_TRUE(findPassed(beside).gaps.empty());
 }
 
+// Headings of a body at rest differ by their rounding from frame to frame.
+TEST_F(WalkLabelled, WhoStandsStillDoesNotTurnOnTheSpot) {
+  for (int i = 0; i < 8; ++i) {
+    const RunResult run = walk("", "start: {at: [0.8, 0.6]}\ngoal: {at: [4.1, " +
+                                       std::to_string(0.9 + 0.1 * i) + "]}\n");
+    const FrameLabels labels = labelFrames(run, false);
+    const auto turning = std::count(labels.activity.begin(), labels.activity.end(),
+                                    static_cast<int32_t>(Activity::kTurn));
+    EXPECT_EQ(turning, 0) << i;
+    EXPECT_EQ(findPassed(run).turns_on_spot, 0) << i;
+  }
+}
+
 TEST_F(WalkLabelled, StepsAreCountedOneByOne) {
   std::string stairs;
   for (int step = 1; step <= 3; ++step) {
