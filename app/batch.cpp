@@ -28,6 +28,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::string_view kInputWrong = "error";  // the status of such a row
+
 struct BatchArguments {
   BatchJobOptions job;
   std::string shard = "1/1";
@@ -48,7 +50,7 @@ std::optional<Shard> readShard(const std::string& text) {
 CLI::Validator shardForm() {
   return {[](const std::string& text) {
             return readShard(text) ? std::string()
-                                   : "'" + text + "' is no shard; expected I/N, as 3/7";
+                                   : "'" + text + "' is no shard; expected I/N, I from 1 to N, as 3/7";
           },
           ""};
 }
@@ -74,16 +76,33 @@ Json summaryJson(const BatchSummary& made) {
           {"labelling", made.labelling}, {"writing", made.writing}};
 }
 
+// What is wrong with the input: rows have it all, and nobody looks for it there first.
+void printErrors(const std::map<std::string, int>& errors) {
+  constexpr size_t kMost = 5;
+  size_t told = 0;
+  for (const auto& [reason, count] : errors) {
+    if (told++ == kMost) break;
+    say(stdout, "    {} x {}\n", count, reason);
+  }
+  if (errors.size() > kMost) say(stdout, "    and {} more\n", errors.size() - kMost);
+}
+
 void printSummary(const BatchSummary& made, const std::string& folder) {
   say(stdout, "{}, {} made, {} there before\n", counted(made.total, "walk"), made.made, made.kept);
-  for (const auto& [status, count] : made.made_by_status)
+  for (const auto& [status, count] : made.made_by_status) {
     say(stdout, "  {:<14} {}\n", status, count);
+    if (status == kInputWrong) printErrors(made.errors);
+  }
   if (made.made > 0) {
     say(stdout,
         "  time           {:.1f} s, {:.2f} walks a second; of all threads: planning {:.1f}, "
         "loading {:.1f}, labelling {:.1f}, writing {:.1f}\n",
         made.seconds, made.made / made.seconds, made.planning, made.loading, made.labelling,
         made.writing);
+  }
+  if (made.stopped) {
+    say(stdout, "  stopped        {} are missing; the same command goes on\n",
+        made.total - made.made - made.kept);
   }
   say(stdout, "  written to     {}\n", folder);
 }
@@ -111,7 +130,11 @@ int run(const BatchArguments& options) {
     printSummary(made, options.job.out);
   }
   if (made.stopped) return kExitStopped;
-  if (how.shard.count == 1) mergeBatch(job, options.job.out, how, made.keys);
+  if (how.shard.count > 1) return kExitDone;
+  const MergeSummary merged = mergeBatch(job, options.job.out, how, made.keys);
+  if (merged.swept > 0 && !options.json) {
+    say(stdout, "  taken away     {} of another job or input\n", counted(merged.swept, "walk"));
+  }
   return kExitDone;
 }
 
@@ -131,14 +154,15 @@ void addBatch(CLI::App& app, Command& chosen) {
       ->check(wholeNumber(1, 64));
   addPackOption(*command, options->job);
   command->add_flag("--json", options->json, "Print results for machines");
-  addExamples(*command, {"amble batch examples/batch/rooms.yaml -o rooms",
-                         "amble batch examples/batch/rooms.yaml -o rooms --shard 2/7",
-                         "amble batch merge examples/batch/rooms.yaml -o rooms"});
-  addExitStatus(*command, "all walks of the job or the shard are there, or why they are not");
   addBatchMerge(*command, chosen);
   addBatchStats(*command, chosen);
   addBatchStatus(*command, chosen);
   addBatchCheck(*command, chosen);
+  // After the subcommands, which would have these words in their help too.
+  addExamples(*command, {"amble batch examples/batch/doors.yaml -o doors",
+                         "amble batch examples/batch/doors.yaml -o doors --shard 2/3",
+                         "amble batch merge examples/batch/doors.yaml -o doors"});
+  addExitStatus(*command, "all walks of the job or the shard are there, or why they are not");
   command->callback([command, job, options, &chosen] {
     if (!command->get_subcommands().empty()) return;
     options->job.require(*job);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/error.h"
 #include "base/files.h"
 #include "batch/run/batch_walker.h"
 #include "batch/run/pack_batch.h"
@@ -43,7 +44,12 @@ std::vector<std::string> keysOfItems(const BatchJob& job, const std::vector<Batc
 
 WalkRow readRowOf(const BatchFolder& batch, const std::string& key) {
   const auto file = batch.folderOf(key) / "row.json";
-  return readRow(readWholeFile(file, kRowKind), file.string());
+  try {
+    return readRow(readWholeFile(file, kRowKind), file.string());
+  } catch (const InputError& error) {
+    throw InputError(error.file(), error.line(), error.problem(),
+                     error.expected() + "; delete its folder, and a run makes the walk again");
+  }
 }
 
 namespace {

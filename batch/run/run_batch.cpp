@@ -144,6 +144,7 @@ class BatchRun {
     });
     const std::lock_guard lock(mutex_);
     ++summary_.made_by_status[made.row.status];
+    if (made.row.status == "error") ++summary_.errors[made.row.reason];
   }
 
   std::shared_ptr<const BatchDrawer> makeDrawer(int scene, const BatchSceneData& data) {

@@ -42,6 +42,7 @@ struct BatchOptions {
 struct BatchSummary {
   int total = 0, kept = 0, made = 0;  ///< walks of the shard; those there before; made now
   std::map<std::string, int> made_by_status;
+  std::map<std::string, int> errors;  ///< how many that were made say so of their input
   std::vector<std::string> keys;  ///< of each walk of the shard (merge_batch.h); "": not come to
   bool stopped = false;           ///< told to stop: what was made by then is there
   double planning = 0.0;  ///< of what was made: roadmaps, search, refinement; of all threads [s]

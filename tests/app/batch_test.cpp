@@ -1,5 +1,7 @@
 // amble batch from outside: what its options do, and that whoever kills it finds the same bytes.
 
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "tests/app/options.h"
@@ -39,7 +41,7 @@ TEST_F(BatchOptionsTest, AreAllTried) {
         [&] {
           EXPECT_EQ(printed("batch " + kJob + "-o s --json --shard 2/2")["walks"], 1);
           EXPECT_FALSE(fs::exists(folder_ / "s/index.csv"));
-          expectRefused("batch " + kOut + "--shard 3/2", {"3/2", "I/N"});
+          expectRefused("batch " + kOut + "--shard 3/2", {"3/2", "I/N, I from 1 to N"});
         }},
        {"--threads",
         [&] { EXPECT_EQ(printed("batch " + kJob + "-o t --json --threads 2")["made"], 2); }},
@@ -80,6 +82,30 @@ TEST_F(BatchOptionsTest, WhatIsWrongInAJobIsToldBeforeAnyWork) {
   expectRefused("batch in/wrong.yaml -o out", {"in/wrong.yaml:2: "});
   expectRefused("batch in/none.yaml -o out", {"in/none.yaml"});
   expectRefused("batch -o out", {"JOB"});
+}
+
+TEST_F(BatchOptionsTest, WhatIsWrongWithTheInputOfWalksIsPrintedToo) {
+  write("in/lost.yaml", "scenes: [lost-room.yaml]\nways: {draw: 3}\n");
+  const Ran ran = good("batch in/lost.yaml -o out");
+  EXPECT_NE(ran.out.find("error          3\n    3 x "), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("lost-room.yaml"), std::string::npos) << ran.out;
+}
+
+TEST_F(BatchOptionsTest, WalksOfAnotherJobAreNotTakenAwayWithoutAWord) {
+  EXPECT_EQ(good("batch " + kOut).out.find("taken away"), std::string::npos);
+  write("in/other.yaml", "scenes: [room.yaml]\nways: {draw: 1}\nfps: 24\nformats: [bvh]\n");
+  const Ran ran = good("batch in/other.yaml -o out");
+  EXPECT_NE(ran.out.find("taken away     2 walks of another job or input\n"), std::string::npos)
+      << ran.out;
+}
+
+TEST_F(BatchOptionsTest, AWalkWhoseRowIsDamagedIsMadeAgainOnceItsFolderIsDeleted) {
+  good("batch " + kOut);
+  const fs::path walk = fs::directory_iterator(*fs::directory_iterator(folder_ / "out/walks"))->path();
+  std::ofstream(walk / "row.json").close();
+  expectRefused("batch merge " + kOut, {"row.json:1: is no row of a batch", "delete its folder"});
+  fs::remove_all(walk);
+  EXPECT_EQ(printed("batch " + kOut + "--json")["made"], 1);
 }
 
 // Wherever it is killed.

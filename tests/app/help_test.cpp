@@ -53,6 +53,8 @@ TEST_F(Help, OfEveryCommandSaysWhatItEndsWith) {
     EXPECT_NE(help.find("; 2 the input or the use is wrong; 130 stopped by Ctrl-C.\n", line),
               std::string::npos)
         << command;
+    EXPECT_EQ(help.find("\nExit status: ", line + 1), std::string::npos)
+        << command << " has its parent's too";
     EXPECT_EQ(good("help " + command).out, help) << "the same by another way";
   }
 }
