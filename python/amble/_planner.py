@@ -14,7 +14,11 @@ Without a heading any is right."""
 
 
 def _place(place: Place) -> Mapping[str, Any]:
-    return place if isinstance(place, Mapping) else {"at": list(place)}
+    if isinstance(place, Mapping):
+        return place
+    if isinstance(place, str) or not hasattr(place, "__iter__"):
+        raise TypeError(f"{place!r} is no place; expected [x, y], [x, y, z] or {{'at': ..., 'heading': ...}}")
+    return {"at": list(place)}
 
 
 class Planner:

@@ -24,13 +24,20 @@ def _plain(value: Any) -> Any:
 
 def text_of(values: Mapping[str, Any]) -> str:
     """As YAML, of which JSON is a part, on one line."""
-    return json.dumps(values, default=_plain, ensure_ascii=False, allow_nan=False)
+    try:
+        return json.dumps(values, default=_plain, ensure_ascii=False, allow_nan=False)
+    except ValueError as error:
+        problem = "a dict that holds itself" if "ircular" in str(error) else "nan or inf"
+        raise ValueError(f"{problem} in a scenario; expected what YAML can say, and finite numbers") from error
 
 
 def find(scenario: Scenario, name: str) -> Tuple[str, Optional[str]]:
     """The file, and the text of what is in none."""
     if isinstance(scenario, Mapping):
         return f"<{name}>", text_of(scenario)
+    if not isinstance(scenario, (str, os.PathLike)):
+        raise TypeError(f"a scenario is of type {type(scenario).__name__}; expected the path of its file, "
+                        "the name of one that comes with Amble, or a dict")
     file = os.fspath(scenario)
     if not os.path.exists(file) and not os.path.dirname(file) and not file.endswith(".yaml"):
         shipped = os.path.join(_amble.data_directory(), "scenarios", file + ".yaml")

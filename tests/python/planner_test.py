@@ -87,6 +87,11 @@ class Planners(unittest.TestCase):
         self.assertEqual((caught.exception.file, caught.exception.line), ("<far>", None))
         self.assertIn("'goal.at' has no floor under it", str(caught.exception))
 
+    def test_what_is_no_place_is_told_as_it_was_given(self):
+        for wrong in None, "kitchen", 3:
+            with self.assertRaisesRegex(TypeError, f"{wrong!r} is no place; expected"):
+                self.floor.plan([1, 1.5], wrong)
+
     def test_via_points_are_passed(self):
         via = [2.5, 2.4]
         walk = self.floor.plan([1, 1], [3, 1], via=[via])

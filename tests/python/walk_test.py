@@ -140,6 +140,10 @@ class Scenarios(unittest.TestCase):
         self.assertEqual(amble.plan(values).bvh, amble.plan(numbers).bvh)
         with self.assertRaisesRegex(TypeError, "set in a scenario"):
             amble.plan({**values, "walk": {1, 2}})
+        with self.assertRaisesRegex(ValueError, "nan or inf in a scenario; expected"):
+            amble.plan({**values, "start": {"at": [float("nan"), 1]}})
+        with self.assertRaisesRegex(TypeError, "a scenario is of type bytes; expected"):
+            amble.plan(b"kerb")
 
     def test_a_name_is_a_scenario_that_comes_with_amble(self):
         self.assertEqual(amble.plan("kerb", fps=24).bvh, amble.plan(ROOT / "scenarios/kerb.yaml", fps=24).bvh)
