@@ -49,8 +49,9 @@ std::optional<Shard> readShard(const std::string& text) {
 
 CLI::Validator shardForm() {
   return {[](const std::string& text) {
-            return readShard(text) ? std::string()
-                                   : "'" + text + "' is no shard; expected I/N, I from 1 to N, as 3/7";
+            return readShard(text)
+                       ? std::string()
+                       : "'" + text + "' is no shard; expected I/N, I from 1 to N, as 3/7";
           },
           ""};
 }

@@ -101,7 +101,8 @@ TEST_F(BatchOptionsTest, WalksOfAnotherJobAreNotTakenAwayWithoutAWord) {
 
 TEST_F(BatchOptionsTest, AWalkWhoseRowIsDamagedIsMadeAgainOnceItsFolderIsDeleted) {
   good("batch " + kOut);
-  const fs::path walk = fs::directory_iterator(*fs::directory_iterator(folder_ / "out/walks"))->path();
+  const fs::path walk =
+      fs::directory_iterator(*fs::directory_iterator(folder_ / "out/walks"))->path();
   std::ofstream(walk / "row.json").close();
   expectRefused("batch merge " + kOut, {"row.json:1: is no row of a batch", "delete its folder"});
   fs::remove_all(walk);

@@ -96,8 +96,8 @@ TEST_F(WalkLabelled, ADoorIsToldAndAWayPastNothingIsNone) {
 // Headings of a body at rest differ by their rounding from frame to frame.
 TEST_F(WalkLabelled, WhoStandsStillDoesNotTurnOnTheSpot) {
   for (int i = 0; i < 8; ++i) {
-    const RunResult run = walk("", "start: {at: [0.8, 0.6]}\ngoal: {at: [4.1, " +
-                                       std::to_string(0.9 + 0.1 * i) + "]}\n");
+    const RunResult run = walk(
+        "", "start: {at: [0.8, 0.6]}\ngoal: {at: [4.1, " + std::to_string(0.9 + 0.1 * i) + "]}\n");
     const FrameLabels labels = labelFrames(run, false);
     const auto turning = std::count(labels.activity.begin(), labels.activity.end(),
                                     static_cast<int32_t>(Activity::kTurn));
