@@ -23,30 +23,31 @@ namespace amble {
 namespace {
 
 const std::string& planViewOf(const ResultSubject& subject) {
-  std::string& svg = subject.shared->svg;
-  if (svg.empty()) {
+  SharedParts& shared = *subject.shared;
+  std::call_once(shared.svg_made, [&] {
     std::ostringstream out;
     writePlanView(out, subject.view);
-    svg = std::move(out).str();
-  }
-  return svg;
+    shared.svg = std::move(out).str();
+  });
+  return shared.svg;
 }
 
 const std::string& pictureOf(const ResultSubject& subject) {
-  std::string& png = subject.shared->png;
-  if (png.empty()) {
+  SharedParts& shared = *subject.shared;
+  std::call_once(shared.png_made, [&] {
     std::ostringstream out;
     writePng(out, renderWalk(subject.view, {.threads = subject.threads}));
-    png = std::move(out).str();
-  }
-  return png;
+    shared.png = std::move(out).str();
+  });
+  return shared.png;
 }
 
 // @pre subject.view.hasBody()
 const Figure& figureOf(const ResultSubject& subject) {
-  std::optional<Figure>& figure = subject.shared->figure;
-  if (!figure) figure = makeFigure(*subject.view.skeleton, *subject.view.body);
-  return *figure;
+  SharedParts& shared = *subject.shared;
+  std::call_once(shared.figure_made,
+                 [&] { shared.figure = makeFigure(*subject.view.skeleton, *subject.view.body); });
+  return *shared.figure;
 }
 
 void addPlanView(const ResultSubject& subject, std::vector<ResultFile>& files) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,10 +16,11 @@
 
 namespace amble {
 
-/// What several files hold, made when the first of them is written.
+/// What several files hold, made once, when the first of them needs it, on whatever thread.
 struct SharedParts {
-  std::string png, svg;          ///< files, as bytes; empty: not yet
+  std::string png, svg;          ///< files, as bytes
   std::optional<Figure> figure;  ///< of the walk's body
+  std::once_flag png_made, svg_made, figure_made;
 };
 
 /// Of the points of view that pictures are taken from: "top", "side", "corner", "first".

@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <sstream>
+#include <utility>
 
 #include "app/view_of.h"
 #include "base/error.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "scenarios/write_results.h"
 
 namespace amble {
@@ -45,6 +50,23 @@ std::string endings() {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
+// The same files, whose bytes are made already, on all threads: before the first is written, so
+// that a format that cannot be made leaves none.
+std::vector<ResultFile> madeTogether(const std::vector<ResultFile>& files, int threads) {
+  std::vector<std::string> held(files.size());
+  parallelFor(static_cast<int>(files.size()), threads, [&](int i, int) {
+    std::ostringstream out;
+    files[i].write(out);
+    held[i] = std::move(out).str();
+  });
+  std::vector<ResultFile> made;
+  for (size_t i = 0; i < files.size(); ++i) {
+    const auto bytes = std::make_shared<const std::string>(std::move(held[i]));
+    made.push_back({files[i].file, [bytes](std::ostream& out) { out << *bytes; }});
+  }
+  return made;
+}
+
 }  // namespace
 
 bool isWanted(const ResultWishes& wishes, const std::string& format) {
@@ -60,6 +82,7 @@ bool isWanted(const ResultWishes& wishes, const std::string& format) {
 
 void writeFormats(RunResult& result, const std::filesystem::path& folder,
                   const ResultWishes& wishes) {
+  const Stopwatch watch;
   const bool loaded = result.problem != nullptr;
   const WalkView view = viewIfAny(result);
   WriteOptions write;
@@ -71,6 +94,8 @@ void writeFormats(RunResult& result, const std::filesystem::path& folder,
     const bool there = format.of_walk ? view.hasBody() : loaded;
     if (format.add && there && isWanted(wishes, format.name)) format.add(subject, write.more);
   }
+  write.more = madeTogether(write.more, wishes.threads);
+  write.spent = watch.seconds();
   writeResults(result, folder, write);
 }
 

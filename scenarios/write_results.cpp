@@ -70,7 +70,7 @@ void writeResults(RunResult& result, const fs::path& folder, const WriteOptions&
   for (const ResultFile& more : options.more) files.push_back({folder / more.file, more.write});
   if (options.json) {
     files.push_back({folder / "report.json", [&](std::ostream& out) {
-                       result.report.times.export_ = watch.seconds();
+                       result.report.times.export_ = options.spent + watch.seconds();
                        writeJson(out, result.report);
                      }});
   }

@@ -14,6 +14,7 @@ struct WriteOptions {
   bool bvh = true;               ///< walk.bvh, where there is a walk
   bool json = true;              ///< report.json
   std::vector<ResultFile> more;  ///< pictures and the like: paths relative to the folder
+  double spent = 0.0;            ///< on making those already [s, >= 0]
   /// Every name that any run may write there: a result is one set, of one run, so what another left
   /// under them goes when this one's is written.
   std::vector<std::filesystem::path> names = {"walk.bvh", "report.json"};

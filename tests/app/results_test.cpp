@@ -50,6 +50,19 @@ TEST_F(Results, OfTwoRunsNoneIsMixed) {
   EXPECT_EQ(results(), (std::set<std::string>{"notes.txt", "report.json"}));
 }
 
+// They are made at once on all threads.
+TEST_F(Results, FilesAreTheSameAtAnyNumberOfThreads) {
+  const std::string plan =
+      "plan in/scenario.yaml --formats bvh,json,svg,png,html,report,views,strip,glb,csv,npz,sdf ";
+  ASSERT_EQ(run(plan + "-o one --threads 1").status, 0);
+  ASSERT_EQ(run(plan + "-o out --threads 3").status, 0);
+  EXPECT_EQ(results().size(), 19u);
+  for (const std::string& name : results()) {
+    if (name.starts_with("report.")) continue;  // they say how long each part took
+    EXPECT_EQ(read("out/" + name), read("one/" + name)) << name;
+  }
+}
+
 TEST_F(Results, OfALoadingThatTookTooLongThereIsTheReportAlone) {
   ASSERT_EQ(run("plan in/scenario.yaml -o out").status, 0);
   const Ran late = run("plan in/scenario.yaml -o out --time-limit 0.001");
