@@ -226,6 +226,15 @@ async function tryView(context, folder) {
   const away = farthest(await page.evaluate(jointsOfPage), await jointsOfBvh(join(folder, 'walk.bvh')));
   claim('what amble view shows of a folder is its walk', away <= 1e-4, away);
   claim('in its room', (await page.evaluate(() => window.amble.page.room.objects.length)) > 50);
+  const distance = () => page.evaluate(() => {
+    const { perspective, orbit } = window.amble.cameras;
+    return perspective.position.distanceTo(orbit.target);
+  });
+  const wide = await distance();
+  await page.setViewportSize({ width: 390, height: 600 });
+  await page.waitForFunction(() => Math.abs(window.amble.cameras.perspective.aspect - 390 / 600) < 0.05);
+  const narrow = await distance();
+  claim('a window that is made narrower holds the room as well', narrow > 1.3 * wide, [wide, narrow]);
   await page.close();
 }
 

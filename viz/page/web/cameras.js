@@ -118,9 +118,11 @@ export class Cameras {
     this.top.left = -half * aspect;
     this.top.setViewOffset(width, height, 0, covered / 2, width, height);
     this.top.updateProjectionMatrix();
-    if (first || Math.abs(covered - this.covered) > 1) {
+    // A window that is made narrower is to hold all as well, unless somebody looks elsewhere.
+    if (first || Math.abs(covered - this.covered) > 1 || Math.abs(aspect - this.aspect) > 0.01) {
       this.covered = covered;
-      if (!this.moved) this.frameAll(free);
+      this.aspect = aspect;
+      if (!this.moved && (first || this.mode !== 'follow')) this.frameAll(free);
     }
   }
 
