@@ -21,26 +21,12 @@
 /// the same for any number of threads.
 #pragma once
 
-#include <vector>
-
+#include "planner/edge_path.h"
 #include "planner/plan_request.h"
 #include "planner/search_limits.h"
 #include "planner/steering/steering.h"
 
 namespace amble {
-
-/// Edges that follow one another: edges[i].to is edges[i + 1].from.
-struct EdgePath {
-  std::vector<WalkEdge> edges;
-  /// By node (edges.size() + 1 of them): the walk must pass through its position. True for both
-  /// ends.
-  std::vector<bool> pinned;
-  Waypoint start, goal;  ///< the ends as asked for: a heading that was free is free to be changed
-
-  double duration() const;  ///< [s]
-  double length() const;    ///< [m]
-  int stops() const;        ///< nodes between the ends at which the walk stands
-};
 
 /// @pre path.edges is not empty. limits.deadline and limits.stop end it early, with what is
 /// reached.

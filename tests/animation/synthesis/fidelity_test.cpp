@@ -143,7 +143,7 @@ struct Compared {
 // them is what feet cost that stay where captured ones slide, and heels that do not enter the
 // floor.
 TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
-  if (!std::filesystem::exists(sharedFolder() / "mocap")) GTEST_SKIP() << "no captures";
+  AMBLE_NEEDS_CAPTURES();
   for (const auto& [clip, stand] :
        {std::pair("accad_female1/Female1_B03_Walk1.bvh", "accad_female1/Female1_A01_Stand.bvh"),
         std::pair("cmu_mb2/02_01.bvh", ""), std::pair("cmu_mb2/07_10.bvh", "")}) {
@@ -166,7 +166,7 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
 // The bar is 4 degrees. Steps that turn are those of the capture: where they are put down,
 // how they swing, how long they are.
 TEST(Fidelity, AtItsOwnRateATurnIsTheCapturedOne) {
-  if (!std::filesystem::exists(sharedFolder() / "mocap")) GTEST_SKIP() << "no captures";
+  AMBLE_NEEDS_CAPTURES();
   const std::string person = "accad_female1/Female1_";
   for (const auto& [turn, knee] :
        {std::pair("B09_WalkTurnLeft90.bvh", 4.0), std::pair("B12_WalkTurnRight90.bvh", 4.0),
