@@ -114,7 +114,9 @@ FootTarget footTarget(const FootState& state, const FootBlend& cycle, const Foot
 
 namespace {
 
-constexpr int kLiftPoints = 100;  // of a swing at which its height is measured
+// Of a swing at which its height is measured: every kLiftStride-th first, then those around the
+// highest of them.
+constexpr int kLiftPoints = 100, kLiftStride = 4;
 
 // Height of the lower of heel and ball over level prints, whatever the heading: of the sole turned
 // by pitch about y after roll about x.
@@ -151,12 +153,21 @@ double swingLift(FootState state, const FootBlend& cycle, const FootShape& shape
   };
   const bool level = isLevelSwing(state);
   const SoleEnds from = flat(state.from), to = flat(state.to);
-  double highest = 0.0;
-  for (int i = 1; i < kLiftPoints; ++i) {
+  const auto heightAt = [&](int i) {
     state.at = 1.0 + static_cast<double>(i) / kLiftPoints;
-    highest = std::max(
-        highest, level ? levelHeight(state, cycle, shape) : heightOver(from, to, endsOf(state)));
-  }
+    return level ? levelHeight(state, cycle, shape) : heightOver(from, to, endsOf(state));
+  };
+  double highest = 0.0;
+  int where = 0;
+  const auto look = [&](int i) {
+    const double height = heightAt(i);
+    if (height > highest) highest = height, where = i;
+  };
+  for (int i = kLiftStride; i < kLiftPoints; i += kLiftStride) look(i);
+  const int coarse = where;
+  for (int i = std::max(1, coarse - kLiftStride + 1);
+       i < std::min(kLiftPoints, coarse + kLiftStride); ++i)
+    if (i != coarse) look(i);
   return highest;
 }
 
