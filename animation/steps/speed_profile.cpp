@@ -72,11 +72,20 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
   const double spacing = length_ / count;
   const double fade =
       std::min(StepFit::kFadeSteps * limits_.law.stepLength(limits_.speed), 0.5 * length_);
-  std::vector<double> speed(count + 1);
+  std::vector<double> speed(count + 1), headings;
+  const bool turns = limits_.law.hasTurns() && !limits_.stride;
+  if (turns) headings.resize(count + 1);
   knots_.resize(count + 1);
   for (int i = 0; i <= count; ++i) {
     knots_[i].arc = spacing * i;
-    const double curvature = std::abs(path.curvatureAt(knots_[i].arc));
+    double curvature = 0.0;
+    if (turns) {
+      const RootPath::Sample on = path.at(knots_[i].arc);
+      headings[i] = on.heading;
+      curvature = std::abs(on.curvature);
+    } else {
+      curvature = std::abs(path.curvatureAt(knots_[i].arc));
+    }
     speed[i] =
         std::min(allowedSpeed(knots_[i].arc), limits_.max_turn_rate / std::max(curvature, 1e-9));
     const StrideLaw::Onset& onset = limits_.law.onset();
@@ -114,14 +123,12 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
       knots_[i].wanted = same ? knots_[i - 1].wanted : limits_.law.stepLength(speed[i]);
     }
   }
-  if (limits_.law.hasTurns() && !limits_.stride) turnSteps(path);
+  if (turns) turnSteps(headings);
 }
 
-// Steps in turns are as captured ones. Turns are looked at over a step: where curvature jumps,
-// steps go on smoothly.
-void SpeedProfile::turnSteps(const RootPath& path) {
-  std::vector<double> headings(knots_.size());
-  for (size_t i = 0; i < knots_.size(); ++i) headings[i] = path.at(knots_[i].arc).heading;
+// Steps in turns are as captured ones. Headings are those of the path at each knot; turns are
+// looked at over a step: where curvature jumps, steps go on smoothly.
+void SpeedProfile::turnSteps(const std::vector<double>& headings) {
   const double spacing = knots_[1].arc;
   const int last = static_cast<int>(knots_.size()) - 1;
   for (int i = 0; i <= last; ++i) {

@@ -75,7 +75,7 @@ class SpeedProfile {
 
  private:
   void limitSpeed(const RootPath& path);
-  void turnSteps(const RootPath& path);
+  void turnSteps(const std::vector<double>& headings);
   double allowedSpeed(double arc) const;
   void chooseSteps();
   void stretch(double delta);
