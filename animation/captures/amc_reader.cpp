@@ -71,7 +71,7 @@ Clip AmcReader::read() {
   readHeader();
   clip_.name = in_.name();
   clip_.poses = PoseArray(static_cast<int>(asf_.joints.size()));
-  int number = 0;
+  long long number = 0;  // of the frame before: it may be the largest count that there is
   for (; in_.skipBlankLines(); ++frame_) {
     const int frame = in_.count();
     if (frame_ > 0 && frame != number + 1) {

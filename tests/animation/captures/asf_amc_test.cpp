@@ -139,6 +139,8 @@ TEST(AsfAmc, AMotionIsRefusedWithFileLineAndWhatWasExpected) {
   EXPECT_EQ(refusedAmc("shin 70", "chin 70"),
             "m.amc:7: 'chin'; expected a frame's number or a bone of the ASF");
   EXPECT_EQ(refusedAmc("\n2\n", "\n3\n"), "m.amc:8: frame 3; expected frame 2, after 1");
+  EXPECT_EQ(refusedAmc("\n1\n", "\n2147483647\n"),
+            "m.amc:8: frame 2; expected frame 2147483648, after 2147483647");
   EXPECT_EQ(refusedAmc("\n2\n", "\n99999999999\n"),
             "m.amc:8: '99999999999'; expected a whole number, 0 to 2147483647");
   EXPECT_TRUE(refusedAmc("shin 70\n", "").starts_with("m.amc:7: the frame of line 4 lacks 'shin'"));
