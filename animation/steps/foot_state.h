@@ -37,8 +37,9 @@ struct SwingShape {
   double delay = 0.0, early = 0.0;
 };
 
-/// Which captured swing a foot follows (SwingCycles).
-enum class SwingKind { kWalk, kFirst, kLast };
+/// Which swing a foot follows (SwingCycles): a captured walk's, start's or stop's, or that of a
+/// small step in which a turn on the spot is made.
+enum class SwingKind { kWalk, kFirst, kLast, kSpot };
 
 /// What a foot is about in a frame.
 struct FootState {

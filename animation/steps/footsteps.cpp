@@ -95,6 +95,7 @@ double Footsteps::liftOff(int placing) const {
 
 // Which captured swing the foot of a placing follows, where it is.
 void Footsteps::follow(int placing, FootState& foot) const {
+  foot.kind = placement_.swings;
   const bool first = from_.standing && firstSwing().captured;
   const bool last = to_.standing && lastSwing().captured;
   // A stance is of the swing before until the foot is flat, and of the swing after from then on.

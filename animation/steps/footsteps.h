@@ -31,6 +31,7 @@ struct FootPlacement {
   double stand_toe_out = 0.0;                     ///< the same while standing [rad]
   double half_support = 0.1;                      ///< half of a double support [steps, 0 to 0.5]
   std::array<EndSwing, 2> first = {}, last = {};  ///< of starts and of stops, by Side of the foot
+  SwingKind swings = SwingKind::kWalk;            ///< all but those
 
   /// While walking straight on.
   PrintPlace print(Side side) const {

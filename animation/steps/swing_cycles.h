@@ -24,11 +24,20 @@ struct TurnFeet {
 /// All by Side. Where nothing is captured of first and last steps, they are the walk's.
 struct SwingCycles {
   std::array<FootCycle, 2> walk, first, last;
+  FootCycle spot;  ///< of either foot (spotStep)
   std::array<std::vector<TurnFeet>, 2> turns;  ///< to the left, to the right; by growing rate
 
   FootBlend of(Side side, const FootState& state) const {
-    if (state.kind != SwingKind::kWalk)
-      return (state.kind == SwingKind::kFirst ? first : last)[side];
+    switch (state.kind) {
+      case SwingKind::kFirst:
+        return first[side];
+      case SwingKind::kLast:
+        return last[side];
+      case SwingKind::kSpot:
+        return spot;
+      case SwingKind::kWalk:
+        break;
+    }
     FootBlend blend;
     const TurnShares shares = sharesAt(state.turn_rate);
     const double straight = 1.0 - shares.of_low - shares.of_next;

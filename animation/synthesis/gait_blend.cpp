@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "animation/library/foot_cycle.h"
+#include "animation/steps/spot_step.h"
 #include "animation/steps/turn_shares.h"
 
 namespace amble {
@@ -236,6 +237,7 @@ void GaitBlend::mixStraight(const std::vector<Pace>& paces, const std::vector<Cy
     feet_.walk[side] = mixed(meanFootOf(cycles[where.low], side, scale),
                              meanFootOf(cycles[high], side, scale), where.share);
   }
+  feet_.spot = spotStep(scale);
 }
 
 // Captured starts and stops, joined to the straight walk at the speed that they lead to.

@@ -32,6 +32,7 @@ SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, 
   }
   FootPlacement placement = placer.placement();
   placement.first = placement.last = {};  // captured starts and stops are those of walks
+  placement.swings = SwingKind::kSpot;
   std::vector<double> nodes, done;
   for (int i = 0; i <= turn.steps; ++i) {
     nodes.push_back(i);
@@ -61,9 +62,7 @@ FrameState spotTurnState(const SpotTurn& turn, const FrameState& standing, int f
   state.heading = turn.from.heading + turn.angle * done;
   state.turn_rate = turn.angle * turn.done.slope(progress) / turn.step_time;
   state.feet = turn.feet->at(progress);
-  for (FootState& foot : state.feet) {
-    foot.strike_roll = foot.lift_roll = 0.0;  // small steps are put down flat
-  }
+  for (FootState& foot : state.feet) foot.strike_roll = foot.lift_roll = 1.0;  // all of SpotStep's
   // Towards the foot that stands: to the right while the left one swings.
   const double into = progress - std::floor(progress);
   const bool left_swings = (static_cast<int>(progress) % 2 == 0) == (turn.first == kLeft);

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "animation/analysis/gait_measures.h"
 #include "animation/ground/stair_ground.h"
+#include "animation/synthesis/walk_synthesizer.h"
+#include "tests/animation/default_library.h"
 #include "tests/animation/step_character.h"
+#include "tests/animation/walk_paths.h"
 
 namespace amble {
 namespace {
@@ -92,6 +96,37 @@ TEST(TurnOnSpot, TheRootSwaysOverTheFootThatStands) {
         EXPECT_EQ(state.sway < 0.0, side == kLeft) << k;
         EXPECT_TRUE(state.feet[other(side)].planted()) << "one foot at a time";
       }
+    }
+  }
+}
+
+// As one finds who has the motion only: walk, turn, walk on.
+TEST(TurnOnSpot, AJudgeThatFindsPlantsItselfSeesEveryStepAndNoSlide) {
+  const FlatGround floor;
+  for (const double height : {1.4, 0.0, 2.0}) {
+    const WalkSynthesizer walker(defaultLibrary(), floor, {.height = height});
+    for (const double degrees : {45.0, -45.0, 100.0, -180.0, 270.0, 360.0}) {
+      AnimationBuffer all, part;
+      const RootPath there = straightPath(4.0);
+      Stance at = stanceAt(there, true, true);
+      ASSERT_EQ(walker.walk(stanceAt(there, false, true), at, there, true, all).refused,
+                WalkRule::kNone);
+      const WalkResult turn = walker.turnOnSpot(at, degrees * kDegree, part);
+      ASSERT_EQ(turn.refused, WalkRule::kNone);
+      all.append(part);
+      at.heading += degrees * kDegree;
+      const RootPath on = straightPath(4.0, at.heading, at.position.head<2>());
+      const WalkResult walk = walker.walk(at, stanceAt(on, true, true), on, true, part);
+      ASSERT_EQ(walk.refused, WalkRule::kNone);
+      all.append(part);
+      Clip clip;
+      clip.skeleton = walker.skeleton();
+      clip.frame_time = walker.settings().frame_time;
+      clip.poses = all.poses;
+      const JointRoles& roles = walker.roles();
+      const GaitMeasures seen = measureGait(clip, roles, detectPlants(clip, roles));
+      EXPECT_LE(seen.toe_skate, 0.010) << height << " m, " << degrees;
+      EXPECT_LE(seen.largest_drift, 0.002) << height << " m, " << degrees;
     }
   }
 }
