@@ -14,6 +14,7 @@ export class Player {
 
   setTake(take, time = 0) {
     this.take = take;
+    this.playing &&= this.duration > 0;  // what does not move has no time that could go on
     this.seek(time);
   }
 
