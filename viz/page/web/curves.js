@@ -151,9 +151,8 @@ export class Curves {
   }
 
   drawAxis(c, height) {
-    const every = tickOf((this.length * 70) / this.span);
     c.textAlign = 'center';
-    for (let t = Math.ceil(this.range[0] / every) * every; t <= this.range[1] + 1e-9; t += every) {
+    for (const [t, text] of ticksIn(...this.range, (this.length * 70) / this.span)) {
       const x = Math.round(this.xOf(t)) + 0.5;
       c.strokeStyle = this.color('--track');
       c.beginPath();
@@ -161,7 +160,7 @@ export class Curves {
       c.lineTo(x, height - kAxis);
       c.stroke();
       c.fillStyle = this.color('--muted');
-      c.fillText(`${+t.toFixed(3)} ${this.unit}`.trim(), x, height - 9);
+      c.fillText(`${text} ${this.unit}`.trim(), x, height - 9);
     }
     c.textAlign = 'left';
   }
@@ -237,9 +236,8 @@ export class Curves {
   }
 
   drawScale(c, panel, low, high, yOf, y, tall) {
-    const every = tickOf(((high - low) * 17) / tall);
     c.textAlign = 'right';
-    for (let v = Math.ceil(low / every) * every; v <= high; v += every) {
+    for (const [v, text] of ticksIn(low, high, ((high - low) * 17) / tall)) {
       const at = Math.round(yOf(v)) + 0.5;
       c.strokeStyle = this.color('--edge');
       c.beginPath();
@@ -247,7 +245,7 @@ export class Curves {
       c.lineTo(kLabels + this.span, at);
       c.stroke();
       c.fillStyle = this.color('--muted');
-      c.fillText(`${+v.toPrecision(4)}`, kLabels - 6, Math.max(y + 5, Math.min(y + tall - 5, at)));
+      c.fillText(text, kLabels - 6, Math.max(y + 5, Math.min(y + tall - 5, at)));
     }
     c.textAlign = 'left';
     c.fillStyle = this.color('--text');
@@ -351,6 +349,12 @@ export function valueAt({ values, from, step }, at) {
 export function tickOf(least) {
   const power = 10 ** Math.floor(Math.log10(least));
   return power * [1, 2, 5, 10].find((n) => n * power >= least * (1 - 1e-9));
+}
+
+/** Multiples of a tick that is not below `least`: [value, text], with the digits that tell them apart. */
+export function* ticksIn(low, high, least) {
+  const every = tickOf(least), digits = Math.min(100, Math.max(0, -Math.floor(Math.log10(every) + 1e-9)));
+  for (let i = Math.ceil(low / every - 1e-9); i * every <= high + 1e-9 * every; ++i) yield [i * every, `${+(i * every).toFixed(digits)}`];
 }
 
 function clip(c, x, y, width, height) {

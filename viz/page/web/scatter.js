@@ -1,6 +1,6 @@
 // Points and lines over two measures: the law of steps, speeds and turn rates.
 
-import { tickOf } from './curves.js';
+import { ticksIn } from './curves.js';
 import { penOf } from './dom.js';
 
 const kLeft = 58, kBottom = 36, kTop = 12, kRight = 16;  // margins [CSS pixels]
@@ -54,15 +54,15 @@ class Chart {
     c.strokeStyle = this.color('--edge');
     c.fillStyle = this.color('--muted');
     c.textAlign = 'center';
-    for (const v of ticks(this.rangeX, box[2] / 60)) {
+    for (const [v, text] of ticks(this.rangeX, box[2] / 60)) {
       line(c, this.x(v), box[1], this.x(v), box[1] + box[3]);
-      c.fillText(`${+v.toPrecision(4)}`, this.x(v), box[1] + box[3] + 10);
+      c.fillText(text, this.x(v), box[1] + box[3] + 10);
     }
     c.fillText(`${chart.x[0]} [${chart.x[1]}]`, box[0] + box[2] / 2, box[1] + box[3] + 26);
     c.textAlign = 'right';
-    for (const v of ticks(this.rangeY, box[3] / 26)) {
+    for (const [v, text] of ticks(this.rangeY, box[3] / 26)) {
       line(c, box[0], this.y(v), box[0] + box[2], this.y(v));
-      c.fillText(`${+v.toPrecision(4)}`, box[0] - 6, this.y(v));
+      c.fillText(text, box[0] - 6, this.y(v));
     }
     c.save();
     c.translate(box[0] - 46, box[1] + box[3] / 2);
@@ -104,7 +104,6 @@ function extentOf(values) {
   return [low - margin, high + margin];
 }
 
-function* ticks([low, high], count) {
-  const every = tickOf((high - low) / Math.max(1, count));
-  for (let v = Math.ceil(low / every) * every; v <= high; v += every) yield v;
+function ticks([low, high], count) {
+  return ticksIn(low, high, (high - low) / Math.max(1, count));
 }
