@@ -100,9 +100,14 @@ function factsOf({ json, motion, join, page }) {
   return facts;
 }
 
-// As names of rigs tell.
+// As names of rigs tell: LeftHand, lThigh, hip.L, Bip01 L Foot; and of Acclaim's bones, which are written in one.
+const kBones = '(clavicle|humerus|radius|wrist|hand|fingers|thumb|hipjoint|femur|tibia|foot|toes)$';
+
 function sideOf(name) {
-  if (/left/i.test(name) || /^l[A-Z_]|[._ -][lL]$/.test(name)) return 'left';
-  if (/right/i.test(name) || /^r[A-Z_]|[._ -][rR]$/.test(name)) return 'right';
+  for (const side of ['left', 'right']) {
+    const [l, L] = [side[0], side[0].toUpperCase()];
+    const letter = `^${l}[A-Z]|(^|[:._ -])[${l}${L}]([._ -]|$)|^${l}${kBones}`;
+    if (new RegExp(side, 'i').test(name) || new RegExp(letter).test(name)) return side;
+  }
   return '';
 }

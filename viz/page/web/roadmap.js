@@ -68,16 +68,24 @@ export function edgeAt(edges, x, y, camera, canvas) {
   const p = new Vector3();
   edges.forEach((edge, index) => {
     if (edge.take === null) return;
+    let before = null;
     for (let i = 0; i < edge.line.length; i += 3) {
       p.fromArray(edge.line, i).project(camera);
-      if (p.z > 1) continue;
-      const dx = ((p.x + 1) / 2) * canvas.clientWidth - x;
-      const dy = ((1 - p.y) / 2) * canvas.clientHeight - y;
-      const away = Math.hypot(dx, dy);
+      const isSeen = p.z >= -1 && p.z <= 1;
+      const at = isSeen ? [((p.x + 1) / 2) * canvas.clientWidth, ((1 - p.y) / 2) * canvas.clientHeight] : null;
+      const away = at ? distanceTo(before ?? at, at, x, y) : Infinity;
       if (away < least) [found, least] = [index, away];
+      before = at;
     }
   });
   return found;
+}
+
+// Of (x, y) to the piece between two points.
+function distanceTo(a, b, x, y) {
+  const [ux, uy] = [b[0] - a[0], b[1] - a[1]], long = ux * ux + uy * uy;
+  const share = long > 0 ? Math.max(0, Math.min(1, ((x - a[0]) * ux + (y - a[1]) * uy) / long)) : 0;
+  return Math.hypot(a[0] + share * ux - x, a[1] + share * uy - y);
 }
 
 function aside(line) {

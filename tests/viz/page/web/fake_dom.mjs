@@ -115,6 +115,9 @@ class Element extends EventTarget {
   getRootNode() {
     return document;
   }
+  get ownerDocument() {
+    return document;
+  }
   setPointerCapture() {}
   releasePointerCapture() {}
   scrollIntoView() {}
