@@ -5,6 +5,7 @@ import { BenchList } from './bench_list.js';
 import { BenchTree } from './bench_tree.js';
 import { clipsOf } from './bench_data.js';
 import { Companion } from './companion.js';
+import { keyOf } from './controls.js';
 import { choice, make } from './dom.js';
 import { Ghosts } from './ghosts.js';
 
@@ -39,8 +40,6 @@ export class Bench {
     document.body.append(this.split, this.list.element, this.tree.element, this.curves.element, this.nav, this.tools);
     this.openPanel('curves');
     this.addKeys();
-    const layers = document.getElementById('layers-toggle');
-    if (matchMedia('(max-width: 1099px)').matches && layers.ariaExpanded === 'true') layers.click();
   }
 
   // To the page's own.
@@ -108,7 +107,7 @@ export class Bench {
       event.stopPropagation();
       return;
     }
-    const act = keys[event.key];
+    const act = keys[keyOf(event)];
     if (!act) return;
     event.preventDefault();
     event.stopPropagation();

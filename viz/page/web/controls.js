@@ -80,7 +80,10 @@ export class Controls {
       toggle.setAttribute('aria-expanded', String(on));
     };
     toggle.addEventListener('click', () => open(!panel.classList.contains('open')));
-    open(matchMedia('(min-width: 800px)').matches);
+    // Open where there is room for it beside the picture: a phone that is turned has another.
+    const wide = matchMedia(`(min-width: ${this.viewer.page.bench ? 1100 : 800}px) and (min-height: 480px)`);
+    wide.addEventListener('change', () => open(wide.matches));
+    open(wide.matches);
   }
 
   addCameras() {
@@ -151,7 +154,7 @@ export class Controls {
       const at = event.target.tagName;
       if (event.key === ' ' && /^(SELECT|INPUT|BUTTON)$/.test(at)) return;
       if (event.key.startsWith('Arrow') && at === 'SELECT') return;
-      const act = keys[event.key];
+      const act = keys[keyOf(event)];
       if (!act || this.viewer.takes.length === 0) return;
       event.preventDefault();
       act(event);
@@ -275,10 +278,15 @@ export class Controls {
   }
 }
 
+/** The key of an event, a letter as a small one: capitals are locked, or the page's list of keys is followed. */
+export function keyOf({ key }) {
+  return /^[A-Z]$/.test(key) ? key.toLowerCase() : key;
+}
+
 // A room of very many triangles is shown with fewer.
 function notesOfRoom(room) {
   if (!room?.thinned) return [];
   const [all, shown] = [room.triangles, room.shown].map((n) => n.toLocaleString('en'));
-  const lost = `${(100 * room.thinned).toPrecision(2)} cm`;
+  const lost = room.thinned < 1 ? `${(100 * room.thinned).toPrecision(2)} cm` : `${room.thinned.toFixed(1)} m`;
   return [`The room has ${all} triangles. ${shown} are shown: details of up to ${lost} are left out here, nowhere else.`];
 }

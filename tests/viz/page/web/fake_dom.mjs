@@ -137,6 +137,8 @@ class Element extends EventTarget {
 export const element = (tag) => new Element(tag);
 
 const byId = new Map();
+/** Forgets all elements of the document that have an id, and who listens to them. */
+export const forgetElements = () => byId.clear();
 globalThis.document = Object.assign(new Element('html'), {
   createElement: element,
   createTextNode: (text) => text,
