@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "animation/captures/motion_reader.h"
 #include "base/data_directory.h"
 #include "base/error.h"
 #include "base/sha256.h"
@@ -51,6 +52,13 @@ bool hasObjects(const fs::path& file) {
   return false;
 }
 
+bool holdsMotion(const fs::path& folder) {
+  std::error_code unknown;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, unknown))
+    if (entry.is_regular_file(unknown) && isMotionFile(entry.path())) return true;
+  return false;
+}
+
 }  // namespace
 
 bool isResultFolder(const fs::path& folder) {
@@ -65,6 +73,21 @@ std::optional<fs::path> pageOfResult(const fs::path& folder) {
   if (!fs::is_regular_file(page, unknown) || !fs::is_regular_file(folder / "report.json", unknown))
     return std::nullopt;
   return page;
+}
+
+std::optional<fs::path> onlyResultIn(const fs::path& folder) {
+  std::error_code unknown;
+  std::optional<fs::path> only;
+  for (const auto& entry : fs::directory_iterator(folder, unknown)) {
+    const bool is_folder = entry.is_directory(unknown);
+    if (is_folder && (isResultFolder(entry.path()) || pageOfResult(entry.path()))) {
+      if (only) return std::nullopt;
+      only = entry.path();
+    } else if (is_folder ? holdsMotion(entry.path()) : isMotionFile(entry.path())) {
+      return std::nullopt;
+    }
+  }
+  return only;
 }
 
 fs::path sceneOfResult(const fs::path& folder) {

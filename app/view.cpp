@@ -193,7 +193,9 @@ void refuseScene(const ViewArguments& options, const char* shown) {
     throw InputError("--scene", 0, fmt::format("with a {}", shown), "one walk");
 }
 
-int run(const ViewArguments& options) {
+int run(ViewArguments options) {
+  if (options.paths.size() == 1 && !isResultFolder(options.paths[0]))
+    if (const auto only = onlyResultIn(options.paths[0])) options.paths[0] = only->string();
   if (options.json && options.out == "-")
     throw InputError("--json", 0, "with a page on standard output", "-o FILE, or no page");
   if (options.paths.size() == 1 && isYaml(options.paths[0])) {
@@ -233,7 +235,8 @@ void addView(CLI::App& app, Command& chosen) {
   command
       ->add_option(
           "PATH", options->paths,
-          "A folder of results (its page, or one made of its walk), a walk, captures and "
+          "A folder of results, or one that holds just that (its page, or one made of its walk), a "
+          "walk, captures and "
           "folders of them, a motion library (YAML), or a cluster graph; - is standard input")
       ->type_name("FILE")
       ->required();

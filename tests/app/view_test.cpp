@@ -45,6 +45,41 @@ TEST_F(View, JsonSaysOfClipsWhatAnalyseSays) {
   EXPECT_TRUE(files().empty());  // no page was asked for
 }
 
+class ViewOfRun : public InRoom {};
+
+// As `amble view out/NAME` does: the page that came with the run, or one made of its walk.
+TEST_F(ViewOfRun, AFolderThatHoldsOneRunIsThatRun) {
+  ASSERT_EQ(run("plan in/scenario.yaml -o out/one --formats bvh,json,html").status, 0);
+  const Ran whole = run("view out");
+  EXPECT_EQ(whole.status, 0) << whole.err;
+  EXPECT_EQ(whole.out, run("view out/one").out);
+  EXPECT_EQ(whole.out.find("out/one/walk.html"), 0u) << whole.out;
+  std::filesystem::remove(folder_ / "out/one/walk.html");
+  ASSERT_EQ(run("view out --scene in/room.yaml -o made.html").status, 0);
+  ASSERT_EQ(run("view out/one --scene in/room.yaml -o same.html").status, 0);
+  EXPECT_EQ(read("made.html"), read("same.html"));
+  EXPECT_NE(read("made.html").find("\"objects\":[\""), std::string::npos);  // in its room
+}
+
+TEST_F(ViewOfRun, SeveralRunsOrOtherClipsBesideOneAreCaptures) {
+  ASSERT_EQ(run("plan in/scenario.yaml -o out/one --formats bvh,json").status, 0);
+  write("out/clips/other.bvh", read("out/one/walk.bvh"));
+  ASSERT_EQ(run("view out -o both.html").status, 0);
+  EXPECT_NE(read("both.html").find("other.bvh"), std::string::npos);
+  std::filesystem::rename(folder_ / "out/clips", folder_ / "clips");
+  ASSERT_EQ(run("plan in/scenario.yaml -o out/two --formats bvh,json").status, 0);
+  ASSERT_EQ(run("view out -o two.html").status, 0);
+  EXPECT_NE(read("two.html").find("\"title\":\"2 clips\""), std::string::npos);
+}
+
+TEST_F(ViewOfRun, ARunWithoutAWalkIsShownAsItsPage) {
+  wallOff();
+  ASSERT_EQ(run("plan in/scenario.yaml -o out/none --formats json,html").status, 1);
+  const Ran shown = run("view out");
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_EQ(shown.out.find("out/none/walk.html"), 0u) << shown.out;
+}
+
 // What captured numbers say: both strikes of a step are moments of the gait.
 TEST_F(View, JsonHasAPhaseThatGoesWithTheStrikes) {
   const json clip = json::parse(run("view --json " + kViewed).out)[0];

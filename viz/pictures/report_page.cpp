@@ -35,6 +35,41 @@ std::string percents(double share) {
   return plainNumber(100.0 * std::clamp(share, 0.0, 1.0), 2) + "%";
 }
 
+// What a measure is shown in, and how many of these make one of its own unit.
+struct ShownUnit {
+  std::string name;
+  double scale = 1.0;  // [> 0]
+};
+
+// So that its bar is a number that reads: lengths by thousands, shares as per cent.
+ShownUnit unitFor(const QualityLine& line) {
+  if (line.unit == "1")
+    return line.bar > 0.0 && line.bar < 1.0 ? ShownUnit{" %", 100.0} : ShownUnit{"", 1.0};
+  if (line.unit == "degrees") return {"\u00b0", 1.0};
+  if (line.unit == "degrees/s") return {"\u00b0/s", 1.0};
+  std::string unit = line.unit;
+  if (unit == "m/s2") unit = "m/s\u00b2";
+  if (unit == "m/s3") unit = "m/s\u00b3";
+  if (line.unit != "m" && line.unit != "m/s") return {" " + unit, 1.0};
+  if (line.bar >= 1.0 || line.bar <= 0.0) return {" " + unit, 1.0};
+  if (line.bar >= 1e-3) return {" m" + unit, 1e3};
+  if (line.bar >= 1e-6) return {" \u00b5" + unit, 1e6};
+  return {" n" + unit, 1e9};
+}
+
+// Value and bar with four digits of the bar, and more where they would be alike but are not.
+std::array<std::string, 2> qualityTexts(const QualityLine& line) {
+  constexpr int kMostDigits = 9;
+  const ShownUnit unit = unitFor(line);
+  const double value = unit.scale * line.value, bar = unit.scale * line.bar;
+  int digits = bar > 0.0 ? std::max(0, 3 - static_cast<int>(std::floor(std::log10(bar)))) : 3;
+  digits = std::min(digits, kMostDigits);
+  while (value != bar && digits < kMostDigits &&
+         plainNumber(value, digits) == plainNumber(bar, digits))
+    ++digits;
+  return {plainNumber(value, digits) + unit.name, plainNumber(bar, digits) + unit.name};
+}
+
 class Writer {
  public:
   Writer(std::ostream& out, const ReportPage& page) : out_(out), xml_(out), page_(page) {}
@@ -95,15 +130,16 @@ class Writer {
   }
 
   void writePictures() {
-    writePicture("image/png", page_.picture,
+    writePicture("picture", "image/png", page_.picture,
                  solved() ? "The walk in its room; colours are times."
                           : "The room; green is what one gets to, red what stood in the way.");
-    writePicture("image/svg+xml", page_.plan, "Seen from above.");
+    writePicture("plan", "image/svg+xml", page_.plan, "Seen from above.");
   }
 
-  void writePicture(const char* type, const std::string& bytes, const char* caption) {
+  void writePicture(const char* kind, const char* type, const std::string& bytes,
+                    const char* caption) {
     if (bytes.empty()) return;
-    const auto figure = xml_.open("figure");
+    const auto figure = xml_.open("figure", {{"class", kind}});
     xml_.empty("img", {{"src", "data:" + std::string(type) + ";base64," + base64(bytes)},
                        {"alt", report_.scenario + ": " + caption}});
     xml_.text("figcaption", {}, caption);
@@ -186,11 +222,11 @@ class Writer {
     writeHeadings({"measure", "value", "bar", "", "share of the bar"});
     const auto body = xml_.open("tbody");
     for (const QualityLine& line : report_.quality) {
-      const std::string unit = line.unit == "1" ? "" : " " + line.unit;
+      const auto [value, bar] = qualityTexts(line);
       const auto row = xml_.open("tr");
       xml_.text("td", {}, spaced(line.measure));
-      xml_.text("td", {}, shortNumber(line.value) + unit);
-      xml_.text("td", {}, shortNumber(line.bar) + unit);
+      xml_.text("td", {}, value);
+      xml_.text("td", {}, bar);
       xml_.text("td", {{"class", line.holds() ? "holds" : "fails"}},
                 line.holds() ? "holds" : "over");
       gauge(line.bar > 0.0 ? line.value / line.bar : (line.holds() ? 0.0 : 1.0));

@@ -53,6 +53,12 @@ td.gauge { width: 34%; min-width: 7rem; padding-right: 0; }
 code { font: .87rem/1.5 ui-monospace, Menlo, Consolas, monospace; overflow-wrap: anywhere;
   unicode-bidi: isolate; white-space: pre-wrap; }
 td.hash { text-align: left; }
+@media screen and (max-width: 44rem) {
+  body { padding: 0 .6rem 1.5rem; }
+  .plan img { width: 44rem; max-width: none; }
+  .steps td { white-space: nowrap; }
+  td.hash { min-width: 17rem; }
+  .plan figcaption { position: sticky; left: 0; width: fit-content; } }
 @media print { :root { color-scheme: light; --page: #fff; --card: #fff; --ink: #000;
   --quiet: #444; --line: #bbb; --good: #1b5e30; --bad: #8c0f25; --track: #e6e6e6; --bar: #4478b8;
   --p0: #8a94a0; --p1: #2f8f8a; --p2: #4478b8; --p3: #9a5fb4; }

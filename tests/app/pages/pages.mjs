@@ -8,6 +8,7 @@ import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { tryBench } from './bench.mjs';
+import { tryReport, tryTurned } from './phone.mjs';
 
 const [, , amble, chromium, web, source, work] = process.argv;
 const require = createRequire(join(web, 'package.json'));
@@ -23,7 +24,7 @@ function plan(scenario) {
   const folder = join(work, scenario);
   const file = join(source, 'scenarios', `${scenario}.yaml`);
   try {
-    execFileSync(amble, ['plan', file, '-o', folder, '--formats', 'bvh,json,html'], { stdio: 'pipe' });
+    execFileSync(amble, ['plan', file, '-o', folder, '--formats', 'bvh,json,html,png,svg,report'], { stdio: 'pipe' });
   } catch (error) {
     if (error.status !== 1) throw error;  // 1: there is no walk
   }
@@ -252,6 +253,8 @@ await tryWalk(context, walk);
 await tryView(context, walk);
 await tryNone(context, none);
 await tryPhone(browser, walk);
+await tryTurned(browser, open, claim, walk);
+await tryReport(browser, claim, walk);
 await tryBench({ browser, context, open, claim, amble, work, source, walk });
 await browser.close();
 claim('nothing was said on the console, and nothing asked for', said.length === 0, said.join('\n'));

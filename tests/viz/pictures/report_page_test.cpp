@@ -100,6 +100,73 @@ TEST(ReportPage, TellsWhichBarsHold) {
   EXPECT_EQ(read.select_nodes("//td[@class='fails']").size(), 1u);
 }
 
+// Measure, value and bar of each line, as they are read.
+std::vector<std::array<std::string, 3>> qualityRows(const std::vector<QualityLine>& lines) {
+  Report report = solvedReport();
+  report.quality = lines;
+  std::vector<std::array<std::string, 3>> rows;
+  for (const auto& found : readPage({.report = report}).select_nodes("//tr[td[@class='gauge']]")) {
+    const auto cells = found.node().children("td");
+    auto cell = cells.begin();
+    std::array<std::string, 3> row;
+    for (std::string& text : row) text = (cell++)->text().get();
+    if (found.node().select_node("td[@class='holds' or @class='fails']")) rows.push_back(row);
+  }
+  return rows;
+}
+
+TEST(ReportPage, MeasuresAreInUnitsInWhichTheirBarsRead) {
+  const auto rows = qualityRows({{"toe skate", 3.2312e-05, 0.01, "m/s"},
+                                 {"drift", 0.0123456, 0.002, "m"},
+                                 {"bone length change", 2e-10, 1e-9, "m"},
+                                 {"path", 1.5, 3.0, "m"},
+                                 {"acceleration", 4.02, 18.13, "m/s2"},
+                                 {"foot turn", 534.4467, 900.0, "degrees/s"},
+                                 {"end heading", 7.19e-07, 2.0, "degrees"},
+                                 {"speed", 0.01388, 0.05, "1"},
+                                 {"pops", 2.48, 5.328, "1"},
+                                 {"knee backwards", 0.0, 0.0, "1"}});
+  const std::vector<std::array<std::string, 3>> expected = {
+      {"toe skate", "0.03 mm/s", "10 mm/s"},
+      {"drift", "12.346 mm", "2 mm"},
+      {"bone length change", "0.2 nm", "1 nm"},
+      {"path", "1.5 m", "3 m"},
+      {"acceleration", "4.02 m/s\u00b2", "18.13 m/s\u00b2"},
+      {"foot turn", "534.4\u00b0/s", "900\u00b0/s"},
+      {"end heading", "0\u00b0", "2\u00b0"},
+      {"speed", "1.388 %", "5 %"},
+      {"pops", "2.48", "5.328"},
+      {"knee backwards", "0", "0"}};
+  ASSERT_EQ(rows.size(), expected.size());
+  for (size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(rows[i], expected[i]) << i;
+}
+
+TEST(ReportPage, NoMeasureIsWrittenWithAPowerOfTen) {
+  std::vector<QualityLine> lines;
+  for (const char* const unit : {"m", "m/s", "m/s2", "m/s3", "degrees", "degrees/s", "1"})
+    for (const double bar : {0.0, 1e-9, 3e-7, 2e-5, 0.004, 0.3, 7.0, 900.0, 31000.0})
+      for (const double share : {0.0, 1e-7, 0.013, 0.9, 1.0, 1.7}) {
+        const double value = bar > 0.0 ? share * bar : share;
+        lines.push_back({"measure", value, bar, unit});
+      }
+  const auto rows = qualityRows(lines);
+  ASSERT_EQ(rows.size(), lines.size());
+  for (const auto& [measure, value, bar] : rows)
+    for (const std::string& text : {value, bar})
+      EXPECT_EQ(text.find_first_of("eE"), std::string::npos) << text;
+}
+
+// Whoever reads that a bar does not hold sees by how much.
+TEST(ReportPage, WhatIsOverItsBarByAHairIsNotWrittenAsTheBar) {
+  for (const double over : {1.0 + 1e-3, 1.0 + 1e-5, 1.0 + 1e-7}) {
+    const auto rows = qualityRows({{"drift", 0.002 * over, 0.002, "m"}});
+    EXPECT_NE(rows[0][1], rows[0][2]) << over;
+    EXPECT_GT(std::stod(rows[0][1]), std::stod(rows[0][2])) << over;
+  }
+  const auto equal = qualityRows({{"drift", 0.002, 0.002, "m"}});
+  EXPECT_EQ(equal[0][1], equal[0][2]);
+}
+
 TEST(ReportPage, WithoutAWalkTellsWhatStoodInTheWayAndWhatIsNeeded) {
   Report report = solvedReport();
   report.status = PlanStatus::kNoWalk;
