@@ -269,8 +269,12 @@ class BodyMaker {
   SolePlane solePlane(const Eigen::Vector3d& ball) const {
     const double rise = rest_.up.dot(ball);
     Eigen::Vector3d ahead = ball - rest_.up * rise;
-    const double run = ahead.norm();
+    double run = ahead.norm();
     ahead = run > 0.0 ? Eigen::Vector3d(ahead / run) : rest_.forward;
+    if (ahead.dot(rest_.forward) < 0.0) {  // toes that hang, and a little back
+      ahead = -ahead;
+      run = -run;
+    }
     const double length = std::hypot(run, rise);
     const double sine =
         length > 0.0 ? std::clamp((sole_.toe - sole_.ankle) / length, -1.0, 1.0) : 0.0;
