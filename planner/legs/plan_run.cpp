@@ -53,6 +53,7 @@ class Plan {
   void finish(EdgePath path);
   void refuse(PlanStatus status, Obstruction why);
   bool groundLeads();
+  std::optional<Obstruction> whyNot(const LegPlanner& planner) const;
   void tellReached();
   void addPath(const WalkEdge& edge);
 
@@ -177,7 +178,7 @@ std::optional<EdgePath> Plan::walkAllLegs() {
   planner->describe(outcome_);
   outcome_.time_limit_hit = !solved && request_.limits.timeIsUp();
   outcome_.stopped = !solved && request_.limits.stopped() && !outcome_.time_limit_hit;
-  if (!solved) outcome_.why = planner->why();
+  if (!solved) outcome_.why = whyNot(*planner);
   std::optional<Eigen::Vector3d> stopped_at;
   if (outcome_.why) {
     stopped_at = outcome_.why->at;
@@ -186,6 +187,16 @@ std::optional<EdgePath> Plan::walkAllLegs() {
   describeRefused(planner->refused(), stopped_at, outcome_);
   if (!solved) return std::nullopt;
   return path;
+}
+
+// What cuts the ground in two says more than what refused most on the nearer side of it.
+std::optional<Obstruction> Plan::whyNot(const LegPlanner& planner) const {
+  if (!outcome_.proved && !request_.limits.stopped()) {
+    const auto shut = steering_.shutOffOnGround(
+        stops_[leg_].stance.position, stops_[leg_ + 1].stance.position, *steering_.makeScratch());
+    if (shut) return whatShutsOff(*shut, request_);
+  }
+  return planner.why();
 }
 
 // How far one gets on the leg that is not walked.

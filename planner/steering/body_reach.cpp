@@ -84,7 +84,7 @@ class BodyReach::Flood {
  public:
   Flood(const Ball& ball, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
         const CollisionWorld& world, const SceneGround& ground, const GroundRange& range,
-        CollisionScratch& scratch)
+        double beyond, CollisionScratch& scratch)
       : ball_(ball),
         range_(range),
         square_(std::min(kLargest, kOfRadius * std::sqrt(2.0) * ball.radius)),
@@ -94,8 +94,8 @@ class BodyReach::Flood {
         scratch_(scratch) {
     Eigen::AlignedBox2d region = ground.extent();
     region.extend(from.head<2>().eval()).extend(to.head<2>().eval());
-    min_ = region.min().array() - kBeyond;
-    const Eigen::Array2d squares = (region.sizes().array() + 2.0 * kBeyond) / square_ + 1.0;
+    min_ = region.min().array() - beyond;
+    const Eigen::Array2d squares = (region.sizes().array() + 2.0 * beyond) / square_ + 1.0;
     if (squares.prod() > kMostSquares) return;
     count_ = squares.cast<int>();
     reached_.assign(static_cast<size_t>(count_.x()) * count_.y(), kUnknown);
@@ -261,16 +261,14 @@ BodyReach::Barrier BodyReach::Flood::between(const std::vector<int>& before, int
   return barrier;
 }
 
-std::optional<BodyReach::Barrier> BodyReach::barrier(const Eigen::Vector3d& from,
-                                                     const Eigen::Vector3d& to,
-                                                     const CollisionWorld& world,
-                                                     const SceneGround& ground,
-                                                     CollisionScratch& scratch,
-                                                     const std::function<bool()>& stopped) const {
+std::optional<BodyReach::Barrier> BodyReach::barrier(
+    const Eigen::Vector3d& from, const Eigen::Vector3d& to, const CollisionWorld& world,
+    const SceneGround& ground, CollisionScratch& scratch, const std::function<bool()>& stopped,
+    double beyond) const {
   const GroundRange range(ground, kFeet * stature_);
   if (!range.isKnown()) return std::nullopt;
   for (const Ball& ball : balls_) {
-    Flood flood(ball, from, to, world, ground, range, scratch);
+    Flood flood(ball, from, to, world, ground, range, beyond, scratch);
     if (flood.isShut(stopped)) return flood.barrier();
   }
   return std::nullopt;

@@ -55,10 +55,12 @@ class BodyReach {
   /// twice.
   /// @param from, to  on the ground [m, World]
   /// @param stopped  asked now and then; where it says so nothing is known
+  /// @param beyond  how far the flood may leave the ground [m, >= 0]: with less than kBeyond it is
+  /// no proof, but tells what shuts off all who keep to the ground
   std::optional<Barrier> barrier(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                  const CollisionWorld& world, const SceneGround& ground,
-                                 CollisionScratch& scratch,
-                                 const std::function<bool()>& stopped) const;
+                                 CollisionScratch& scratch, const std::function<bool()>& stopped,
+                                 double beyond = kBeyond) const;
 
   struct Ball {
     double height = 0.0, top = 0.0;  ///< of its middle over the ground, and up to there [m]

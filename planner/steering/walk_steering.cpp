@@ -144,6 +144,21 @@ std::shared_ptr<const ClearanceMap> WalkSteering::map(const Eigen::AlignedBox2d&
   return std::make_shared<const ClearanceMap>(ground_, bounds, breadth_, stopped);
 }
 
+namespace {
+
+SteeringFailure disconnected(const BodyReach::Barrier& barrier) {
+  const Eigen::Vector3d way = barrier.far - barrier.near;
+  return {WalkRule::kDisconnected,
+          barrier.part,
+          barrier.object,
+          0.0,
+          barrier.at,
+          0.5 * (barrier.near + barrier.far),
+          std::atan2(way.y(), way.x())};
+}
+
+}  // namespace
+
 std::optional<SteeringFailure> WalkSteering::shutOff(const Eigen::Vector3d& from,
                                                      const Eigen::Vector3d& to,
                                                      const std::function<bool()>& stopped,
@@ -151,14 +166,16 @@ std::optional<SteeringFailure> WalkSteering::shutOff(const Eigen::Vector3d& from
   const auto barrier =
       reach_.barrier(from, to, world_, ground_, *walkScratch(scratch).collision, stopped);
   if (!barrier) return std::nullopt;
-  const Eigen::Vector3d way = barrier->far - barrier->near;
-  return SteeringFailure{WalkRule::kDisconnected,
-                         barrier->part,
-                         barrier->object,
-                         0.0,
-                         barrier->at,
-                         0.5 * (barrier->near + barrier->far),
-                         std::atan2(way.y(), way.x())};
+  return disconnected(*barrier);
+}
+
+std::optional<SteeringFailure> WalkSteering::shutOffOnGround(const Eigen::Vector3d& from,
+                                                             const Eigen::Vector3d& to,
+                                                             SteeringScratch& scratch) const {
+  const auto barrier = reach_.barrier(
+      from, to, world_, ground_, *walkScratch(scratch).collision, [] { return false; }, 0.0);
+  if (!barrier || barrier->object < 0) return std::nullopt;
+  return disconnected(*barrier);
 }
 
 bool WalkSteering::place(Stance& stance) const {

@@ -58,6 +58,11 @@ class WalkSteering : public Steering {
   std::optional<SteeringFailure> shutOff(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                          const std::function<bool()>& stopped,
                                          SteeringScratch& scratch) const override;
+  /// What shuts off all who keep to the ground, as far as the body's middle: no proof where the
+  /// ground is open at its edge, since a body may lean out there. For reports.
+  std::optional<SteeringFailure> shutOffOnGround(const Eigen::Vector3d& from,
+                                                 const Eigen::Vector3d& to,
+                                                 SteeringScratch& scratch) const;
 
   /// By a few small steps to a standing stance beside the first, in any direction, turning on the
   /// way; refused where it is farther than kSmallSteps. For start and goal: between samples of a

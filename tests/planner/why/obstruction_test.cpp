@@ -292,6 +292,38 @@ TEST(Obstruction, OfAsManyTheRuleOfTheOrderCounts) {
   EXPECT_EQ(a->count, 1);
 }
 
+// Of a floor that is open at its edges a wall from edge to edge: it is told, and not the table on
+// the way to it that refuses more.
+TEST(Obstruction, AWallThatCutsTheGroundInTwoIsToldAndNotWhatStandsBeforeIt) {
+  const auto cut = [](double length) {
+    Scene scene;
+    scene.objects = {boxObject("floor", {6, 4, 0.1}, {3, 2, -0.05}),
+                     boxObject("table", {0.8, 1.6, 0.75}, {3, 2, 0.375}),
+                     boxObject("wall", {0.1, length, 2.5}, {4.5, 0.5 * length, 1.25})};
+    return FurnishedRoom(scene);
+  };
+  const FurnishedRoom room = cut(4.0);
+  for (const char* planner : {"visibility", "prm", "cylinder", "rrt"}) {
+    PlanRequest request = askedIn(room);
+    request.planner = planner;
+    request.start = {{1, 1, 0}, 0.0, true};
+    request.goal = {{5.2, 2, 0}, 0.0, true};
+    const PlanOutcome outcome = planWalk(request);
+    ASSERT_EQ(outcome.status, PlanStatus::kNoWalk) << planner;
+    ASSERT_TRUE(outcome.why.has_value()) << planner;
+    EXPECT_EQ(outcome.why->rule, WalkRule::kDisconnected) << planner;
+    EXPECT_EQ(outcome.why->object, "wall") << planner;
+    EXPECT_NEAR(outcome.why->at.x(), 4.5, 0.1) << planner;
+    EXPECT_TRUE(holds(describe(*outcome.why), "wall shuts the way off at (4.")) << planner;
+    EXPECT_FALSE(outcome.proved) << planner << ": a body may lean out over the edge";
+  }
+  const FurnishedRoom door = cut(2.8);
+  PlanRequest request = askedIn(door);
+  request.start = {{1, 1, 0}, 0.0, true};
+  request.goal = {{5.2, 2, 0}, 0.0, true};
+  EXPECT_EQ(planWalk(request).status, PlanStatus::kSolved);
+}
+
 TEST(Obstruction, LongestStepIsLongerThanAUsualOneAndShorterThanALeap) {
   const double step = longestStep(furnishedRoom().synthesizer);
   EXPECT_GT(step, furnishedRoom().synthesizer.stepLength());
