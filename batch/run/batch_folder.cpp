@@ -52,6 +52,11 @@ bool BatchFolder::has(const std::string& key) const {
   return fs::is_regular_file(folderOf(key) / "row.json", unknown);
 }
 
+void BatchFolder::remove(const std::string& key) const {
+  std::error_code unknown;
+  fs::remove_all(folderOf(key), unknown);
+}
+
 void BatchFolder::make(const std::string& key,
                        const std::function<void(const fs::path&)>& write) const {
   const fs::path folder = folderOf(key);

@@ -24,6 +24,7 @@ class BatchFolder {
   }
   std::filesystem::path folderOf(const std::string& key) const { return root_ / nameOf(key); }
   bool has(const std::string& key) const;
+  void remove(const std::string& key) const;  ///< where it is there
   /// Fills a folder beside by `write`, then gives it the walk's name. Where another has made it
   /// meanwhile, that one stays: it has the same bytes. @throws InputError
   void make(const std::string& key,

@@ -6,6 +6,7 @@
 
 #include "batch/run/batch_folder.h"
 #include "batch/run/merge_batch.h"
+#include "batch/run/whole_walk.h"
 
 namespace amble {
 
@@ -18,7 +19,7 @@ BatchStatus batchStatus(const BatchJob& job, const std::filesystem::path& folder
   BatchStatus status;
   status.total = static_cast<int>(items.size());
   for (const std::string& key : keysOfItems(job, items, limits)) {
-    if (!batch.has(key)) continue;
+    if (!isWhole(job, batch, key)) continue;
     ++status.there;
     std::error_code gone;
     const auto time = fs::last_write_time(batch.folderOf(key) / "row.json", gone);

@@ -10,6 +10,7 @@
 #include "batch/labels/walk_row.h"
 #include "batch/run/batch_folder.h"
 #include "batch/run/merge_batch.h"
+#include "batch/run/whole_walk.h"
 #include "scenarios/validate_walk.h"
 
 namespace amble {
@@ -27,10 +28,11 @@ std::vector<FoundWalk> foundWalks(const BatchJob& job, const BatchFolder& batch,
   std::vector<FoundWalk> walks;
   for (const BatchItem& item : items) {
     const std::string& key = keys[static_cast<size_t>(item.number)];
-    if (!batch.has(key)) {
-      throw InputError(batch.root().string(), 0,
-                       "walk " + std::to_string(item.number) + " of the job is missing",
-                       "all of them: `amble batch` makes it");
+    if (!isWhole(job, batch, key)) {
+      throw InputError(
+          batch.root().string(), 0,
+          "walk " + std::to_string(item.number) + " of the job is missing, or a file of it",
+          "all of them: `amble batch` makes it");
     }
     WalkRow row = readRowOf(batch, key);
     if (row.status == "solved") walks.push_back({item, std::move(row)});

@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "batch/run/batch_walker.h"
 #include "batch/run/pack_batch.h"
+#include "batch/run/whole_walk.h"
 #include "environments/scene/kept_meshes.h"
 
 namespace amble {
@@ -85,7 +86,7 @@ MergeSummary mergeBatch(const BatchJob& job, const std::filesystem::path& folder
   if (keys.empty()) keys = keysOfItems(job, listItems(job), {options.memory, {options.stop, {}}});
   MergeSummary summary;
   summary.total = static_cast<int>(keys.size());
-  for (const std::string& key : keys) summary.missing += batch.has(key) ? 0 : 1;
+  for (const std::string& key : keys) summary.missing += isWhole(job, batch, key) ? 0 : 1;
   if (summary.missing > 0) return summary;
   writeTables(batch, keys, summary.by_status);
   if (options.pack) packBatch(batch, keys);

@@ -10,6 +10,7 @@
 #include "batch/run/batch_walker.h"
 #include "batch/run/make_walk.h"
 #include "batch/run/shelf.h"
+#include "batch/run/whole_walk.h"
 #include "environments/scene/kept_meshes.h"
 
 namespace amble {
@@ -114,9 +115,10 @@ class BatchRun {
     });
     const std::string key = itemKey(describeItem(job_, item, scene->digest, library->digest));
     summary_.keys[static_cast<size_t>(i)] = key;
-    const bool kept = folder_.has(key);
-    if (!kept) make(i, key, *scene, *library);
-    return kept;
+    if (isWhole(job_, folder_, key)) return true;
+    folder_.remove(key);  // what has lost a file
+    make(i, key, *scene, *library);
+    return false;
   }
 
   void make(int i, const std::string& key, const BatchSceneData& scene,
