@@ -77,7 +77,7 @@ void checkRequest(const WalkSynthesizer& synthesizer, const DemoRequest& request
 
 }  // namespace
 
-AnimatedWalk animateWalk(const AnimateRequest& request) {
+AnimatedWalk animateWalk(const AnimateRequest& request, const StopRequest& stop) {
   AnimatedWalk made;
   made.library =
       std::make_unique<const MotionLibrary>(openMotionLibrary(request.library, {}, request.style));
@@ -85,7 +85,7 @@ AnimatedWalk animateWalk(const AnimateRequest& request) {
   made.ground = demoGround(request.walk, settings.speed);
   made.synthesizer = std::make_unique<const WalkSynthesizer>(*made.library, *made.ground, settings);
   checkRequest(*made.synthesizer, request.walk);
-  made.result = demoWalk(*made.synthesizer, *made.ground, request.walk, made.walk);
+  made.result = demoWalk(*made.synthesizer, *made.ground, request.walk, made.walk, stop);
   if (made.result.refused != WalkRule::kNone) {
     made.refused = std::string(walkRuleName(made.result.refused)) + " refused" +
                    limitText(made.result.refused, settings.limits);

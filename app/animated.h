@@ -9,6 +9,7 @@
 #include "animation/library/motion_library.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "app/demo_walk.h"
+#include "base/stop_request.h"
 
 namespace amble {
 
@@ -32,7 +33,8 @@ struct AnimatedWalk {
   std::string refused;  ///< the same for people, with the limit; "" where there is a walk
 };
 
-/// @throws InputError for what is beyond the library's walks: it names the option
-AnimatedWalk animateWalk(const AnimateRequest& request);
+/// @param stop  looked at between tries. @throws InputError for what is beyond the library's walks:
+/// it names the option; Stopped
+AnimatedWalk animateWalk(const AnimateRequest& request, const StopRequest& stop = {});
 
 }  // namespace amble

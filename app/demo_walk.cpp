@@ -144,11 +144,12 @@ std::unique_ptr<Ground> demoGround(const DemoRequest& request, double speed) {
 }
 
 WalkResult demoWalk(const WalkSynthesizer& synthesizer, const Ground& ground,
-                    const DemoRequest& request, AnimationBuffer& best) {
+                    const DemoRequest& request, AnimationBuffer& best, const StopRequest& stop) {
   WalkResult result{WalkRule::kStepLength, 0, kLeft};
   double nearest = std::numeric_limits<double>::infinity();
   AnimationBuffer walk;
   for (const double length : lengthsFor(synthesizer, ground, request)) {
+    stop.check();
     const WalkResult tried = walkAlong(synthesizer, ground, request, length, walk);
     if (tried.refused != WalkRule::kNone) {
       if (result.refused != WalkRule::kNone) result = tried;

@@ -9,6 +9,7 @@
 #include "animation/ground/ground.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "base/ramp.h"
+#include "base/stop_request.h"
 
 namespace amble {
 
@@ -26,8 +27,10 @@ struct DemoRequest {
 std::unique_ptr<Ground> demoGround(const DemoRequest& request, double speed);
 
 /// The walk along +x, from standing to standing, whose duration is nearest to the wanted one: steps
-/// are whole and legs must reach, so not every length is one that can be walked.
+/// are whole and legs must reach, so not every length is one that can be walked. @param stop looked
+/// at between lengths. @throws Stopped
 WalkResult demoWalk(const WalkSynthesizer& synthesizer, const Ground& ground,
-                    const DemoRequest& request, AnimationBuffer& best);
+                    const DemoRequest& request, AnimationBuffer& best,
+                    const StopRequest& stop = {});
 
 }  // namespace amble

@@ -55,8 +55,11 @@ struct AnimateAsked {
 };
 
 std::shared_ptr<AnimatedWalk> animate(const AnimateAsked& asked) {
-  const py::gil_scoped_release released;
-  return std::make_shared<AnimatedWalk>(animateWalk(asked.request()));
+  std::shared_ptr<AnimatedWalk> made;
+  runStoppable([&](const std::atomic<bool>& stop) {
+    made = std::make_shared<AnimatedWalk>(animateWalk(asked.request(), StopRequest{&stop, {}}));
+  });
+  return made;
 }
 
 py::dict arraysOfAnimation(const std::shared_ptr<AnimatedWalk>& made) {

@@ -15,8 +15,10 @@
 #include "base/error.h"
 #include "base/output_file.h"
 #include "base/rotation.h"
+#include "base/stop_request.h"
 #include "python/arrays.h"
 #include "python/module.h"
+#include "python/stoppable.h"
 #include "python/text.h"
 #include "viz/exchange/glb.h"
 #include "viz/figure/captured_figure.h"
@@ -128,10 +130,11 @@ py::tuple edit(const PythonClip& clip, const Amount& stride, const Amount& lift,
                const Pair& incline_deg, const Pair& stairs, const Pair& arrive, bool foot_lock) {
   ClipPtr made;
   std::string refused;
-  {
-    const py::gil_scoped_release released;
+  runStoppable([&](const std::atomic<bool>& stop) {
+    const StopRequest asked{&stop, {}};
     CapturedMotion motion = clip.motion;
     const CapturedWalk walk = captureWalk(motion, clip.file);
+    asked.check();
     EditRequest request;
     request.stride = editAmount(stride);
     request.lift = editAmount(lift);
@@ -141,13 +144,14 @@ py::tuple edit(const PythonClip& clip, const Amount& stride, const Amount& lift,
     if (arrive) request.arrive = Eigen::Vector2d(arrive->first, arrive->second);
     request.foot_lock = foot_lock;
     EditedWalk edited = editCapture(walk, request, clip.file);
+    asked.check();
     refused = edited.refused;
     if (refused.empty()) {
       const EditReport report = editReport(walk, request, edited);
       const Json json = editJson(report, walk, request, edited, clip.file, "");
       made = clipOf(std::move(edited.clip), walk.roles, clip.file, json);
     }
-  }
+  });
   return py::make_tuple(made, toText(refused));
 }
 
@@ -157,21 +161,24 @@ py::tuple graft(const PythonClip& base, const PythonClip& upper,
                 const std::optional<double>& ease, bool as_it_falls) {
   ClipPtr made;
   std::string refused;
-  {
-    const py::gil_scoped_release released;
+  runStoppable([&](const std::atomic<bool>& stop) {
+    const StopRequest asked{&stop, {}};
     const GraftSource below = graftSource(base.motion, base.file);
+    asked.check();
     const GraftSource above = graftSource(upper.motion, upper.file);
+    asked.check();
     GraftWishes wishes;
     wishes.chains = chains;
     wishes.alternative = alternative;
     wishes.ease = ease;
     Grafted grafted = graftOn(below, above, wishes, !as_it_falls);
+    asked.check();
     refused = grafted.refusal;
     if (refused.empty()) {
       const Json report = graftData(below, above, grafted, wishes);
       made = clipOf(std::move(grafted.graft.clip), below.clip.roles, base.file, report);
     }
-  }
+  });
   return py::make_tuple(made, toText(refused));
 }
 

@@ -7,6 +7,7 @@ import pathlib
 import signal
 import tempfile
 import threading
+import time
 import unittest
 
 import amble
@@ -172,6 +173,38 @@ class Stopping(unittest.TestCase):
         with self.assertRaises(KeyboardInterrupt):
             self.stopped_by(signal.SIGINT, lambda: amble.Graph.build([here / "long.bvh"], here / "long.graph", fps=240))
         self.assertFalse((here / "long.graph").exists())
+
+    def long_walk(self):
+        """Of two minutes."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        amble.animate(duration=120, turn=5).write(pathlib.Path(folder.name) / "long.bvh")
+        return amble.read_clip(pathlib.Path(folder.name) / "long.bvh")
+
+    def seconds_until_ctrl_c(self, work):
+        began = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            self.stopped_by(signal.SIGINT, work)
+        return time.monotonic() - began
+
+    def seconds_of(self, work):
+        began = time.monotonic()
+        work()
+        return time.monotonic() - began
+
+    def test_ctrl_c_ends_an_animation_before_its_last_try(self):
+        whole = self.seconds_of(lambda: amble.animate(duration=600, turn=5))
+        self.assertLess(self.seconds_until_ctrl_c(lambda: amble.animate(duration=600, turn=5)), 0.75 * whole)
+
+    def test_ctrl_c_ends_editing_and_grafting(self):
+        clip = self.long_walk()
+
+        def again(work):
+            for _ in range(1000):
+                work()
+
+        self.seconds_until_ctrl_c(lambda: again(lambda: amble.edit(clip, stride="1.05x")))
+        self.seconds_until_ctrl_c(lambda: again(lambda: amble.graft(clip, clip)))
 
     def test_whatever_a_handler_raises_ends_a_plan(self):
         class Enough(Exception):
