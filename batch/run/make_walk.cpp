@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "base/text.h"
 
 namespace amble {
 namespace {
@@ -73,6 +74,15 @@ void label(const BatchJob& job, MadeWalk& made) {
   made.labelling = watch.seconds();
 }
 
+// With the distances, which may be why.
+std::string noWayText(const BatchDraw& draw) {
+  std::string text = "no start and goal were found that ground leads between, ";
+  text += draw.most < BatchDraw().most
+              ? shortNumber(draw.least) + " to " + shortNumber(draw.most) + " m apart"
+              : shortNumber(draw.least) + " m apart or more";
+  return text + " (`least` and `most` of `ways`)";
+}
+
 }  // namespace
 
 MadeWalk makeWalk(const WalkOrder& order) {
@@ -85,7 +95,7 @@ MadeWalk makeWalk(const WalkOrder& order) {
   scenario.name = "walk-" + order.key;
   if (!chooseEnds(order, scenario)) {
     made.row.status = "no_way";
-    made.row.reason = "no start and goal were found that ground leads between";
+    made.row.reason = noWayText(order.job.draw);
     return made;
   }
   try {
