@@ -21,7 +21,8 @@ struct FittedPath {
 };
 
 /// Of all lines (circles, where it is `turning`) the one whose ends are those of the cycle's root,
-/// moved aside to where the root's errors across it, at `count` even phases, have no mean.
+/// moved aside as a whole, across its begin, by the mean of the root's errors across it at `count`
+/// even phases: of a line they then have none, of a circle a little.
 FittedPath fitPath(const GaitTrack& track, const Stretch& stretch, bool turning, int count);
 
 /// Rows: the channels of WalkCycle::series; columns: `count` even phases after the stretch's begin.

@@ -4,32 +4,15 @@
 
 #include <algorithm>
 
-#include "animation/clips/level_capture.h"
 #include "animation/clips/mirror_clip.h"
 #include "base/error.h"
 #include "base/rotation.h"
-#include "tests/animation/captures.h"
+#include "tests/animation/level_walk.h"
 
 namespace amble {
 namespace {
 
-/// A capture and what the finder looks at.
-struct Walk {
-  explicit Walk(const std::string& path)
-      : capture(readLevelCapture(sharedFolder() / "mocap" / path)),
-        feet{shape(kLeft), shape(kRight)},
-        track(capture.motion.clip, capture.motion.roles, feet) {}
-  FootShape shape(Side side) const {
-    const Skeleton& skeleton = capture.motion.clip.skeleton;
-    return makeFootShape(skeleton, capture.motion.roles, side,
-                         statureOf(skeleton, capture.motion.roles));
-  }
-  LevelCapture capture;
-  std::array<FootShape, 2> feet;
-  GaitTrack track;
-};
-
-std::string refusal(const Walk& walk, const CycleOptions& options) {
+std::string refusal(const LevelWalk& walk, const CycleOptions& options) {
   try {
     findStretches(walk.track, options);
   } catch (const InputError& error) {
@@ -40,7 +23,7 @@ std::string refusal(const Walk& walk, const CycleOptions& options) {
 
 TEST(CycleFinder, StretchesOfASteadyWalkAreAlike) {
   AMBLE_NEEDS_CAPTURES();
-  const Walk walk("accad_female1/Female1_B03_Walk1.bvh");
+  const LevelWalk walk("accad_female1/Female1_B03_Walk1.bvh");
   const auto stretches = findStretches(walk.track, {"walk", false, 0, {}});
   ASSERT_GE(stretches.size(), 6u);
   const Stretch& best = stretches.front();
@@ -57,9 +40,9 @@ TEST(CycleFinder, StretchesOfASteadyWalkAreAlike) {
 // Of the mirror image: in it the other foot leads.
 TEST(CycleFinder, InAMirrorTheSameCyclesAreFoundWithTheOtherFootInFront) {
   AMBLE_NEEDS_CAPTURES();
-  const Walk walk("accad_female1/Female1_B03_Walk1.bvh");
-  const JointRoles& roles = walk.capture.motion.roles;
-  const Clip image = mirrorClip(walk.capture.motion.clip, roles);
+  const LevelWalk walk("accad_female1/Female1_B03_Walk1.bvh");
+  const JointRoles& roles = walk.roles;
+  const Clip image = mirrorClip(walk.clip, roles);
   const GaitTrack track(image, roles, walk.feet);
   const auto inOrder = [](std::vector<Stretch> cycles) {
     std::sort(cycles.begin(), cycles.end(),
@@ -81,7 +64,7 @@ TEST(CycleFinder, InAMirrorTheSameCyclesAreFoundWithTheOtherFootInFront) {
 
 TEST(CycleFinder, AllThatIsFoundAreWholeCycles) {
   AMBLE_NEEDS_CAPTURES();
-  const Walk walk("cmu_mb2/08_03.bvh");
+  const LevelWalk walk("cmu_mb2/08_03.bvh");
   const CycleOptions options{"walk", false, 0, {}};
   const auto whole = wholeCycles(walk.track, options);
   for (const Stretch& s : findStretches(walk.track, options)) {
@@ -93,7 +76,7 @@ TEST(CycleFinder, AllThatIsFoundAreWholeCycles) {
 
 TEST(CycleFinder, OnlyFramesThatAreAskedForAreLookedAt) {
   AMBLE_NEEDS_CAPTURES();
-  const Walk walk("accad_female1/Female1_B03_Walk1.bvh");
+  const LevelWalk walk("accad_female1/Female1_B03_Walk1.bvh");
   for (const Stretch& s : findStretches(walk.track, {"walk", false, 0, std::pair{60, 140}})) {
     EXPECT_GE(s.begin, 60.0);
     EXPECT_LE(s.end, 140.0);
@@ -104,13 +87,13 @@ TEST(CycleFinder, OnlyFramesThatAreAskedForAreLookedAt) {
 
 TEST(CycleFinder, WhatIsNoWalkAheadIsRefusedWithTheReason) {
   AMBLE_NEEDS_CAPTURES();
-  const Walk back("accad_female1/Female1_B05_WalkBackwards.bvh");
+  const LevelWalk back("accad_female1/Female1_B05_WalkBackwards.bvh");
   EXPECT_NE(refusal(back, {"back", false, 0, {}}).find("back: walks backwards"), std::string::npos);
 }
 
 TEST(CycleFinder, ATurnThatIsCalledStraightIsRefusedUnlessPartOfItIsStraight) {
   AMBLE_NEEDS_CAPTURES();
-  const Walk turn("accad_female1/Female1_B09_WalkTurnLeft90.bvh");
+  const LevelWalk turn("accad_female1/Female1_B09_WalkTurnLeft90.bvh");
   for (const Stretch& s : findStretches(turn.track, {"turn", true, 0, {}})) {
     EXPECT_GT(s.turn / ((s.end - s.begin) * turn.track.clip().frame_time), kStraightTurnRate);
   }

@@ -1,0 +1,173 @@
+#include "animation/preparation/heel_rise_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "animation/preparation/mirror_cycle.h"
+#include "animation/preparation/walk_cycle_fit.h"
+#include "animation/steps/stride_law.h"
+#include "base/rotation.h"
+#include "tests/animation/default_library.h"
+#include "tests/animation/rig.h"
+
+namespace amble {
+namespace {
+
+constexpr int kStanceSamples = FootCycle::kStanceSamples;
+constexpr int kSamples = FootCycle::kStanceSamples + FootCycle::kSwingSamples;
+
+/// Heels that rise over the end of the stance and come first at the next: 0 while the foot is flat.
+double drawnPitch(int sample) {
+  const double at = sample < kStanceSamples ? static_cast<double>(sample) / kStanceSamples
+                                            : 1.0 + static_cast<double>(sample - kStanceSamples) /
+                                                        FootCycle::kSwingSamples;
+  if (at < 0.15) return -0.2 * (1.0 - at / 0.15);
+  if (at < 0.6) return 0.0;
+  if (at < 1.2) return 0.8 * std::pow(std::sin(kPi * (at - 0.6) / 1.2), 2);
+  return 0.8 - 1.0 * (at - 1.2) / 0.8;
+}
+
+/// A drawn walk whose feet roll so in the capture.
+struct RollingWalk {
+  Rig rig;
+  WalkCycle cycle;
+
+  explicit RollingWalk(double turn_rate = 0.0, double (*pitch)(int) = drawnPitch) {
+    Puppet puppet;
+    puppet.turn_rate = turn_rate;
+    cycle = prepareWalkCycle(rig.walk(puppet), rig.roles, rig.feet, rig.reference(),
+                             {"the clip", turn_rate != 0.0, 6, {}});
+    for (FootCycle& foot : cycle.feet) {
+      for (int i = 0; i < kSamples; ++i) foot.pitch[i] = pitch(i);
+    }
+  }
+  WalkCycle fitted(WalkCycle of) const {
+    fitHeelRise(rig.skeleton, rig.roles, rig.feet, rig.reference(), of);
+    return of;
+  }
+};
+
+double pitchGap(const FootCycle& a, const FootCycle& b) {
+  double gap = 0.0;
+  for (int i = 0; i < kSamples; ++i) gap = std::max(gap, std::abs(a.pitch[i] - b.pitch[i]));
+  return gap;
+}
+
+TEST(HeelRise, ChangesNothingButPitchesAndSwingsAndWherePrintsAre) {
+  const RollingWalk walk;
+  const WalkCycle fitted = walk.fitted(walk.cycle);
+  EXPECT_EQ(fitted.speed, walk.cycle.speed);
+  EXPECT_EQ(fitted.period, walk.cycle.period);
+  EXPECT_EQ(fitted.step_width, walk.cycle.step_width);
+  EXPECT_EQ(fitted.toe_out, walk.cycle.toe_out);
+  EXPECT_EQ(fitted.series.alpha, walk.cycle.series.alpha);
+  EXPECT_EQ(fitted.series.beta, walk.cycle.series.beta);
+  for (const Side side : {kLeft, kRight}) {
+    EXPECT_EQ(fitted.feet[side].strike, walk.cycle.feet[side].strike);
+    EXPECT_EQ(fitted.feet[side].lift_off, walk.cycle.feet[side].lift_off);
+    EXPECT_EQ(fitted.feet[side].sideways, walk.cycle.feet[side].sideways);
+    EXPECT_EQ(fitted.feet[side].yaw, walk.cycle.feet[side].yaw);
+  }
+}
+
+// A foot that no capture rolls is not rolled: walks of rigid feet stay flat.
+TEST(HeelRise, OfFeetThatStayFlatIsNone) {
+  const RollingWalk walk(0.0, [](int) { return 0.0; });
+  for (const FootCycle& foot : walk.fitted(walk.cycle).feet) {
+    for (const double pitch : foot.pitch) EXPECT_EQ(pitch, 0.0);
+  }
+}
+
+TEST(HeelRise, LeavesAFootFlatThatStandsFlat) {
+  const RollingWalk walk;
+  for (const FootCycle& foot : walk.fitted(walk.cycle).feet) {
+    for (int i = kStanceSamples / 4; i < 6 * kStanceSamples / 10; ++i)
+      EXPECT_NEAR(foot.pitch[i], 0.0, 0.5 * kDegree) << i;
+  }
+}
+
+class RollingTurns : public testing::TestWithParam<double> {};
+
+TEST_P(RollingTurns, InAMirrorRollAsTheMirrored) {
+  const RollingWalk walk(GetParam());
+  const auto reference = walk.rig.reference();
+  const auto image = [&](const WalkCycle& cycle) {
+    return mirrorCycle(cycle, walk.rig.skeleton, walk.rig.roles, reference);
+  };
+  const WalkCycle one = image(walk.fitted(walk.cycle)), two = walk.fitted(image(walk.cycle));
+  for (const Side side : {kLeft, kRight}) {
+    EXPECT_LT(pitchGap(one.feet[side], two.feet[side]), 1e-6);
+    EXPECT_NEAR(one.foot_forward[side], two.foot_forward[side], 1e-6);
+    for (double tau = 0.1; tau < 1.0; tau += 0.2) {
+      EXPECT_NEAR(swingProgress(one.feet[side], tau), swingProgress(two.feet[side], tau), 1e-6);
+      EXPECT_NEAR(swingPolynomial(one.feet[side].height, tau),
+                  swingPolynomial(two.feet[side].height, tau), 1e-6);
+    }
+  }
+}
+
+TEST_P(RollingTurns, AreAsTheyWereIfTheyGoAnotherWayByNothing) {
+  const RollingWalk walk(GetParam());
+  WalkCycle nearly = walk.cycle;
+  nearly.turn_rate += 1e-7;
+  const WalkCycle one = walk.fitted(walk.cycle), two = walk.fitted(nearly);
+  for (const Side side : {kLeft, kRight}) EXPECT_LT(pitchGap(one.feet[side], two.feet[side]), 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(, RollingTurns, testing::Values(0.0, 0.5, -0.7));
+
+/// How far the line from hip to ankle is from being as long as captured, over the stance of the
+/// left foot [m, root mean square]: what bends knees otherwise than captured. Of a straight walk.
+double legError(const MotionLibrary& library, const WalkCycle& cycle) {
+  const std::vector<Eigen::Quaterniond>& reference = library.stand().rotations;
+  const FootShape shape = library.feet()[kLeft];
+  StrideLaw law(cycle.speed, cycle.stepLength());
+  law.setSupports({{cycle.speed, cycle.doubleSupport()}},
+                  library.roles.legLength(library.skeleton, kLeft));
+  const double half = 0.25 * law.doubleSupport(cycle.speed);
+  const Eigen::Vector3d print(2.0 * cycle.stepLength() * 0.25 + cycle.foot_forward[kLeft],
+                              0.5 * cycle.step_width, 0.0);
+  double squares = 0.0;
+  std::vector<JointFrame> joints(library.skeleton.size());
+  for (int i = 0; i < kStanceSamples; ++i) {
+    const double phase = -half + (0.5 + 2.0 * half) * i / kStanceSamples;
+    const Eigen::VectorXd c = fourierAt(cycle.series, phase);
+    Pose pose;
+    pose.p_WR = c.head<3>() + Eigen::Vector3d(2.0 * cycle.stepLength() * phase, 0.0, 0.0);
+    for (size_t j = 0; j < reference.size(); ++j) {
+      pose.rotations.push_back(reference[j] *
+                               expRotation(c.segment<3>(3 + 3 * static_cast<Eigen::Index>(j))));
+    }
+    forwardKinematics(library.skeleton, pose, joints);
+    const LegJoints& leg = library.roles.legs[kLeft];
+    const Eigen::Vector3d ankle =
+        print + aboutZ(cycle.toe_out[kLeft]) * rolledAnkle(shape, cycle.feet[kLeft].pitch[i]);
+    const double ours = (ankle - joints[leg.up_leg].p_WJ).norm();
+    const double captured = (joints[leg.foot].p_WJ - joints[leg.up_leg].p_WJ).norm();
+    squares += std::pow(ours - captured, 2) / kStanceSamples;
+  }
+  return std::sqrt(squares);
+}
+
+// The captured walks of the library, with heels that rise half as far as they do there: the fit
+// raises them again.
+TEST(HeelRise, BringsLegsNearerToTheirCapturedLength) {
+  for (const Motion& motion : defaultLibrary().motions) {
+    if (motion.kind != MotionKind::kWalk || motion.turning) continue;
+    WalkCycle lower = motion.cycle;
+    for (FootCycle& foot : lower.feet) {
+      for (double& pitch : foot.pitch) pitch *= 0.5;
+    }
+    WalkCycle fitted = lower;
+    fitHeelRise(defaultLibrary().skeleton, defaultLibrary().roles, defaultLibrary().feet(),
+                defaultLibrary().stand().rotations, fitted);
+    EXPECT_LT(legError(defaultLibrary(), fitted), legError(defaultLibrary(), lower)) << motion.name;
+    EXPECT_GT(fitted.feet[kLeft].pitch[kStanceSamples - 1],
+              lower.feet[kLeft].pitch[kStanceSamples - 1])
+        << motion.name;
+  }
+}
+
+}  // namespace
+}  // namespace amble
