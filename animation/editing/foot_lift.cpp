@@ -9,7 +9,9 @@
 namespace amble {
 namespace {
 
-constexpr double kSmooth = 0.05;    // over which the change of height is averaged [s]
+constexpr double kSmooth = 0.05;  // over which the change of height is averaged [s]
+constexpr double kSmoothUnder =
+    0.02;                           // the same where it is lowered; longer, and lows are lost [s]
 constexpr double kTellsMost = 0.1;  // of the change's largest, below which a frame decides nothing
 
 /// A foot's swing from one plant to the next.
@@ -30,11 +32,28 @@ std::vector<double> heights(const Swing& swing, const FootTrack& foot, double he
   return heights;
 }
 
-void liftSwing(const Swing& swing, double factor, double heel, double frame_time, FootTrack& foot) {
-  const std::vector<double> height = heights(swing, foot, heel);
+/// A smooth curve that is nowhere above values that are not negative, and nowhere negative.
+std::vector<double> curveUnder(const std::vector<double>& values, double frame_time, double width) {
+  const double most = *std::max_element(values.begin(), values.end());
+  std::vector<double> missing;
+  for (const double value : values) missing.push_back(most - value);
+  std::vector<double> curve = curveOver(missing, frame_time, width);
+  for (double& value : curve) value = std::max(0.0, most - value);
+  return curve;
+}
+
+/// What a swing is raised by where it is to be higher, and lowered by where it is not: less than
+/// the sole is clear of the line, so that a lower lift puts no foot into the floor.
+std::vector<double> changeOf(const std::vector<double>& height, double factor, double frame_time) {
   std::vector<double> clear(height);
   for (double& h : clear) h = std::max(0.0, h);
-  const std::vector<double> change = averaged(clear, frame_time, kSmooth);
+  return factor < 1.0 ? curveUnder(clear, frame_time, kSmoothUnder)
+                      : averaged(clear, frame_time, kSmooth);
+}
+
+void liftSwing(const Swing& swing, double factor, double heel, double frame_time, FootTrack& foot) {
+  const std::vector<double> height = heights(swing, foot, heel);
+  const std::vector<double> change = changeOf(height, factor, frame_time);
   const double lift = *std::max_element(height.begin(), height.end());
   const double most = *std::max_element(change.begin(), change.end());
   if (!(lift > 0.0)) return;
