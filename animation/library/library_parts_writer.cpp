@@ -25,6 +25,7 @@ using YAML::Value;
 // Digits after the point: a tenth of a micrometre or of a microradian, far below what a capture
 // knows.
 constexpr int kDigits = 7;
+constexpr double kOne = 1e7;  // in units of the last of them
 
 // Of offsets that a BVH rounded: closer is the same joint [m].
 constexpr double kSameOffset = 1e-5;
@@ -89,6 +90,19 @@ bool holdsSkeleton(const std::filesystem::path& file, const Skeleton& skeleton) 
                    "another name for `skeleton`");
 }
 
+// To the digits that are written, such that they stay when a reader, who makes it a rotation again,
+// writes it: a file that is read and written does not change.
+Eigen::Quaterniond asReadAgain(const Eigen::Quaterniond& rotation) {
+  constexpr int kMost = 10;  // times; one or two are enough
+  Eigen::Vector4d written, now = rotation.coeffs();
+  for (int i = 0; i < kMost; ++i) {
+    written = (now * kOne).array().round() / kOne;
+    now = written.normalized();
+    if (((now * kOne).array().round() / kOne == written.array()).all()) break;
+  }
+  return Eigen::Quaterniond(written);
+}
+
 void makeFolder(const std::filesystem::path& folder) {
   if (folder.empty()) return;
   std::error_code failed;
@@ -129,7 +143,8 @@ void putMatrix(YAML::Emitter& out, const char* name, const Eigen::MatrixXd& matr
 void putRotations(YAML::Emitter& out, const char* name,
                   const std::vector<Eigen::Quaterniond>& rotations) {
   out << Key << name << Value << BeginSeq;
-  for (const Eigen::Quaterniond& q : rotations) {
+  for (const Eigen::Quaterniond& rotation : rotations) {
+    const Eigen::Quaterniond q = asReadAgain(rotation);
     putList(out, std::array<double, 4>{q.w(), q.x(), q.y(), q.z()});
   }
   out << EndSeq;
