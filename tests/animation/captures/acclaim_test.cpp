@@ -8,7 +8,6 @@
 
 #include "animation/captures/asf_amc.h"
 #include "animation/captures/asf_skeleton.h"
-#include "animation/captures/find_asf.h"
 #include "base/rotation.h"
 #include "tests/animation/random_clip.h"
 #include "tests/environments/test_files.h"
@@ -210,36 +209,6 @@ TEST(Acclaim, ALineThatIsLostOrDoubledIsRefusedWithinTheFile) {
     }
   }
   EXPECT_GE(refused, 30);
-}
-
-// The skeletons in a folder, and which of them a motion goes with; "" where that is not said.
-std::string skeletonOf(const std::string& motion, const std::vector<std::string>& skeletons) {
-  const TestFolder folder;
-  for (const std::string& name : skeletons) folder.write(name, "");
-  try {
-    return findAsf(folder.path() / motion).filename().string();
-  } catch (const InputError&) {
-    return "";
-  }
-}
-
-TEST(FindAsf, TheNameOfTheMotionTellsTheSkeleton) {
-  EXPECT_EQ(skeletonOf("a.amc", {"a.asf", "b.asf"}), "a.asf");
-  EXPECT_EQ(skeletonOf("07_05-walk.amc", {"07-walk.asf", "09-run.asf"}), "07-walk.asf");
-  EXPECT_EQ(skeletonOf("07_05.amc", {"07.asf", "07_05.asf", "0.asf"}), "07_05.asf");
-  EXPECT_EQ(skeletonOf("07_05.amc", {"07.ASF"}), "07.ASF");
-  EXPECT_EQ(skeletonOf("jump.amc", {"bob.asf"}), "bob.asf");
-}
-
-TEST(FindAsf, ANameGoesOnWithAnotherWordOnly) {
-  EXPECT_EQ(skeletonOf("011.amc", {"01.asf", "02.asf"}), "");
-  EXPECT_EQ(skeletonOf("01-1.amc", {"01.asf", "02.asf"}), "01.asf");
-}
-
-TEST(FindAsf, NoneAndSeveralAreRefused) {
-  EXPECT_EQ(skeletonOf("a.amc", {}), "");
-  EXPECT_EQ(skeletonOf("a.amc", {"b.asf", "c.asf"}), "");
-  EXPECT_EQ(skeletonOf("07_05.amc", {"07-walk.asf", "07-run.asf"}), "");
 }
 
 }  // namespace
