@@ -271,7 +271,7 @@ class BodyMaker {
     Eigen::Vector3d ahead = ball - rest_.up * rise;
     double run = ahead.norm();
     ahead = run > 0.0 ? Eigen::Vector3d(ahead / run) : rest_.forward;
-    if (ahead.dot(rest_.forward) < 0.0) {  // toes that hang, and a little back
+    if (run < -rise && ahead.dot(rest_.forward) < 0.0) {  // toes that hang, and a little back
       ahead = -ahead;
       run = -run;
     }
