@@ -65,9 +65,11 @@ void addEvents(const ShownClip& shown, PageTake& take) {
         if (std::isfinite(frame))
           take.events.push_back({eventName(side, what), side, shownFrame(shown, frame)});
     }
-    for (const FootPlant& plant : shown.analysis->plants.plants[side])
-      take.planted[side].push_back({static_cast<int>(std::ceil(shownFrame(shown, plant.first))),
-                                    static_cast<int>(shownFrame(shown, plant.last))});
+    for (const FootPlant& plant : shown.analysis->plants.plants[side]) {
+      const FrameSpan span = {static_cast<int>(std::ceil(shownFrame(shown, plant.first))),
+                              static_cast<int>(shownFrame(shown, plant.last))};
+      if (span.first <= span.last) take.planted[side].push_back(span);  // else between two frames
+    }
   }
 }
 

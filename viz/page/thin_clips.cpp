@@ -53,10 +53,13 @@ std::vector<std::string> thinClips(std::vector<ShownClip>& clips, size_t most) {
     return sum;
   };
   while (total() > most) {
-    size_t fastest = 0;
-    for (size_t i = 1; i < clips.size(); ++i)
-      if (rateOf(clips[i], every[i]) > rateOf(clips[fastest], every[fastest])) fastest = i;
-    if (rateOf(clips[fastest], every[fastest] + 1) < kFewestFrames) break;
+    int fastest = -1;  // of those that are fast enough to be thinned once more
+    for (size_t i = 0; i < clips.size(); ++i) {
+      if (rateOf(clips[i], every[i] + 1) < kFewestFrames) continue;
+      if (fastest < 0 || rateOf(clips[i], every[i]) > rateOf(clips[fastest], every[fastest]))
+        fastest = static_cast<int>(i);
+    }
+    if (fastest < 0) break;
     ++every[fastest];
   }
   // By what was done to them: frames a second of the file and of the page.

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "animation/clips/level_capture.h"
 #include "tests/animation/captures.h"
+#include "tests/animation/random_clip.h"
+#include "tests/viz/page/read_back.h"
 #include "viz/page/thin_clips.h"
 
 namespace amble {
@@ -27,48 +27,13 @@ json plainJson(const ShownClip& shown) {
   return json::parse(benchClipJson({&shown, "", {}}, plainNumbers()));
 }
 
-/// Bytes of RFC 4648's base64.
-std::string decoded(const std::string& text) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned bits = 0, count = 0;
-  for (const char c : text) {
-    const size_t digit = digits.find(c);
-    if (digit == std::string::npos) continue;
-    bits = bits << 6 | static_cast<unsigned>(digit);
-    count += 6;
-    if (count >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 0xff);
-  }
-  return bytes;
-}
-
-/// The numbers that a page has, as its program reads them.
-std::vector<double> readBack(const PageBytes& bytes, const std::string& reference) {
-  std::ostringstream base64;
-  bytes.writeBase64(base64);
-  const std::string all = decoded(base64.str());
-  const json ref = json::parse(reference);
-  std::vector<double> values;
-  for (size_t i = 0; i < ref["n"].get<size_t>(); ++i) {
-    if (ref["t"] == "f32") {
-      float value = 0.0f;
-      std::memcpy(&value, all.data() + ref["o"].get<size_t>() + 4 * i, 4);
-      values.push_back(value);
-    } else {
-      std::int16_t value = 0;
-      std::memcpy(&value, all.data() + ref["o"].get<size_t>() + 2 * i, 2);
-      values.push_back(value * ref["scale"].get<double>());
-    }
-  }
-  return values;
-}
-
 TEST(PageNumbers, KeepTheDigitsThatCanBeSeen) {
   for (const double most : {1e-6, 0.4, 180.0, 2000.0, 1e6}) {
     for (const int digits : {2, 4}) {
       PageBytes bytes;
       const std::vector<double> values = {most, -most, 0.0, most / 3.0, -most / 7.0};
-      const std::vector<double> read = readBack(bytes, pageNumbers(bytes)(values, digits));
+      const std::vector<double> read =
+          readBack(bytes, json::parse(pageNumbers(bytes)(values, digits)));
       ASSERT_EQ(read.size(), values.size());
       for (size_t i = 0; i < values.size(); ++i)
         EXPECT_NEAR(read[i], values[i], std::pow(10.0, -digits) / 2.0 + 1e-7 * most) << most;
@@ -79,8 +44,8 @@ TEST(PageNumbers, KeepTheDigitsThatCanBeSeen) {
 TEST(PageNumbers, OfAnEmptyArrayAndOfZerosAreThose) {
   PageBytes bytes;
   const std::vector<double> zeros = {0.0, 0.0};
-  EXPECT_EQ(readBack(bytes, pageNumbers(bytes)({}, 3)), std::vector<double>());
-  EXPECT_EQ(readBack(bytes, pageNumbers(bytes)(zeros, 3)), zeros);
+  EXPECT_EQ(readBack(bytes, json::parse(pageNumbers(bytes)({}, 3))), std::vector<double>());
+  EXPECT_EQ(readBack(bytes, json::parse(pageNumbers(bytes)(zeros, 3))), zeros);
 }
 
 TEST(BenchClip, NamesOfAnyBytesStayInTheirStrings) {
@@ -178,6 +143,75 @@ TEST(ThinClips, KeepFramesOfTheFileAndSayHowMany) {
   for (int frame = 0; frame < thin.frames(); ++frame)
     ASSERT_EQ(thin.poses.p_WR(frame), whole.poses.p_WR(2 * frame));
   EXPECT_EQ(plainJson(clips[0])["frame_time"].get<double>(), whole.frame_time);
+}
+
+// Frames a second, and how many, of a clip that nobody is in.
+ShownClip madeClip(double rate, int frames) {
+  ShownClip shown;
+  shown.name = std::to_string(static_cast<int>(rate));
+  Generator random(1);
+  Clip& clip = shown.motion.clip;
+  clip.skeleton = randomSkeleton(random, 20);
+  clip.frame_time = 1.0 / rate;
+  clip.poses = PoseArray(20);
+  clip.poses.resize(frames);
+  shown.file_frames = frames;
+  return shown;
+}
+
+TEST(ThinClips, NoClipIsThinnedBelowWhatIsSmoothAndEveryFasterOneIsThinnedThatFar) {
+  Generator random(2);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<ShownClip> clips;
+    for (const double rate : {25.0, 30.0, 47.0, 60.0, 100.0, 120.0, 240.0})
+      if (uniform(random, 0.0, 1.0) < 0.7) clips.push_back(madeClip(rate, 100));
+    thinClips(clips, 1);  // all that may be left out is
+    for (const ShownClip& shown : clips) {
+      const double rate = 1.0 / shown.motion.clip.frame_time;
+      EXPECT_GE(rate, kFewestFrames - 1e-9) << shown.name;
+      EXPECT_LT(rate * shown.every / (shown.every + 1), kFewestFrames) << shown.name;
+      EXPECT_EQ(shown.motion.clip.frames(), (100 + shown.every - 1) / shown.every);
+    }
+  }
+}
+
+TEST(ThinClips, LeaveOutNoMoreThanIsNeeded) {
+  const auto size = [](const std::vector<ShownClip>& clips) {
+    size_t frames = 0;
+    for (const ShownClip& shown : clips) frames += shown.motion.clip.frames();
+    return frames * 20 * 14;  // rotations in 16 bits and three angles
+  };
+  for (const size_t most : {1'000'000u, 600'000u, 300'000u}) {
+    std::vector<ShownClip> clips = {madeClip(240, 2400), madeClip(120, 1200), madeClip(30, 300)};
+    thinClips(clips, most);
+    EXPECT_LE(size(clips), most);
+    // One frame in fewer of the fastest would be too many.
+    const auto fastest = std::max_element(
+        clips.begin(), clips.end(), [](const auto& a, const auto& b) { return a.every < b.every; });
+    ASSERT_GT(fastest->every, 1);
+    EXPECT_GT(fastest->every * size(clips) / (fastest->every - 1), most);
+  }
+}
+
+// A plant may be so short that none of its frames is on the page.
+TEST(ThinClips, EveryPlantOnThePageHasAFrameThatIsThere) {
+  AMBLE_NEEDS_CAPTURES();
+  std::vector<ShownClip> clips = {shownWalk("cmu_mb2/07_01.bvh")};
+  thinClips(clips, 1);
+  ShownClip& shown = clips[0];
+  ASSERT_GT(shown.every, 1);
+  for (int first = 0; first < 40; ++first)
+    for (int length = 0; length < 6; ++length)
+      shown.analysis->plants.plants[kRight].push_back({first, first + length});
+  const int end = shown.file_frames - 1 - shown.first_frame;
+  shown.analysis->plants.plants[kRight].push_back({end, end});
+  const PageTake take = clipPage(clips).takes[0];
+  for (const auto& side : take.planted)
+    for (const FrameSpan& span : side) {
+      EXPECT_LE(span.first, span.last);
+      EXPECT_GE(span.first, 0);
+      EXPECT_LT(span.last, shown.motion.clip.frames());
+    }
 }
 
 // Of the page, a plant's frames are those of its time.
