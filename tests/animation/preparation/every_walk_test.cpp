@@ -13,6 +13,7 @@
 #include "base/rotation.h"
 #include "tests/animation/level_walk.h"
 #include "tests/animation/moved_clip.h"
+#include "tests/animation/taller_clip.h"
 
 namespace amble {
 namespace {
@@ -91,23 +92,11 @@ TEST_P(EveryWalk, MeasuresTheSameAtAnotherFrameRate) {
   }
 }
 
-Clip scaled(const Clip& clip, double by) {
-  Clip tall = clip;
-  std::vector<Joint> joints = clip.skeleton.joints();
-  for (Joint& joint : joints) {
-    joint.offset *= by;
-    for (Eigen::Vector3d& tip : joint.end_sites) tip *= by;
-  }
-  tall.skeleton = Skeleton(joints);
-  for (int i = 0; i < clip.frames(); ++i) tall.poses.p_WR(i) *= by;
-  return tall;
-}
-
 // All lengths are told in leg lengths: who is an eighth taller takes an eighth longer steps in the
 // same time.
 TEST_P(EveryWalk, OfATallerPersonIsTheSameInLegLengths) {
   constexpr double kTaller = 1.125;
-  const LevelWalk there(scaled(walk().clip, kTaller), walk().roles);
+  const LevelWalk there(taller(walk().clip, kTaller), walk().roles);
   const WalkCycle other = there.cycle(reference());
   EXPECT_NEAR(other.period, cycle().period, 0.01 * cycle().period);
   EXPECT_NEAR(other.speed, kTaller * cycle().speed, 0.02 * kTaller * cycle().speed);
