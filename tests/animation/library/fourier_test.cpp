@@ -104,5 +104,57 @@ TEST(Fourier, NoHarmonicsIsTheMean) {
   EXPECT_NEAR(fitted.alpha(0, 0), 3.0, 1e-14);
 }
 
+// Parseval: the mean square over a period is that of the mean and half of each wave's.
+TEST(Fourier, TheMeanSquareIsThatOfItsWaves) {
+  Generator generator(46);
+  for (const int harmonics : {1, 5, 12}) {
+    const FourierSeries series = randomSeries(generator, 4, harmonics);
+    constexpr int kTimes = 64;  // more than twice the harmonics: the mean is exact
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(4);
+    for (int i = 0; i < kTimes; ++i)
+      squares += fourierAt(series, static_cast<double>(i) / kTimes).cwiseAbs2() / kTimes;
+    Eigen::VectorXd wanted = series.alpha.col(0).cwiseAbs2();
+    for (int k = 1; k <= harmonics; ++k)
+      wanted += 0.5 * (series.alpha.col(k).cwiseAbs2() + series.beta.col(k).cwiseAbs2());
+    EXPECT_LT((squares - wanted).cwiseAbs().maxCoeff(), 1e-12);
+  }
+}
+
+TEST(Fourier, TheSlopeIsTheSeriesOfTurnedWaves) {
+  Generator generator(47);
+  const FourierSeries series = randomSeries(generator, 3, 6);
+  FourierSeries slope = series;
+  for (int k = 0; k <= 6; ++k) {
+    slope.alpha.col(k) = 2.0 * kPi * k * series.beta.col(k);
+    slope.beta.col(k) = -2.0 * kPi * k * series.alpha.col(k);
+  }
+  constexpr double kStep = 1e-6;
+  for (double phase = 0.0; phase < 1.0; phase += 0.07) {
+    const Eigen::VectorXd measured =
+        (fourierAt(series, phase + kStep) - fourierAt(series, phase - kStep)) / (2.0 * kStep);
+    EXPECT_LT((measured - fourierAt(slope, phase)).cwiseAbs().maxCoeff(), 1e-6);
+  }
+}
+
+// Least squares: what is left over has none of the waves that were fitted.
+TEST(Fourier, WhatAFitLeavesOverHasNoneOfItsWaves) {
+  Generator generator(48);
+  std::vector<double> phases;
+  for (int i = 0; i < 50; ++i) phases.push_back(uniform(generator, 0.0, 1.0));
+  Eigen::MatrixXd samples(3, 50);
+  for (Eigen::Index i = 0; i < samples.size(); ++i) samples(i) = uniform(generator, -1.0, 1.0);
+  const FourierSeries fitted = fitFourier(samples, phases, 4);
+  const Eigen::MatrixXd left = samples - samplesOf(fitted, phases);
+  for (int k = 0; k <= 4; ++k) {
+    Eigen::VectorXd cosine = Eigen::VectorXd::Zero(3), sine = cosine;
+    for (int i = 0; i < 50; ++i) {
+      cosine += std::cos(2.0 * kPi * k * phases[i]) * left.col(i);
+      sine += std::sin(2.0 * kPi * k * phases[i]) * left.col(i);
+    }
+    EXPECT_LT(cosine.cwiseAbs().maxCoeff(), 1e-10);
+    EXPECT_LT(sine.cwiseAbs().maxCoeff(), 1e-10);
+  }
+}
+
 }  // namespace
 }  // namespace amble
