@@ -106,7 +106,8 @@ std::optional<PassageProbe::Gap> PassageProbe::across(const Eigen::Vector3d& gro
 // The same by the heading by which it is narrowest there.
 std::optional<PassageProbe::Gap> PassageProbe::narrowest(const Eigen::Vector3d& ground,
                                                          double heading) const {
-  std::optional<Gap> best;
+  // At the edge of a wall there may be two sides straight across alone.
+  std::optional<Gap> best = across(ground, heading);
   const auto width = [&](double by) {
     const auto gap = across(ground, by);
     return gap ? gap->width : HUGE_VAL;
