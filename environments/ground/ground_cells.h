@@ -58,7 +58,7 @@ class GroundCells {
   bool isPlainAround(int column, int row) const;
   /// The square that a point lies in, perhaps outside.
   Eigen::Vector2i squareAt(const Eigen::Vector2d& p) const;
-  /// Most surfaces that are ground over one square.
+  /// Most surfaces over one square that are ground and can be stood on.
   int layers() const { return layers_; }
   /// Ground that steps join to this part, seen from above: of floors over one another the lowest
   /// counts, so that a roof is less than the room below it [m^2].
