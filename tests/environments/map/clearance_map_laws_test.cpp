@@ -13,7 +13,7 @@ namespace {
 const ClearanceMap::Breadth kWalker = {{{0.25, 0.7, 0.2}, {0.7, 1.45, 0.33}, {1.45, 1.75, 0.1}},
                                        0.15};
 // Distances that spread from cell to cell may miss the nearest obstacle by less than this [m].
-constexpr double kSpreading = 0.5 * ClearanceMap::kCell;
+constexpr double kSpreading = ClearanceMap::kCell;
 const Eigen::AlignedBox2d kRoomOfMap{Eigen::Vector2d(-5, -5), Eigen::Vector2d(5, 5)};
 
 struct DrawnRoom {
