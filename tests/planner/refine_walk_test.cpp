@@ -4,7 +4,7 @@
 
 #include "base/sample_stream.h"
 #include "planner/roadmap/visibility_roadmap.h"
-#include "tests/planner/disc_steering.h"
+#include "tests/planner/edge_paths.h"
 
 namespace amble {
 namespace {
@@ -14,20 +14,6 @@ SearchLimits limitsOf(std::uint64_t seed, int threads = 1) {
   limits.seed = seed;
   limits.threads = threads;
   return limits;
-}
-
-/// A walk over waypoints, which steering allows.
-EdgePath pathOver(const Steering& steering, const std::vector<Waypoint>& waypoints) {
-  const SteeringScratchPtr scratch = steering.makeScratch();
-  EdgePath path;
-  path.start = waypoints.front();
-  path.goal = waypoints.back();
-  path.pinned.assign(waypoints.size(), false);
-  path.pinned.front() = path.pinned.back() = true;
-  for (size_t i = 0; i + 1 < waypoints.size(); ++i) {
-    path.edges.push_back(steering.steer(waypoints[i], waypoints[i + 1], *scratch).edge.value());
-  }
-  return path;
 }
 
 EdgePath refined(const Steering& steering, const EdgePath& path, std::uint64_t seed,
