@@ -35,7 +35,7 @@ std::optional<Clip> repeatedLoop(const Clip& clip, const JointRoles& roles, int 
   const Eigen::Quaterniond turn =
       aboutZ(wrapAngle(pelvisHeading(end, roles) - pelvisHeading(begin, roles)));
   const Eigen::Vector3d first_root = clip.poses.p_WR(0);
-  Clip loop{clip.name, clip.skeleton, clip.frame_time, clip.poses, {}};
+  Clip loop = clip;
   Eigen::Quaterniond turned = Eigen::Quaterniond::Identity();
   for (int i = 1; i < times; ++i) {
     turned = (turned * turn).normalized();
@@ -43,6 +43,11 @@ std::optional<Clip> repeatedLoop(const Clip& clip, const JointRoles& roles, int 
     from.z() = first_root.z();         // loops keep to their floor
     const int at = loop.frames() - 1;  // where the first frame would be again
     loop.poses.append(clip.poses, 1, last);
+    if (!clip.joint_positions.empty()) {
+      loop.joint_positions.insert(loop.joint_positions.end(),
+                                  clip.joint_positions.begin() + clip.skeleton.size(),
+                                  clip.joint_positions.end());
+    }
     for (int k = 1; k <= last; ++k) {
       loop.poses.p_WR(at + k) = from + turned * (clip.poses.p_WR(k) - first_root);
       loop.poses.rotations(at + k)[0] = turned * clip.poses.rotations(k)[0];

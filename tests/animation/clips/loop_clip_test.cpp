@@ -5,6 +5,7 @@
 #include "animation/body/pelvis.h"
 #include "base/rotation.h"
 #include "tests/animation/puppet.h"
+#include "tests/animation/random_clip.h"
 
 namespace amble {
 namespace {
@@ -58,6 +59,25 @@ TEST(LoopClip, ThePoseGapDoesNotDependOnPlaceAndHeading) {
   moved.poses.p_WR(0).z() += 0.02;  // heights count
   forwardKinematics(moved, 0, b);
   EXPECT_NEAR(poseGap(a, b, Puppet::roles()), 0.02, 1e-12);
+}
+
+// Of a drawn walk feet are moving joints; a period is a whole loop.
+TEST(LoopClip, MovingJointsMoveOnInEveryRound) {
+  for (const double turn_rate : {0.0, 0.5}) {
+    Puppet puppet{.turn_rate = turn_rate};
+    puppet.duration = 3.0 * puppet.period;
+    const Clip whole = puppet.clip();
+    puppet.duration = puppet.period;
+    const auto loop = repeatedLoop(puppet.clip(), Puppet::roles(), 3);
+    ASSERT_TRUE(loop.has_value());
+    ASSERT_EQ(loop->frames(), whole.frames());
+    for (int i = 0; i < whole.frames(); i += 7) {
+      const std::vector<JointFrame> here = jointFrames(*loop, i), wanted = jointFrames(whole, i);
+      for (size_t j = 0; j < wanted.size(); ++j) {
+        EXPECT_LT((here[j].p_WJ - wanted[j].p_WJ).norm(), 1e-6) << i << ' ' << j;
+      }
+    }
+  }
 }
 
 }  // namespace
