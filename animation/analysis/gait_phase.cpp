@@ -43,8 +43,17 @@ std::vector<Change> changesOf(const FootPlants& plants) {
 // A step that takes longer than this times the one before is a pause, or begins another walk.
 constexpr double kPause = 2.0;
 
+// Feet that come down in one moment hop: neither is before the other.
+bool together(const std::vector<Change>& changes, size_t i) {
+  const auto same = [&](size_t k) {
+    return k < changes.size() && changes[k].strike == changes[i].strike;
+  };
+  return same(i + 1) || (i > 0 && same(i - 1));
+}
+
 bool goesOn(const std::vector<Change>& changes, size_t i, size_t begin) {
   const Change &before = changes[i - 1], &here = changes[i];
+  if (together(changes, i - 1) || together(changes, i)) return false;
   if (before.in_front == here.in_front || here.middle <= before.middle) return false;
   if (i - begin < 2) return true;
   return here.middle - before.middle <= kPause * (before.middle - changes[i - 2].middle);

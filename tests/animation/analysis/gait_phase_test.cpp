@@ -68,5 +68,25 @@ TEST(GaitPhase, EndsAtAPause) {
   EXPECT_LT(moments.back().frame, 110.0);
 }
 
+// Steps on both sides of a hop are two stretches, whichever foot is called left.
+TEST(GaitPhase, AHopOntoBothFeetEndsAStretchWhicheverFootIsLeft) {
+  const auto plant = [](int first, int last) {
+    return FootPlant{first, last, first - 0.5, last + 0.5};
+  };
+  FootPlants plants;
+  plants.frames = 400;
+  plants.plants[kLeft] = {plant(0, 20), plant(40, 62), plant(80, 100), plant(140, 160),
+                          plant(180, 399)};
+  plants.plants[kRight] = {plant(10, 45), plant(58, 84), plant(140, 185), plant(200, 399)};
+  const FootPlants image{{plants.plants[kRight], plants.plants[kLeft]}, plants.frames};
+  const auto here = gaitPhase(plants), there = gaitPhase(image);
+  ASSERT_EQ(here.size(), there.size());
+  ASSERT_GE(here.size(), 2u);
+  for (size_t i = 0; i < here.size(); ++i) {
+    EXPECT_EQ(here[i].frame, there[i].frame);
+    EXPECT_LT(here[i].frame, 140.0);
+  }
+}
+
 }  // namespace
 }  // namespace amble
