@@ -89,5 +89,92 @@ TEST(FootShape, AToeWithoutATipHasOne) {
   EXPECT_GT(foot.tip_x, foot.ball_x);
 }
 
+TEST(FootShape, AFlatFootStandsOnBothEndsWhereverItIsAndHowsoeverItHeads) {
+  const Rig rig;
+  Generator generator(431);
+  for (int i = 0; i < 100; ++i) {
+    for (const FootShape& foot : rig.feet) {
+      const Eigen::Quaterniond q_WS = aboutZ(uniform(generator, -3.0, 3.0));
+      const Eigen::Vector3d at(uniform(generator, -5, 5), uniform(generator, -5, 5), 0.0);
+      const Eigen::Vector3d ankle = at + q_WS * Eigen::Vector3d(foot.ankle_x, 0, foot.ankle_height);
+      const SoleEnds ends = soleEnds(foot, ankle, q_WS * foot.q_SF);
+      EXPECT_NEAR(ends.heel.z(), 0.0, 1e-12);
+      EXPECT_NEAR(ends.ball.z(), 0.0, 1e-12);
+      EXPECT_LT((ends.heel - at - q_WS * Eigen::Vector3d(foot.heel_x, 0, 0)).norm(), 1e-12);
+      EXPECT_LT((ends.ball - at - q_WS * Eigen::Vector3d(foot.ball_x, 0, 0)).norm(), 1e-12);
+    }
+  }
+}
+
+// What is rolled about stays on the ground, the other end leaves it.
+TEST(FootShape, ARolledFootStandsOnTheEndThatItRollsAbout) {
+  const Rig rig;
+  const FootShape& foot = rig.feet[kLeft];
+  for (double pitch = -1.0; pitch <= 1.0; pitch += 0.05) {
+    const Eigen::Quaterniond roll(Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()));
+    const SoleEnds ends = soleEnds(foot, rolledAnkle(foot, pitch), roll * foot.q_SF);
+    const Eigen::Vector3d& on = pitch < 0.0 ? ends.heel : ends.ball;
+    const Eigen::Vector3d& off = pitch < 0.0 ? ends.ball : ends.heel;
+    EXPECT_NEAR(on.z(), 0.0, 1e-12) << pitch;
+    EXPECT_NEAR(on.x(), pitch < 0.0 ? foot.heel_x : foot.ball_x, 1e-12) << pitch;
+    EXPECT_NEAR(off.z(), (foot.ball_x - foot.heel_x) * std::sin(std::abs(pitch)), 1e-12) << pitch;
+  }
+}
+
+TEST(SoleFrame, ItsZIsTheNormalAndItsXHeadsAsSaid) {
+  Generator generator(432);
+  for (int i = 0; i < 200; ++i) {
+    const double heading = uniform(generator, -3.1, 3.1);
+    const Eigen::Vector3d normal(uniform(generator, -0.5, 0.5), uniform(generator, -0.5, 0.5),
+                                 uniform(generator, 0.5, 2.0));
+    const Eigen::Quaterniond q = soleFrame(heading, normal);
+    EXPECT_LT((q * Eigen::Vector3d::UnitZ() - normal.normalized()).norm(), 1e-12);
+    const Eigen::Quaterniond tilt = q * aboutZ(-heading);
+    EXPECT_NEAR(logRotation(tilt).z(), 0.0, 1e-9);  // on the shortest way: no turn about z
+    EXPECT_LT(soleFrame(heading, 7.0 * normal).angularDistance(q), 1e-7);
+  }
+  EXPECT_EQ(soleFrame(0.3, {0, 0, 2}).coeffs(), aboutZ(0.3).coeffs());
+}
+
+TEST(FootShape, ARigTurnedAtRestByQuartersHasTheSameFeet) {
+  const Rig rig;
+  const double stature = statureOf(rig.skeleton, rig.roles);
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    for (const Eigen::Vector3d axis : {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ()}) {
+      const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.5 * kPi * quarter, axis));
+      std::vector<Joint> joints = Rig::joints();
+      for (Joint& joint : joints) {
+        joint.offset = turn * joint.offset;
+        for (Eigen::Vector3d& tip : joint.end_sites) tip = turn * tip;
+      }
+      const Skeleton turned(joints);
+      const FootShape foot = makeFootShape(turned, rig.roles, kLeft, stature);
+      const FootShape& same = rig.feet[kLeft];
+      EXPECT_NEAR(foot.ankle_height, same.ankle_height, 1e-12);
+      EXPECT_NEAR(foot.ankle_x, same.ankle_x, 1e-12);
+      EXPECT_NEAR(foot.heel_x, same.heel_x, 1e-12);
+      EXPECT_NEAR(foot.tip_x, same.tip_x, 1e-12);
+      EXPECT_LT((foot.q_SF * turn).angularDistance(same.q_SF), 1e-7);
+      const Eigen::Quaterniond rest = restToHeading(turned, rig.roles);
+      EXPECT_LT((rest * turn).angularDistance(restToHeading(rig.skeleton, rig.roles)), 1e-7);
+      EXPECT_LT(restToPelvisHeading(turned, rig.roles).angularDistance(rest), 1e-7);
+    }
+  }
+}
+
+TEST(FootShape, FeetThatToeOutTurnTheHeadingOfTheFeetAndNotOfThePelvis) {
+  const Rig rig;
+  std::vector<Joint> joints = Rig::joints();
+  const Eigen::Quaterniond out(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY()));
+  for (const LegJoints& leg : rig.roles.legs) joints[leg.toe].offset = out * joints[leg.toe].offset;
+  const Skeleton toed(joints);
+  EXPECT_LT(restToPelvisHeading(toed, rig.roles)
+                .angularDistance(restToPelvisHeading(rig.skeleton, rig.roles)),
+            1e-7);
+  EXPECT_NEAR(
+      restToHeading(toed, rig.roles).angularDistance(restToHeading(rig.skeleton, rig.roles)), 0.3,
+      1e-7);
+}
+
 }  // namespace
 }  // namespace amble

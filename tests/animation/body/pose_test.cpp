@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/rotation.h"
 #include "tests/animation/random_clip.h"
 
@@ -113,6 +115,87 @@ TEST(Pose, InterpolationBetweenEqualPosesIsThatPose) {
   interpolatePose(clip.poses[0], clip.poses[0], 0.3, out);
   for (int j = 0; j < 5; ++j) {
     EXPECT_LT((out.rotations[j].coeffs() - clip.poses[0].rotations[j].coeffs()).norm(), 1e-15);
+  }
+}
+
+TEST(Pose, InterpolationFromTheOtherEndIsTheSame) {
+  Generator generator(26);
+  const Clip clip = randomClip(generator, 15, 2);
+  Pose out, back;
+  for (const double t : {0.0, 0.1, 0.37, 0.5, 0.9}) {
+    interpolatePose(clip.poses[0], clip.poses[1], t, out);
+    interpolatePose(clip.poses[1], clip.poses[0], 1.0 - t, back);
+    EXPECT_LT((out.p_WR - back.p_WR).norm(), 1e-12);
+    for (int j = 0; j < 15; ++j) {
+      EXPECT_LT(out.rotations[j].angularDistance(back.rotations[j]), 1e-7);
+    }
+  }
+}
+
+TEST(Pose, InterpolationDoesNotKnowTheSignsOfQuaternions) {
+  Generator generator(27);
+  Clip clip = randomClip(generator, 10, 2);
+  Pose plain, signs;
+  interpolatePose(clip.poses[0], clip.poses[1], 0.3, plain);
+  for (Eigen::Quaterniond& q : clip.poses.rotations(1)) q.coeffs() *= -1.0;
+  interpolatePose(clip.poses[0], clip.poses[1], 0.3, signs);
+  for (int j = 0; j < 10; ++j) {
+    EXPECT_LT(plain.rotations[j].angularDistance(signs.rotations[j]), 1e-7);
+  }
+}
+
+TEST(Pose, ATurnedRootTurnsTheWholeBodyAboutItself) {
+  Generator generator(28);
+  for (int round = 0; round < 20; ++round) {
+    Clip clip = randomClip(generator, 20, 1);
+    const std::vector<JointFrame> before = jointFrames(clip, 0);
+    const Eigen::Quaterniond turn = randomRotation(generator);
+    clip.poses.rotations(0)[0] = turn * clip.poses.rotations(0)[0];
+    const std::vector<JointFrame> after = jointFrames(clip, 0);
+    for (int j = 0; j < 20; ++j) {
+      const Eigen::Vector3d arm = before[j].p_WJ - before[0].p_WJ;
+      EXPECT_LT((after[j].p_WJ - before[0].p_WJ - turn * arm).norm(), 1e-12);
+      EXPECT_LT(after[j].q_WJ.angularDistance(turn * before[j].q_WJ), 1e-7);
+    }
+  }
+}
+
+TEST(Pose, AJointTurnsWhatHangsOnItAndNothingElse) {
+  Generator generator(29);
+  for (int round = 0; round < 20; ++round) {
+    Clip clip = randomClip(generator, 20, 1);
+    const std::vector<JointFrame> before = jointFrames(clip, 0);
+    const int turned = std::uniform_int_distribution<int>(0, 19)(generator);
+    clip.poses.rotations(0)[turned] = randomRotation(generator);
+    const std::vector<JointFrame> after = jointFrames(clip, 0);
+    for (int j = 0; j < 20; ++j) {
+      const double distance = (before[j].p_WJ - before[turned].p_WJ).norm();
+      EXPECT_NEAR((after[j].p_WJ - after[turned].p_WJ).norm() * clip.skeleton.isAncestor(turned, j),
+                  distance * clip.skeleton.isAncestor(turned, j), 1e-12);
+      if (clip.skeleton.isAncestor(turned, j)) continue;
+      EXPECT_EQ(after[j].p_WJ, before[j].p_WJ);
+      EXPECT_EQ(after[j].q_WJ.coeffs(), before[j].q_WJ.coeffs());
+    }
+  }
+}
+
+TEST(Pose, AChainIsClosedTowardsTheRootAndAscends) {
+  Generator generator(30);
+  for (int round = 0; round < 50; ++round) {
+    const Skeleton skeleton = randomSkeleton(generator, 30);
+    std::vector<int> ends;
+    for (int k = 0; k < 3; ++k) {
+      ends.push_back(std::uniform_int_distribution<int>(0, 29)(generator));
+    }
+    const std::vector<int> chain = chainOf(skeleton, ends);
+    ASSERT_FALSE(chain.empty());
+    EXPECT_EQ(chain.front(), 0);
+    for (int j = 0; j < 30; ++j) {
+      const bool needed = std::any_of(ends.begin(), ends.end(),
+                                      [&](int end) { return skeleton.isAncestor(j, end); });
+      EXPECT_EQ(std::count(chain.begin(), chain.end(), j), needed ? 1 : 0);
+    }
+    EXPECT_TRUE(std::is_sorted(chain.begin(), chain.end()));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/rotation.h"
@@ -227,6 +228,86 @@ TEST(TwoLink, TheHipItselfIsNoTargetEvenOfEqualLinks) {
   leg.ankle = {0, 0, 0.2};
   leg.flexion_axis = {0, 1, 0};
   EXPECT_FALSE(solveTwoLink(leg, leg.hip));
+}
+
+// What the header says, step by step, with the flexion found by bisection: the knee flexes in the
+// leg's plane until the ankle is as far as the target, then the leg turns on the shortest way.
+TEST(TwoLink, TheKneeIsWhereFlexingAndThenTurningOnTheShortestWayBringIt) {
+  Generator generator(60);
+  for (int i = 0; i < 300; ++i) {
+    const Leg leg = randomLeg(generator, uniform(generator, 0.4, 2.5), 0.0);
+    const Eigen::Vector3d target = reachable(generator, leg), reach = target - leg.links.hip;
+    const auto solution = solveTwoLink(leg.links, target);
+    ASSERT_TRUE(solution);
+    const Eigen::Vector3d thigh = leg.links.knee - leg.links.hip;
+    const auto flexed = [&](double angle) -> Eigen::Vector3d {
+      return thigh + leg.b / leg.a * (Eigen::AngleAxisd(angle, leg.normal) * thigh);
+    };
+    double straight = 0.0, folded = kPi;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (straight + folded);
+      (flexed(middle).norm() > reach.norm() ? straight : folded) = middle;
+    }
+    EXPECT_NEAR(solution->knee_flexion, straight, 1e-7);
+    const Eigen::Quaterniond shortest = turnBetween(flexed(straight), reach);
+    const Eigen::Vector3d knee = leg.links.hip + shortest * thigh;
+    EXPECT_LT((apply(leg.links, *solution).knee - knee).norm(), 1e-6);
+  }
+}
+
+TEST(TwoLink, TurnedMovedAndEnlargedALegIsSolvedTheSame) {
+  Generator generator(61);
+  for (int i = 0; i < 300; ++i) {
+    const Leg leg = randomLeg(generator, uniform(generator, 0.0, 2.5));
+    const Eigen::Vector3d target = reachable(generator, leg);
+    const Eigen::Quaterniond turn = randomRotation(generator);
+    const Eigen::Vector3d shift = randomVector(generator, 3.0);
+    const double scale = uniform(generator, 0.3, 3.0);
+    const auto there = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+      return scale * (turn * p) + shift;
+    };
+    const auto one = solveTwoLink(leg.links, target);
+    const auto two = solveTwoLink({there(leg.links.hip), there(leg.links.knee),
+                                   there(leg.links.ankle), turn * leg.links.flexion_axis},
+                                  there(target));
+    ASSERT_TRUE(one && two);
+    EXPECT_NEAR(one->knee_flexion, two->knee_flexion, 1e-6);
+    EXPECT_LT(two->thigh.angularDistance(turn * one->thigh * turn.conjugate()), 1e-6);
+    EXPECT_LT(two->shank.angularDistance(turn * one->shank * turn.conjugate()), 1e-6);
+  }
+}
+
+TEST(TwoLink, FlexionIsByTheLawOfCosinesAndFallsWithDistance) {
+  Generator generator(62);
+  for (int i = 0; i < 200; ++i) {
+    const Leg leg = randomLeg(generator, 1.0);
+    const Eigen::Vector3d way = randomRotation(generator) * Eigen::Vector3d::UnitX();
+    double before = kPi + 1e-9;
+    for (double share = 0.05; share < 1.0; share += 0.05) {
+      const double least = std::abs(leg.a - leg.b);
+      const double d = least + share * (leg.a + leg.b - least);
+      const auto solution = solveTwoLink(leg.links, leg.links.hip + d * way);
+      ASSERT_TRUE(solution);
+      const double cosine = (d * d - leg.a * leg.a - leg.b * leg.b) / (2.0 * leg.a * leg.b);
+      EXPECT_NEAR(solution->knee_flexion, std::acos(std::clamp(cosine, -1.0, 1.0)), 1e-7);
+      EXPECT_LT(solution->knee_flexion, before);
+      before = solution->knee_flexion;
+    }
+  }
+}
+
+TEST(TwoLink, TheFlexionAxisCountsByItsDirectionAlone) {
+  Generator generator(63);
+  for (int i = 0; i < 200; ++i) {
+    Leg leg = randomLeg(generator, uniform(generator, 0.0, 1.5));
+    const Eigen::Vector3d target = reachable(generator, leg);
+    const auto one = solveTwoLink(leg.links, target);
+    leg.links.flexion_axis *= 0.01;
+    const auto two = solveTwoLink(leg.links, target);
+    ASSERT_TRUE(one && two);
+    EXPECT_LT(one->thigh.angularDistance(two->thigh), 1e-7);
+    EXPECT_LT(one->shank.angularDistance(two->shank), 1e-7);
+  }
 }
 
 }  // namespace
