@@ -141,6 +141,45 @@ int run(const AnimateArguments& options) {
   return printQuality(synthesizer, clip, walk, *made.ground, anchors, out) ? kExitDone : kExitNone;
 }
 
+// How to walk.
+void addWalkOptions(CLI::App& command, AnimateArguments& options) {
+  command
+      .add_option("--speed", options.speed,
+                  "On the straight, 0.3 to 2; less in turns; default: 1.2, or the --style's own. "
+                  "Of an engine any, and a ramp over the time of the walk")
+      ->check(ramp(0, kFastestRun, "m/s"));
+  command
+      .add_option("--style", options.style,
+                  "In whose manner, of those that the library has (amble library show)")
+      ->type_name("NAME");
+  command.add_option("--turn", options.turn_deg, "Turn rate at that speed, left positive")
+      ->check(number(-180, 180, "degrees/s"))
+      ->capture_default_str();
+  command.add_option("--duration", options.duration, "About how long: steps are whole")
+      ->check(number(1, 600, "s"))
+      ->capture_default_str();
+  command.add_option("--stride", options.stride, "Step length along the ground")
+      ->check(ramp(0.05, 2.0, "m"));
+  command.add_option("--lift", options.lift, "How high feet swing over the line between prints")
+      ->check(ramp(0.005, 0.5, "m"));
+  auto* incline = command.add_option("--incline", options.incline_deg, "Slope, up positive")
+                      ->check(ramp(-45, 45, "degrees"));
+  command
+      .add_option("--stairs", options.stairs,
+                  "RISE,GO of a flight of stairs; a negative rise goes down")
+      ->check(twoNumbers({-0.5, 0.5}, {0.15, 1.5}, "m"))
+      ->excludes(incline)
+      ->excludes("--stride")
+      ->excludes("--turn");
+  command.add_option("--height", options.height, "Stature; default: the library's own")
+      ->check(number(0.5, 2.5, "m"));
+  command
+      .add_option("--action", options.actions,
+                  "A movement (goes with the steps) or posture (is held) of the library, over the "
+                  "whole walk; given again, the later over the earlier")
+      ->type_name("NAME");
+}
+
 }  // namespace
 
 void addAnimate(CLI::App& app, Command& chosen) {
@@ -148,41 +187,7 @@ void addAnimate(CLI::App& app, Command& chosen) {
   CLI::App* command =
       app.add_subcommand("animate", "Make a walk without a scene, from standing to standing");
   addMotionOutput(*command, options->out);
-  command
-      ->add_option("--speed", options->speed,
-                   "On the straight, 0.3 to 2; less in turns; default: 1.2, or the --style's own. "
-                   "Of an engine any, and a ramp over the time of the walk")
-      ->check(ramp(0, kFastestRun, "m/s"));
-  command
-      ->add_option("--style", options->style,
-                   "In whose manner, of those that the library has (amble library show)")
-      ->type_name("NAME");
-  command->add_option("--turn", options->turn_deg, "Turn rate at that speed, left positive")
-      ->check(number(-180, 180, "degrees/s"))
-      ->capture_default_str();
-  command->add_option("--duration", options->duration, "About how long: steps are whole")
-      ->check(number(1, 600, "s"))
-      ->capture_default_str();
-  command->add_option("--stride", options->stride, "Step length along the ground")
-      ->check(ramp(0.05, 2.0, "m"));
-  command->add_option("--lift", options->lift, "How high feet swing over the line between prints")
-      ->check(ramp(0.005, 0.5, "m"));
-  auto* incline = command->add_option("--incline", options->incline_deg, "Slope, up positive")
-                      ->check(ramp(-45, 45, "degrees"));
-  command
-      ->add_option("--stairs", options->stairs,
-                   "RISE,GO of a flight of stairs; a negative rise goes down")
-      ->check(twoNumbers({-0.5, 0.5}, {0.15, 1.5}, "m"))
-      ->excludes(incline)
-      ->excludes("--stride")
-      ->excludes("--turn");
-  command->add_option("--height", options->height, "Stature; default: the library's own")
-      ->check(number(0.5, 2.5, "m"));
-  command
-      ->add_option("--action", options->actions,
-                   "A movement (goes with the steps) or posture (is held) of the library, over the "
-                   "whole walk; given again, the later over the earlier")
-      ->type_name("NAME");
+  addWalkOptions(*command, *options);
   command->add_option("--library", options->library, "Motion library: default, or a file")
       ->type_name("FILE")
       ->capture_default_str();

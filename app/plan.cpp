@@ -22,6 +22,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "environments/ground/ground_warnings.h"
+#include "scenarios/problem.h"
 #include "scenarios/run_scenario.h"
 #include "scenarios/write_results.h"
 
@@ -269,6 +270,34 @@ std::string plannersText() {
   return fmt::format("NAME:{{{}}}", fmt::join(names, ","));
 }
 
+// What is written of it. @pre options outlive the command
+void addResultOptions(CLI::App& command, PlanArguments& options) {
+  command.add_option("--fps", options.fps, "Frames a second")
+      ->check(number(24, 240, "1/s"))
+      ->capture_default_str();
+  command.add_option("--bvh-units", options.bvh_units, "Unit of length in the BVH")
+      ->check(choice({"m", "cm"}))
+      ->capture_default_str();
+  addNamesOption(command, options.names);
+  command.add_option("--formats", options.formats, formatsHelp())
+      ->delimiter(',')
+      ->each([&options](const std::string&) { options.formats_given = true; })
+      ->check(choice(formatNames()))
+      ->default_str(fmt::format("{}", fmt::join(options.formats, ",")));
+  command
+      .add_option("--views", options.views,
+                  "Also pictures from these points of view: walk-top.png, ... (--formats views "
+                  "writes all)")
+      ->delimiter(',')
+      ->check(choice(viewNames()));
+  command.add_flag("--no-scene", options.no_scene, "walk.glb and walk.sdf without the scene");
+  command
+      .add_option("--film", options.film,
+                  "Where the eye of walk.mp4 is: in a corner, or going along with the walker")
+      ->check(choice({"corner", "follow"}))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void addPlan(CLI::App& app, Command& chosen) {
@@ -293,30 +322,7 @@ void addPlan(CLI::App& app, Command& chosen) {
       ->check(wholeNumber(1, 64));
   command->add_option("--time-limit", options->time_limit, "Instead of the scenario's")
       ->check(number(0.001, 86400, "s"));
-  command->add_option("--fps", options->fps, "Frames a second")
-      ->check(number(24, 240, "1/s"))
-      ->capture_default_str();
-  command->add_option("--bvh-units", options->bvh_units, "Unit of length in the BVH")
-      ->check(choice({"m", "cm"}))
-      ->capture_default_str();
-  addNamesOption(*command, options->names);
-  command->add_option("--formats", options->formats, formatsHelp())
-      ->delimiter(',')
-      ->each([raw = options.get()](const std::string&) { raw->formats_given = true; })
-      ->check(choice(formatNames()))
-      ->default_str(fmt::format("{}", fmt::join(options->formats, ",")));
-  command
-      ->add_option("--views", options->views,
-                   "Also pictures from these points of view: walk-top.png, ... (--formats views "
-                   "writes all)")
-      ->delimiter(',')
-      ->check(choice(viewNames()));
-  command->add_flag("--no-scene", options->no_scene, "walk.glb and walk.sdf without the scene");
-  command
-      ->add_option("--film", options->film,
-                   "Where the eye of walk.mp4 is: in a corner, or going along with the walker")
-      ->check(choice({"corner", "follow"}))
-      ->capture_default_str();
+  addResultOptions(*command, *options);
   command
       ->add_option("--checker", options->checker,
                    "Who is asked about contacts: our own trees, or FCL, with which they agree")

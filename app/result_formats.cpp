@@ -166,16 +166,8 @@ void addFilm(const ResultSubject& subject, std::vector<ResultFile>& files) {
                    }});
 }
 
-}  // namespace
-
-std::vector<std::string> viewNames() {
-  std::vector<std::string> names;
-  for (const auto& [name, from] : pointsOfView()) names.push_back(name);
-  return names;
-}
-
-const std::vector<ResultFormat>& resultFormats() {
-  static const std::vector<ResultFormat> formats = {
+std::vector<ResultFormat> formatsUnasked() {
+  return {
       {.name = "bvh", .files = {"walk.bvh"}, .what = "the walk"},
       {.name = "json", .files = {"report.json"}, .what = "its report", .of_walk = false},
       {.name = "svg",
@@ -198,6 +190,11 @@ const std::vector<ResultFormat>& resultFormats() {
        .what = "its report as a page to read and to print",
        .of_walk = false,
        .add = addReportPage},
+  };
+}
+
+std::vector<ResultFormat> formatsIfAsked() {
+  return {
       {.name = "views",
        .files = {"walk-top.png", "walk-side.png", "walk-corner.png", "walk-first.png"},
        .what = "pictures from above, from the side, from a corner and by the walker's eyes",
@@ -237,6 +234,22 @@ const std::vector<ResultFormat>& resultFormats() {
        .program = "ffmpeg",
        .add = addFilm},
   };
+}
+
+}  // namespace
+
+std::vector<std::string> viewNames() {
+  std::vector<std::string> names;
+  for (const auto& [name, from] : pointsOfView()) names.push_back(name);
+  return names;
+}
+
+const std::vector<ResultFormat>& resultFormats() {
+  static const std::vector<ResultFormat> formats = [] {
+    std::vector<ResultFormat> all = formatsUnasked(), others = formatsIfAsked();
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+  }();
   return formats;
 }
 
