@@ -25,6 +25,7 @@
 #include "scenarios/check_junit.h"
 #include "scenarios/check_scenarios.h"
 #include "scenarios/find_scenarios.h"
+#include "scenarios/problem.h"
 #include "viz/pictures/render.h"
 #include "viz/regression/check_page.h"
 

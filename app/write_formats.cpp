@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "scenarios/problem.h"
 #include "scenarios/write_results.h"
 
 namespace amble {

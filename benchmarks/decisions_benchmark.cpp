@@ -15,6 +15,7 @@
 #include "benchmarks/scenarios.h"
 #include "environments/collision/contact.h"
 #include "environments/collision/scene_layers.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 namespace {

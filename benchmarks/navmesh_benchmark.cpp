@@ -18,6 +18,7 @@
 #include "planner/plan_walk.h"
 #include "planner/steering/straight_walk.h"
 #include "planner/steering/walk_steering.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 namespace {

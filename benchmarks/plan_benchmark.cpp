@@ -22,6 +22,7 @@
 #include "planner/legs/planners.h"
 #include "planner/ompl/quiet_ompl.h"
 #include "planner/ompl/roadmap_planner.h"
+#include "planner/roadmap/kept_roadmap.h"
 #include "planner/roadmap/stance_sampler.h"
 #include "planner/steering/walk_steering.h"
 #include "scenarios/check_scenarios.h"

@@ -93,7 +93,8 @@ function(amble_flags target)
 endfunction()
 
 # The library amble_<folder>, as amble::<folder>, of every .cpp in this folder and its rooms.
-#   PUBLIC   headers that its users begin with; they are installed, with what they include
+#   PUBLIC   headers that its users begin with (docs/cpp.md); they are installed, with what they include, and so is the
+#            library, which without such is for the program alone
 #   USES     our libraries below
 #   PRIVATE  third-party libraries, whose headers stay in the .cpp files
 #   WITHOUT  rooms that are no part of it
@@ -116,7 +117,9 @@ function(amble_library folder)
   amble_unity(${target})
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen ${arg_USES} PRIVATE ${arg_PRIVATE})
-  install(TARGETS ${target} EXPORT amble-targets)
+  if(arg_PUBLIC)
+    install(TARGETS ${target} EXPORT amble-targets)
+  endif()
   foreach(header ${arg_PUBLIC})
     set_property(GLOBAL APPEND PROPERTY amble_public "${folder}/${header}")
   endforeach()

@@ -6,6 +6,7 @@
 #include "python/stoppable.h"
 #include "python/text.h"
 #include "python/walk.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 namespace {

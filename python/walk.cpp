@@ -10,6 +10,7 @@
 #include "python/module.h"
 #include "python/text.h"
 #include "scenarios/export_walk.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 namespace {

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "animation/body/step_measure.h"
+#include "animation/body/step_prints.h"
 #include "animation/ground/ground.h"
 #include "animation/synthesis/animation_buffer.h"
 #include "environments/body/body.h"

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "planner/legs/planner.h"
+#include "planner/roadmap/kept_roadmap.h"
 #include "scenarios/problem.h"
 
 namespace amble {

@@ -8,11 +8,15 @@
 #include <memory>
 #include <string>
 
+#include "base/guard_limits.h"
+#include "environments/collision/contact.h"
 #include "planner/plan_walk.h"
-#include "scenarios/problem.h"
 #include "scenarios/report.h"
 
 namespace amble {
+
+class Planner;   // planner/legs/planner.h
+struct Problem;  // problem.h
 
 struct RunOptions {
   int threads = 1;                 ///< [1 to 64]; changes no result
@@ -29,7 +33,7 @@ struct RunOptions {
 };
 
 struct RunResult {
-  std::unique_ptr<const Problem> problem;  ///< none where loading it was stopped
+  std::shared_ptr<const Problem> problem;  ///< none where loading it was stopped
   PlanOutcome outcome;
   Report report;
   std::vector<std::string>

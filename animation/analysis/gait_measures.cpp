@@ -9,6 +9,7 @@
 
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
+#include "animation/body/step_prints.h"
 #include "base/statistics.h"
 
 namespace amble {

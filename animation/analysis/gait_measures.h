@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "animation/analysis/foot_plants.h"
+#include "animation/body/foot_shape.h"
 #include "animation/body/step_measure.h"
 #include "animation/ground/ground.h"
 

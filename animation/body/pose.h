@@ -82,4 +82,9 @@ std::vector<int> chainOf(const Skeleton& skeleton, std::span<const int> joints);
 /// rotations), which may be neither input.
 void interpolatePose(PoseView a, PoseView b, double t, Pose& out);
 
+/// A pose of a rig in which it is upright, seen from its heading (x forward, y left, z up).
+struct ReferencePose {
+  std::vector<Eigen::Quaterniond> q_HJ;  ///< of each joint in the heading frame
+};
+
 }  // namespace amble

@@ -10,11 +10,6 @@
 
 namespace amble {
 
-/// A pose of a rig in which it is upright, seen from its heading (x forward, y left, z up).
-struct ReferencePose {
-  std::vector<Eigen::Quaterniond> q_HJ;  ///< of each joint in the heading frame
-};
-
 /// The mean pose of a clip, feet and toes from the times at which they stand, where there are such.
 /// @pre clip in World
 ReferencePose meanPose(const Clip& clip, const JointRoles& roles);

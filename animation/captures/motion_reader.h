@@ -14,7 +14,7 @@
 #include "animation/body/joint_roles.h"
 #include "animation/captures/reading.h"
 #include "base/file_axes.h"
-#include "base/guarded_run.h"
+#include "base/guard_limits.h"
 
 namespace amble {
 

@@ -4,8 +4,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "animation/library/harmonics.h"
-
 namespace amble {
 
 /// p(phase) = alpha_0 + sum over k = 1..harmonics of alpha_k cos(2 pi k phase)

@@ -1,5 +1,7 @@
 #include "animation/library/motion_library.h"
 
+#include "animation/body/foot_shape.h"
+
 namespace amble {
 
 const std::vector<std::string>& motionKindNames() {

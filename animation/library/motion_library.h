@@ -11,13 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "animation/body/foot_shape.h"
 #include "animation/body/joint_roles.h"
 #include "animation/body/skeleton.h"
 #include "animation/library/transition.h"
 #include "animation/library/walk_cycle.h"
 
 namespace amble {
+
+struct FootShape;  // foot_shape.h
 
 enum class MotionKind {
   kWalk,      ///< a cycle of the whole body

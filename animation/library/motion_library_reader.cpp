@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "animation/captures/bvh.h"
+#include "animation/library/harmonics.h"
 #include "animation/library/library_parts_reader.h"
 #include "animation/library/library_style.h"
 #include "animation/library/statures.h"

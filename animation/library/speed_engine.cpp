@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "animation/library/foot_numbers.h"
+#include "animation/library/harmonics.h"
 #include "base/ease.h"
 #include "base/rotation.h"
 

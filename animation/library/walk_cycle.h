@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "animation/body/clip.h"
-#include "animation/body/foot_shape.h"
 #include "animation/body/joint_roles.h"
 #include "animation/library/foot_cycle.h"
 #include "animation/library/fourier.h"

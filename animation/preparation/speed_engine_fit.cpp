@@ -10,6 +10,7 @@
 #include "animation/analysis/foot_plants.h"
 #include "animation/body/rotation_mean.h"
 #include "animation/library/foot_numbers.h"
+#include "animation/library/harmonics.h"
 #include "animation/preparation/cycle_samples.h"
 #include "animation/preparation/foot_cycle_fit.h"
 #include "animation/preparation/heel_rise_fit.h"

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "animation/body/pose.h"
+#include "animation/body/step_prints.h"
 #include "base/rotation.h"
 
 namespace amble {

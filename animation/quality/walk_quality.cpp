@@ -7,6 +7,7 @@
 #include "animation/analysis/gait_measures.h"
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
+#include "animation/library/motion_library.h"
 #include "animation/quality/step_measures.h"
 #include "animation/steps/stride_law.h"
 #include "base/rotation.h"

@@ -7,14 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "animation/body/clip.h"
-#include "animation/body/joint_roles.h"
-#include "animation/ground/ground.h"
-#include "animation/library/motion_library.h"
-#include "animation/synthesis/animation_buffer.h"
-
 namespace amble {
 
+struct AnimationBuffer;  // animation_buffer.h
+struct Clip;             // clip.h
+struct JointRoles;       // joint_roles.h
+struct MotionLibrary;    // motion_library.h
+class Ground;            // ground.h
 struct JudgedStep;  // step_measures.h
 
 /// What the captures measure that a walk is made from, by measureGait.

@@ -12,11 +12,9 @@
 #include <memory>
 #include <span>
 
-#include "animation/body/foot_shape.h"
 #include "animation/body/joint_roles.h"
 #include "animation/ground/ground.h"
 #include "animation/ground/ground_limits.h"
-#include "animation/library/motion_library.h"
 #include "animation/steps/root_path.h"
 #include "animation/steps/stance.h"
 #include "animation/steps/walk_rule.h"
@@ -24,6 +22,9 @@
 #include "base/rotation.h"
 
 namespace amble {
+
+struct FootShape;      // foot_shape.h
+struct MotionLibrary;  // motion_library.h
 
 struct CharacterSettings {
   /// Stature, with which limbs and stride scale; 0: the library's own [m, 0.5 to 2.5].

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/rotation.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 namespace {

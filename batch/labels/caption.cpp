@@ -6,6 +6,7 @@
 
 #include "base/rotation.h"
 #include "base/text.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 namespace {

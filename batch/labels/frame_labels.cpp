@@ -5,6 +5,7 @@
 
 #include "animation/synthesis/motion_shares.h"
 #include "scenarios/foot_measures.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 namespace {

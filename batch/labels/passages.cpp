@@ -7,6 +7,7 @@
 
 #include "base/rotation.h"
 #include "batch/labels/frame_labels.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 

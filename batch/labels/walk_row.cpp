@@ -5,6 +5,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "planner/legs/planner.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "base/rotation.h"
 #include "batch/labels/caption.h"
+#include "scenarios/problem.h"
 #include "viz/exchange/walk_npz.h"
 
 namespace amble {

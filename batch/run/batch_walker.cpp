@@ -6,6 +6,7 @@
 #include "base/sha256.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "planner/roadmap/kept_roadmap.h"
 #include "scenarios/walked_scene.h"
 
 namespace amble {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "animation/body/foot_shape.h"
+#include "animation/body/reference_pose.h"
 #include "base/rotation.h"
 
 namespace amble {

@@ -10,7 +10,6 @@
 
 #include "animation/body/joint_roles.h"
 #include "animation/body/pose.h"
-#include "animation/body/reference_pose.h"
 #include "animation/body/skeleton.h"
 
 namespace amble {

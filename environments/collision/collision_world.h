@@ -1,10 +1,10 @@
 /// Whole bodies against the scene: which frame of a motion touches what, between frames too.
 ///
-/// Solid: a closed mesh is solid (inside by parity over closed components, hollow shells free
-/// within), an open one is a surface. Ground: soles may touch what is ground while planted, to 5
-/// mm; everything else counts (DESIGN.md, section 3). Between frames the root moves linearly and
-/// joints turn by slerp; that too is proved free or reported. What an upright body has over its
-/// head (Body::upright) is looked at in frames only: no part of it moves there.
+/// Solid: a closed mesh is solid (each closed part by parity, hollow shells free within, where
+/// parts overlap solid too), an open one is a surface. Ground: soles may touch what is ground while
+/// planted, to 5 mm; everything else counts (DESIGN.md, section 3). Between frames the root moves
+/// linearly and joints turn by slerp; that too is proved free or reported. What an upright body has
+/// over its head (Body::upright) is looked at in frames only: no part of it moves there.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,6 @@
 #include "animation/body/pose.h"
 #include "animation/body/skeleton.h"
 #include "environments/body/body.h"
-#include "environments/collision/checker.h"
 #include "environments/collision/contact.h"
 #include "environments/ground/scene_ground.h"
 #include "environments/scene/scene.h"

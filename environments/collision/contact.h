@@ -1,4 +1,4 @@
-/// What a motion touches first, and how deep soles may be.
+/// What a motion touches first, by whose word, and how deep soles may be.
 #pragma once
 
 #include "animation/steps/sole_phase.h"
@@ -17,6 +17,12 @@ inline constexpr double kSwingDepth = 0.001;
 /// intervals are halved until parts move by less in them. Smaller costs more halvings near contact;
 /// larger closes gaps that are just wide enough [m].
 inline constexpr double kProofGap = 0.001;
+
+/// Who says whether a capsule touches a thing, and how far it is.
+enum class Checker {
+  kFast,  ///< our own trees of triangles; the answers of FCL up to its accuracy, 1e-6 m
+  kFcl,   ///< FCL, which they are measured against
+};
 
 struct Contact {
   int frame = 0;         ///< the frame, or the one before the moment of contact

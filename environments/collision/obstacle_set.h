@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "environments/body/capsule.h"
-#include "environments/collision/checker.h"
+#include "environments/collision/contact.h"
 #include "environments/scene/scene.h"
 
 namespace amble {

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "base/guarded_run.h"
+#include "base/guard_limits.h"
 #include "base/stop_request.h"
 #include "environments/scene/mesh.h"
 

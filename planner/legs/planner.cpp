@@ -7,6 +7,7 @@
 #include "planner/legs/kept_legs.h"
 #include "planner/legs/leg_planner.h"
 #include "planner/legs/plan_run.h"
+#include "planner/roadmap/kept_roadmap.h"
 #include "planner/roadmap/visibility_roadmap.h"
 #include "planner/steering/walk_proposals.h"
 
@@ -51,6 +52,8 @@ KeptRoadmap Planner::grow(const PlanRequest& problem) {
   kept.max_failures = problem.limits.max_failures;
   return kept;
 }
+
+Planner::Planner(const PlanRequest& problem) : Planner(problem, grow(problem)) {}
 
 Planner::Planner(const PlanRequest& problem, KeptRoadmap roadmap)
     : parts_(std::make_unique<const Parts>(problem, std::move(roadmap))) {}

@@ -1,6 +1,6 @@
 /// A planner that is made once and asked many times, from as many threads as like.
 ///
-///     const Planner planner(problem, Planner::grow(problem));     // once
+///     const Planner planner(problem);                             // once
 ///     const PlanOutcome outcome = planner.plan({start, goal});    // any time, from any thread
 ///
 /// What it keeps is a roadmap that no query adds to: start and goal are joined to it for the time
@@ -16,9 +16,10 @@
 #include <memory>
 
 #include "planner/plan_request.h"
-#include "planner/roadmap/kept_roadmap.h"
 
 namespace amble {
+
+struct KeptRoadmap;  // kept_roadmap.h
 
 struct PlanQuery {
   PlanEnd start, goal;
@@ -36,6 +37,8 @@ class Planner {
   /// The same at any number of limits.threads. Its `source` is left empty.
   static KeptRoadmap grow(const PlanRequest& problem);
 
+  /// Of the roadmap that grow() makes. @pre, @throws as below
+  explicit Planner(const PlanRequest& problem);
   /// @param problem  what queries have in common; its own start, goal and via points are not looked
   /// at, and what its pointers lead to outlives the planner
   /// @param roadmap  of the same problem, grown now or kept in a file

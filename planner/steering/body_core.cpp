@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "animation/library/transition.h"
+
 namespace amble {
 namespace {
 

@@ -1,5 +1,6 @@
+cmake_policy(VERSION 3.25)
 # Installs into a folder of its own, then configures, builds and runs the consumer project against it.
-#   -DBUILD=  build tree   -DCONSUMER=  this folder   -DWORK=  folder to work in   -DTYPE=  build type
+#   -DROOT=  source tree   -DBUILD=  build tree   -DCONSUMER=  this folder   -DWORK=  folder to work in   -DTYPE=  build type
 
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
@@ -7,12 +8,23 @@ endfunction()
 
 file(REMOVE_RECURSE "${WORK}")
 run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${WORK}/prefix")
-# Every header that is installed, included by somebody else.
+# Each header that is installed, included by somebody else and alone; docs/cpp.md has them all, and no other.
 file(GLOB_RECURSE headers RELATIVE "${WORK}/prefix/include/amble" "${WORK}/prefix/include/amble/*.h")
-list(TRANSFORM headers REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE includes)
-string(REPLACE ";" "" includes "${includes}")
-file(WRITE "${WORK}/all_headers.cpp" "${includes}")
-run(${CMAKE_COMMAND} -S "${CONSUMER}" "-DALL_HEADERS=${WORK}/all_headers.cpp" -B "${WORK}/build" -G Ninja -DCMAKE_BUILD_TYPE=${TYPE}
+file(READ "${ROOT}/docs/cpp.md" page)
+string(REGEX MATCHALL "[a-z_/]+\\.h" named "${page}")
+foreach(header ${headers})
+  string(MAKE_C_IDENTIFIER "${header}" name)
+  file(WRITE "${WORK}/headers/${name}.cpp" "#include \"${header}\"\n")
+  if(NOT header IN_LIST named)
+    message(SEND_ERROR "docs/cpp.md: ${header} is missing; expected every header that is installed")
+  endif()
+endforeach()
+foreach(header ${named})
+  if(NOT header IN_LIST headers)
+    message(SEND_ERROR "docs/cpp.md: ${header} is not installed; expected what is")
+  endif()
+endforeach()
+run(${CMAKE_COMMAND} -S "${CONSUMER}" "-DHEADERS=${WORK}/headers" -B "${WORK}/build" -G Ninja -DCMAKE_BUILD_TYPE=${TYPE}
     "-DCMAKE_PREFIX_PATH=${WORK}/prefix" "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build "${WORK}/build")
 # Its data is the installed one: the source tree is not asked for.

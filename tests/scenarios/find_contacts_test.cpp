@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "scenarios/problem.h"
 #include "scenarios/run_scenario.h"
 #include "tests/scenarios/small_room.h"
 

@@ -7,6 +7,7 @@
 #include "animation/captures/bvh.h"
 #include "base/rotation.h"
 #include "base/sha256.h"
+#include "scenarios/problem.h"
 #include "tests/scenarios/small_room.h"
 
 namespace amble {

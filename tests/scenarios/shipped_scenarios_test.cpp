@@ -10,6 +10,7 @@
 #include "base/rotation.h"
 #include "scenarios/check_scenarios.h"
 #include "scenarios/find_scenarios.h"
+#include "scenarios/problem.h"
 #include "scenarios/validate_walk.h"
 #include "test_paths.h"
 

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/rotation.h"
+#include "scenarios/problem.h"
 #include "scenarios/run_scenario.h"
 #include "tests/scenarios/small_room.h"
 

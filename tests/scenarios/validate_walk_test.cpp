@@ -5,6 +5,7 @@
 
 #include "animation/captures/bvh.h"
 #include "base/rotation.h"
+#include "scenarios/problem.h"
 #include "scenarios/run_scenario.h"
 #include "scenarios/standing_feet.h"
 #include "tests/scenarios/small_room.h"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "animation/body/foot_shape.h"
+#include "animation/body/reference_pose.h"
 #include "animation/clips/good_frames.h"
 #include "animation/clips/level_capture.h"
 #include "animation/clips/mirror_clip.h"

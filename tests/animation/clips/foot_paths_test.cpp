@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "animation/body/foot_shape.h"
 #include "animation/library/motion_library_reader.h"
 
 namespace amble {

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "animation/body/foot_shape.h"
 #include "tests/animation/default_library.h"
 
 namespace amble {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "animation/library/harmonics.h"
 #include "animation/preparation/motion_library_add.h"
 #include "base/error.h"
 #include "tests/animation/captures.h"

@@ -5,6 +5,7 @@
 
 #include "batch/labels/caption.h"
 #include "batch/labels/walk_row.h"
+#include "scenarios/problem.h"
 #include "tests/scenarios/small_room.h"
 
 namespace amble {

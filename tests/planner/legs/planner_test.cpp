@@ -8,6 +8,7 @@
 
 #include "base/rotation.h"
 #include "planner/plan_walk.h"
+#include "planner/roadmap/kept_roadmap.h"
 #include "planner/steering/walk_steering.h"
 #include "tests/planner/furnished_room.h"
 
@@ -27,7 +28,7 @@ PlanRequest problemIn(const FurnishedRoom& room) {
 
 const Planner& planner() {
   static const PlanRequest problem = problemIn(furnishedRoom());
-  static const Planner made(problem, Planner::grow(problem));
+  static const Planner made(problem);
   return made;
 }
 

@@ -1,4 +1,4 @@
-#include "animation/body/step_measure.h"
+#include "animation/body/step_prints.h"
 
 #include <gtest/gtest.h>
 
