@@ -20,8 +20,9 @@
 #include "base/rotation.h"
 #include "benchmarks/scenarios.h"
 #include "environments/collision/obstacle_set.h"
-#include "environments/scene/parity.h"
+#include "environments/scene/scene_pieces.h"
 #include "environments/scene/triangle_grid.h"
+#include "scenarios/problem.h"
 
 namespace amble {
 namespace {
@@ -89,8 +90,9 @@ ObstacleSet obstaclesOf(const RunResult& result, Checker checker) {
     const SceneObject& object = problem.scene.objects[i];
     if (object.role == Role::kIgnore || problem.ground.isGround(static_cast<int>(i))) continue;
     const bool is_mesh = std::holds_alternative<TriangleMesh>(object.shape);
-    obstacles.push_back({static_cast<int>(i), object.shape, object.X_WO,
-                         is_mesh ? closedPart(worldMesh(object)) : TriangleMesh{}});
+    obstacles.push_back(
+        {static_cast<int>(i), object.shape, object.X_WO,
+         is_mesh ? solidOf(static_cast<int>(i), problem.ground.pieces()) : SolidMesh{}});
   }
   return ObstacleSet(obstacles, {}, checker);
 }

@@ -70,7 +70,7 @@ struct SignedDistance {
 
 Eigen::AlignedBox3d boundsOf(const Obstacle& obstacle) {
   Eigen::AlignedBox3d box = worldBounds(obstacle.shape, obstacle.X_WO);
-  for (const Eigen::Vector3d& v : obstacle.solid.vertices) box.extend(v);
+  for (const Eigen::Vector3d& v : obstacle.solid.mesh.vertices) box.extend(v);
   return box;
 }
 
@@ -144,7 +144,7 @@ void markSurface(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<ui
 
 // Voxels in a row without a surface between them are on one side of it: one test for all.
 void fillSolid(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<uint8_t>& occupied) {
-  const Parity solid = Parity::ofClosed(obstacle.solid);
+  const Parity solid(obstacle.solid);
   if (solid.empty()) return;
   const VoxelRange range(grid, solid.bounds());
   for (int k = range.low.z(); k <= range.high.z(); ++k) {

@@ -32,7 +32,7 @@ Triangle3 cornersOf(const TriangleMesh& mesh, const std::array<int, 3>& t) {
 double planArea(const std::vector<Obstacle>& surfaces) {
   double twice = 0.0;
   for (const Obstacle& surface : surfaces) {
-    for (const TriangleMesh* mesh : {&meshOf(surface), &surface.solid}) {
+    for (const TriangleMesh* mesh : {&meshOf(surface), &surface.solid.mesh}) {
       for (const std::array<int, 3>& t : mesh->triangles) {
         const Eigen::Vector3d& a = mesh->vertices[t[0]];
         twice += std::abs((mesh->vertices[t[1]] - a).cross(mesh->vertices[t[2]] - a).z());
@@ -116,11 +116,11 @@ GroundLayer::GroundLayer(std::vector<Obstacle> surfaces, const StopRequest& stop
       slabs_.emplace_back(triangles.back());
       objects_.push_back(surface.object);
     }
-    solids_.push_back({surface.object, Parity::ofClosed(surface.solid)});
+    solids_.push_back({surface.object, Parity(surface.solid)});
   }
   grid_ = TriangleGrid(std::move(triangles));
   for (const Obstacle& surface : surfaces)
-    for (const TriangleMesh* mesh : {&meshOf(surface), &surface.solid})
+    for (const TriangleMesh* mesh : {&meshOf(surface), &surface.solid.mesh})
       for (const Eigen::Vector3d& v : mesh->vertices) extent_.extend(Eigen::Vector2d(v.head<2>()));
   if (extent_.isEmpty()) return;
   cell_ = std::max({kCell, extent_.sizes().maxCoeff() / kMostCells,
@@ -183,7 +183,7 @@ std::vector<std::vector<GroundLayer::Face>> GroundLayer::facesByStrip(
     for (int strip = first; strip <= last; ++strip) by_strip[strip].push_back({t, solid});
   };
   for (size_t k = 0; k < surfaces.size(); ++k) {
-    const TriangleMesh &mesh = meshOf(surfaces[k]), &solid = surfaces[k].solid;
+    const TriangleMesh &mesh = meshOf(surfaces[k]), &solid = surfaces[k].solid.mesh;
     for (const std::array<int, 3>& t : mesh.triangles) add(cornersOf(mesh, t), static_cast<int>(k));
     size_t next = 0;
     for (const std::array<int, 3>& t : solid.triangles) {

@@ -9,7 +9,6 @@
 #include "environments/collision/segment_distance.h"
 #include "environments/collision/triangle_tree.h"
 #include "environments/scene/box_tree.h"
-#include "environments/scene/parity.h"
 
 namespace amble {
 namespace {
@@ -72,10 +71,10 @@ struct Piece {
 };
 
 // Meshes are placed here, once, instead of in every query.
-Piece meshPiece(const Obstacle& obstacle, const TriangleMesh& mesh, const TriangleMesh& solid,
+Piece meshPiece(const Obstacle& obstacle, const TriangleMesh& mesh, const SolidMesh& solid,
                 Checker checker) {
   const TriangleMesh here = placed(mesh, obstacle.X_WO);
-  Piece piece{obstacle.object, nullptr, Parity::ofClosed(solid), boundsOf(here)};
+  Piece piece{obstacle.object, nullptr, Parity(solid), boundsOf(here)};
   if (!piece.solid.empty()) piece.bounds.extend(piece.solid.bounds());
   if (here.triangles.empty()) return piece;
   piece.surface = checker == Checker::kFcl ? makeFclSurface(here, Eigen::Isometry3d::Identity())
@@ -104,7 +103,7 @@ Piece makePiece(const Obstacle& obstacle, Checker checker) {
   if (checker == Checker::kFcl) return fclPiece(obstacle);
   if (const auto* box = std::get_if<Box>(&shape)) {
     const TriangleMesh mesh = makeBox(box->size);
-    return meshPiece(obstacle, mesh, placed(mesh, X_WO), checker);
+    return meshPiece(obstacle, mesh, SolidMesh(placed(mesh, X_WO)), checker);
   }
   if (const auto* ball = std::get_if<Sphere>(&shape))
     return roundPiece(object, roundThing(X_WO, ball->radius, 0.0));

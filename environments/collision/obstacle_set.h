@@ -14,6 +14,7 @@
 
 #include "environments/body/capsule.h"
 #include "environments/collision/contact.h"
+#include "environments/scene/parity.h"
 #include "environments/scene/scene.h"
 
 namespace amble {
@@ -23,8 +24,8 @@ struct Obstacle {
   int object = 0;  ///< of the scene; obstacles are given in ascending order of it
   Shape shape;
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
-  /// World; closed, by parity what is solid. Empty for primitives, which are anyway.
-  TriangleMesh solid;
+  /// World; what is solid. Empty for primitives, which are anyway.
+  SolidMesh solid;
 };
 
 class ObstacleSet {

@@ -49,18 +49,6 @@ bool isBelowGround(const Triangle3& t, const SceneGround& ground) {
   });
 }
 
-// What bounds the inside of an object: its closed pieces that are not another's hollow, and of
-// others those that are its own.
-TriangleMesh solidOf(int object, const ScenePieces& pieces) {
-  TriangleMesh solid;
-  for (const ScenePiece& piece : pieces.ofObject(object))
-    if (piece.closed && piece.solid_of == object) appendMesh(solid, piece.mesh);
-  const auto [begin, end] = pieces.hollows.equal_range(object);
-  for (auto hollow = begin; hollow != end; ++hollow)
-    appendMesh(solid, pieces.pieces[hollow->second].mesh);
-  return solid;
-}
-
 }  // namespace
 
 struct SceneLayers::Split {
@@ -79,7 +67,7 @@ struct SceneLayers::Split {
       }
       const bool is_mesh = std::holds_alternative<TriangleMesh>(object.shape);
       obstacles.push_back(
-          {index, object.shape, object.X_WO, is_mesh ? solidOf(index, pieces) : TriangleMesh{}});
+          {index, object.shape, object.X_WO, is_mesh ? solidOf(index, pieces) : SolidMesh{}});
     }
   }
 

@@ -37,8 +37,7 @@ class Shells {
     return around_;
   }
   bool isInside(int shell, const Eigen::Vector3d& p) {
-    if (!solids_[shell])
-      solids_[shell] = std::make_unique<Parity>(Parity::ofClosed(pieces_[shell].mesh));
+    if (!solids_[shell]) solids_[shell] = std::make_unique<Parity>(SolidMesh(pieces_[shell].mesh));
     return solids_[shell]->inside(p);
   }
   bool holds(int outer, int inner) {
@@ -55,16 +54,17 @@ class Shells {
   BoxTree tree_;
 };
 
-// Whether each of a piece's corners is in the solid of the others of its object.
+// Whether each of a piece's corners is in the solid of those of its object that go around it, which
+// are told already.
 bool isOwnHollow(const std::vector<ScenePiece>& pieces, int shell, Shells& shells) {
   const std::vector<Eigen::Vector3d>& vertices = pieces[shell].mesh.vertices;
-  std::vector<bool> inside(vertices.size(), false);
+  std::vector<int> depth(vertices.size(), 0);
   for (const int k : shells.around(shell)) {
     if (pieces[k].object != pieces[shell].object) continue;
     for (size_t v = 0; v < vertices.size(); ++v)
-      if (shells.isInside(k, vertices[v])) inside[v] = !inside[v];
+      if (shells.isInside(k, vertices[v])) depth[v] += pieces[k].hollow ? -1 : 1;
   }
-  return std::find(inside.begin(), inside.end(), false) == inside.end();
+  return std::all_of(depth.begin(), depth.end(), [](int d) { return d > 0; });
 }
 
 // The object in whose solid all of a piece lies, by parity over the shells of others that hold it:
@@ -88,7 +88,10 @@ void markHollows(const Scene& scene, std::vector<ScenePiece>& pieces, const Stop
   Shells shells(scene, pieces);
   if (shells.all().size() < 2) return;
   std::vector<bool> has_own(scene.objects.size(), false);
-  for (const int shell : shells.all()) {
+  std::vector<int> outer_first = shells.all();
+  std::stable_sort(outer_first.begin(), outer_first.end(),
+                   [&](int a, int b) { return shells.box(a).volume() > shells.box(b).volume(); });
+  for (const int shell : outer_first) {
     stop.check();
     pieces[shell].hollow = isOwnHollow(pieces, shell, shells);
     if (pieces[shell].hollow) has_own[pieces[shell].object] = true;

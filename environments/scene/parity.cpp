@@ -49,23 +49,25 @@ void appendMesh(TriangleMesh& to, const TriangleMesh& from) {
     to.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
 }
 
-TriangleMesh closedPart(const TriangleMesh& mesh) {
-  TriangleMesh closed;
-  for (const MeshComponent& piece : splitComponents(mesh))
-    if (piece.closed) appendMesh(closed, piece.mesh);
-  return closed;
+void SolidMesh::add(const TriangleMesh& closed, bool hollow) {
+  parts.push_back({static_cast<int>(mesh.triangles.size()), hollow});
+  appendMesh(mesh, closed);
 }
 
-Parity Parity::ofClosed(const TriangleMesh& mesh) {
-  Parity solid;
-  solid.corners_.reserve(mesh.triangles.size());
+Parity::Parity(const SolidMesh& solid) {
+  const TriangleMesh& mesh = solid.mesh;
+  corners_.reserve(mesh.triangles.size());
   for (const std::array<int, 3>& t : mesh.triangles) {
-    for (const int v : t) solid.bounds_.extend(mesh.vertices[v]);
-    solid.corners_.push_back(
+    for (const int v : t) bounds_.extend(mesh.vertices[v]);
+    corners_.push_back(
         {sheared(mesh.vertices[t[0]]), sheared(mesh.vertices[t[1]]), sheared(mesh.vertices[t[2]])});
   }
-  if (!solid.empty()) solid.sortIntoCells();
-  return solid;
+  part_of_.assign(corners_.size(), 0);
+  for (size_t k = 0; k < solid.parts.size(); ++k) {
+    std::fill(part_of_.begin() + solid.parts[k].first, part_of_.end(), static_cast<int>(k));
+    depth_in_.push_back(solid.parts[k].hollow ? -1 : 1);
+  }
+  if (!empty()) sortIntoCells();
 }
 
 void Parity::sortIntoCells() {
@@ -100,6 +102,7 @@ Eigen::Vector2i Parity::cellOf(double u, double v) const {
           std::clamp(static_cast<int>((v - min_.y()) / cell_.y()), 0, count_.y() - 1)};
 }
 
+// Triangles of a cell are in ascending order, and so are parts.
 template <typename Visit>
 void Parity::visitCrossings(const Eigen::Vector3d& p, Visit visit) const {
   if (empty()) return;
@@ -107,18 +110,44 @@ void Parity::visitCrossings(const Eigen::Vector3d& p, Visit visit) const {
   const Eigen::Vector2i cell = cellOf(q.x(), q.y());
   const int c = cell.y() * count_.x() + cell.x();
   for (int k = start_[c]; k < start_[c + 1]; ++k)
-    if (const auto height = crossing(corners_[items_[k]], q)) visit(*height);
+    if (const auto height = crossing(corners_[items_[k]], q)) visit(*height, part_of_[items_[k]]);
 }
 
 bool Parity::inside(const Eigen::Vector3d& p) const {
   if (empty() || !bounds_.contains(p)) return false;
-  bool odd = false;
-  visitCrossings(p, [&](double height) { odd ^= height >= p.z(); });
-  return odd;
+  int depth = 0, last = 0;
+  bool odd = false;  // crossings of the last part that are not below
+  visitCrossings(p, [&](double height, int part) {
+    if (part != last) {
+      if (odd) depth += depth_in_[last];
+      odd = false;
+      last = part;
+    }
+    odd ^= height >= p.z();
+  });
+  if (odd) depth += depth_in_[last];
+  return depth > 0;
 }
 
-void Parity::addCrossings(const Eigen::Vector3d& p, std::vector<double>& heights) const {
-  visitCrossings(p, [&](double height) { heights.push_back(height); });
+int Parity::addCrossings(const Eigen::Vector3d& p, std::vector<Crossing>& crossings) const {
+  int below = 0, last = -1;
+  size_t begin = crossings.size();
+  // From above a part is outside at first, and every crossing changes that.
+  const auto finish = [&] {
+    std::sort(crossings.begin() + begin, crossings.end(),
+              [](const Crossing& a, const Crossing& b) { return a.height > b.height; });
+    bool inside = false;
+    for (; begin < crossings.size(); ++begin, inside = !inside)
+      crossings[begin].change = inside ? depth_in_[last] : -depth_in_[last];
+    if (inside) below += depth_in_[last];
+  };
+  visitCrossings(p, [&](double height, int part) {
+    if (part != last) finish();
+    last = part;
+    crossings.push_back({height, 0});
+  });
+  finish();
+  return below;
 }
 
 }  // namespace amble

@@ -10,26 +10,28 @@ ParityColumn::ParityColumn(const Eigen::Vector2d& at, double beside,
 
 void ParityColumn::castFrom(double z) {
   last_ = z + reach_;
-  crossings_.clear();
-  odd_.assign(solids_.size(), 0);
+  steps_.clear();
+  depth_.clear();
   inside_ = 0;
   next_ = 0;
   for (size_t k = 0; k < solids_.size(); ++k) {
-    heights_.clear();
-    solids_[k]->addCrossings({at_.x(), at_.y(), z}, heights_);
-    for (const double height : heights_) crossings_.emplace_back(height, static_cast<int>(k));
-    odd_[k] = static_cast<char>(heights_.size() % 2);
-    inside_ += odd_[k];
+    crossings_.clear();
+    depth_.push_back(solids_[k]->addCrossings({at_.x(), at_.y(), z}, crossings_));
+    inside_ += depth_[k] > 0;
+    for (const Parity::Crossing& c : crossings_)
+      steps_.push_back({c.height, static_cast<int>(k), c.change});
   }
-  std::sort(crossings_.begin(), crossings_.end());
+  std::sort(steps_.begin(), steps_.end(),
+            [](const Step& a, const Step& b) { return a.height < b.height; });
 }
 
 bool ParityColumn::isInside(double z) {
   if (z > last_) castFrom(z);
-  for (; next_ < crossings_.size() && crossings_[next_].first < z; ++next_) {
-    char& odd = odd_[crossings_[next_].second];
-    odd ^= 1;
-    inside_ += odd ? 1 : -1;
+  for (; next_ < steps_.size() && steps_[next_].height < z; ++next_) {
+    int& depth = depth_[steps_[next_].solid];
+    const int before = depth;
+    depth += steps_[next_].change;
+    inside_ += (depth > 0) - (before > 0);
   }
   return inside_ > 0;
 }

@@ -33,12 +33,16 @@ class ParityColumn {
   Eigen::Vector2d at_;
   double reach_;  // of a ray, upwards [m]
   std::vector<const Parity*> solids_;
-  std::vector<std::pair<double, int>> crossings_;  // height and solid, lowest first
-  std::vector<char> odd_;                          // of each solid: crossings not below
-  int inside_ = 0;                                 // solids that are odd
-  size_t next_ = 0;                                // crossing
-  double last_ = -HUGE_VAL;                        // height for which the ray serves [m]
-  std::vector<double> heights_;
+  struct Step {
+    double height;
+    int solid, change;
+  };
+  std::vector<Step> steps_;  // lowest first
+  std::vector<int> depth_;   // of each solid, below the next step
+  int inside_ = 0;           // solids whose depth is above 0
+  size_t next_ = 0;          // step
+  double last_ = -HUGE_VAL;  // height for which the ray serves [m]
+  std::vector<Parity::Crossing> crossings_;
 };
 
 }  // namespace amble

@@ -44,6 +44,16 @@ std::span<const ScenePiece> ScenePieces::ofObject(int object) const {
   return {begin, end};
 }
 
+SolidMesh solidOf(int object, const ScenePieces& pieces) {
+  SolidMesh solid;
+  for (const ScenePiece& piece : pieces.ofObject(object))
+    if (piece.closed && piece.solid_of == object) solid.add(piece.mesh, piece.hollow);
+  const auto [begin, end] = pieces.hollows.equal_range(object);
+  for (auto hollow = begin; hollow != end; ++hollow)
+    solid.add(pieces.pieces[hollow->second].mesh, true);
+  return solid;
+}
+
 ScenePieces splitScene(const Scene& scene, const StopRequest& stop) {
   ScenePieces all;
   size_t count = 0;

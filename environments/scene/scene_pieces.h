@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "environments/scene/parity.h"
 #include "environments/scene/scene.h"
 #include "environments/scene/triangle_grid.h"
 
@@ -33,6 +34,10 @@ struct ScenePieces {
   /// Those of an object.
   std::span<const ScenePiece> ofObject(int object) const;
 };
+
+/// What bounds the inside of an object: its closed pieces that are not another's hollow, and of
+/// others those that are its own.
+SolidMesh solidOf(int object, const ScenePieces& pieces);
 
 ScenePieces splitScene(const Scene& scene, const StopRequest& stop = {});
 

@@ -6,8 +6,8 @@
 
 #include "environments/body/capsule.h"
 #include "environments/collision/obstacle_set.h"
-#include "environments/scene/parity.h"
 #include "environments/scene/scene.h"
+#include "environments/scene/scene_pieces.h"
 #include "tests/environments/test_meshes.h"
 
 namespace amble {
@@ -42,10 +42,14 @@ inline std::vector<SceneObject> stairs(int treads, double rise, double going) {
   return steps;
 }
 
+/// What is solid of a mesh in World.
+inline SolidMesh solidOf(const TriangleMesh& mesh) {
+  return solidOf(0, splitScene(sceneOf({makeObject("it", mesh, {0, 0, 0})})));
+}
+
 inline Obstacle obstacleOf(const SceneObject& object, int index) {
   const bool is_mesh = std::holds_alternative<TriangleMesh>(object.shape);
-  return {index, object.shape, object.X_WO,
-          is_mesh ? closedPart(worldMesh(object)) : TriangleMesh{}};
+  return {index, object.shape, object.X_WO, is_mesh ? solidOf(worldMesh(object)) : SolidMesh{}};
 }
 
 inline Capsule randomCapsule(std::mt19937_64& generator, const Eigen::AlignedBox3d& box,

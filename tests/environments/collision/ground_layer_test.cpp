@@ -19,7 +19,7 @@ struct Rug {
 
   Obstacle surface(int object) const {
     const TriangleMesh mesh = worldMesh(scene.objects[object]);
-    return {object, mesh, Eigen::Isometry3d::Identity(), mesh};
+    return {object, mesh, Eigen::Isometry3d::Identity(), SolidMesh(mesh)};
   }
   int touched(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double depth) const {
     return layer.touched({from, to, 0.02}, depth, *scratch);
@@ -64,8 +64,8 @@ TEST(GroundLayer, ASolidThatIsTheSurfaceInAnotherOrderIsTheSame) {
   });
   ASSERT_EQ(top.triangles.size(), 2u);
   const auto here = Eigen::Isometry3d::Identity();
-  const GroundLayer same({{0, slab, here, slab}}), other({{0, slab, here, shuffled}}),
-      covered({{0, top, here, slab}});
+  const GroundLayer same({{0, slab, here, SolidMesh(slab)}}),
+      other({{0, slab, here, SolidMesh(shuffled)}}), covered({{0, top, here, SolidMesh(slab)}});
   const auto scratch = ObstacleSet::makeScratch();
   std::mt19937_64 generator(21);
   const Eigen::AlignedBox3d box(Eigen::Vector3d(-3.5, -3, -0.5), Eigen::Vector3d(3.5, 3, 0.6));
@@ -99,7 +99,7 @@ struct Stair {
     std::vector<Obstacle> all;
     for (size_t i = 0; i < scene.objects.size(); ++i) {
       const TriangleMesh mesh = worldMesh(scene.objects[i]);
-      all.push_back({static_cast<int>(i), mesh, Eigen::Isometry3d::Identity(), mesh});
+      all.push_back({static_cast<int>(i), mesh, Eigen::Isometry3d::Identity(), SolidMesh(mesh)});
     }
     return all;
   }();
@@ -191,7 +191,7 @@ TEST(GroundLayer, BelowABridgeIsFreeWhereTheGroundGoesOnBelow) {
   const Scene scene = sceneOf({floorSlab()});
   const TriangleMesh slab = worldMesh(scene.objects[0]);
   const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
-  const GroundLayer layer({{0, slab, here, slab}, {1, deck, here, {}}});
+  const GroundLayer layer({{0, slab, here, SolidMesh(slab)}, {1, deck, here, {}}});
   const auto scratch = ObstacleSet::makeScratch();
   const auto touched = [&](double z) {
     return layer.touched({{0, 0, z}, {0.2, 0.1, z}, 0.1}, 0.0, *scratch);
@@ -211,7 +211,7 @@ TEST(GroundLayer, ManyShellsInOneAnotherAreSolidAndFreeInTurn) {
     mesh = joined(mesh, makeBox(Eigen::Vector3d::Constant(2.0 * kThick * (kShells - k))));
   const TriangleMesh other = moved(makeBox({1, 1, 1}), {5, 0, 0});
   const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
-  const GroundLayer layer({{3, other, here, other}, {4, mesh, here, mesh}});
+  const GroundLayer layer({{3, other, here, solidOf(other)}, {4, mesh, here, solidOf(mesh)}});
   const auto scratch = ObstacleSet::makeScratch();
   for (int k = 0; k < 2 * kShells; ++k) {
     const double z = kThick * (k - kShells + 0.5);

@@ -102,6 +102,18 @@ TEST(ObstacleSet, WithinAClosedMeshIsAContactAndWithinAHollowOneIsNot) {
   EXPECT_EQ(setOf({makeObject("scan", open, {0, 0, 0})}).touched(small, *scratch), -1);
 }
 
+TEST(ObstacleSet, WithinTwoOverlappingSolidsOfOneMeshIsAContactToo) {
+  const auto scratch = ObstacleSet::makeScratch();
+  const TriangleMesh block = makeBox({4, 4, 4});
+  const ObstacleSet sofa =
+      setOf({makeObject("sofa", joined(block, moved(block, {1.5, 1, 0.5})), {0, 0, 0})});
+  for (const Eigen::Vector3d& at : {Eigen::Vector3d(-1, -1, 0), {0.8, 0.5, 0.2}, {2.8, 2, 1}}) {
+    const Capsule small{at, at + Eigen::Vector3d(0, 0, 0.2), 0.05};
+    EXPECT_EQ(sofa.touched(small, *scratch), 0) << at.transpose();
+    EXPECT_EQ(sofa.nearest(small, 1.0, *scratch).distance, 0.0) << at.transpose();
+  }
+}
+
 TEST(ObstacleSet, NamesTheFirstObjectThatItTouches) {
   const ObstacleSet set =
       setOf({makeObject("a", Box{{1, 1, 1}}, {5, 0, 0}), makeObject("b", Box{{1, 1, 1}}, {0, 0, 0}),

@@ -43,11 +43,13 @@ TEST(ParityColumn, SaysWhatParitySaysPointByPoint) {
   std::uniform_real_distribution<double> place(-2.2, 2.2);
   int inside = 0, outside = 0;
   for (int n = 0; n < 60; ++n) {
-    // The second stands in the first, the third beside both.
+    // The second, of shells that overlap, stands in the first, the third beside both.
     const TriangleMesh all[] = {nestedShells(generator, 4 + n % 20),
-                                moved(nestedShells(generator, 5), {0.7, 0.4, 0.3}),
+                                moved(joined(nestedShells(generator, 5),
+                                             moved(nestedShells(generator, 4), {0.5, 0.3, 0.2})),
+                                      {0.7, 0.4, 0.3}),
                                 moved(nestedShells(generator, 3), {6, 0, 0})};
-    const Parity a(all[0]), b(all[1]), c(all[2]);
+    const Parity a(solidOf(all[0])), b(solidOf(all[1])), c(solidOf(all[2]));
     const Eigen::Vector2d at(place(generator), place(generator));
     ParityColumn column(at, kBeside, {&a, &b, &c});
     for (double z = -2.5; z < 2.5; z += 0.031) {
@@ -64,7 +66,7 @@ TEST(ParityColumn, SaysWhatParitySaysPointByPoint) {
 
 TEST(ParityColumn, TheWallOfATowerStaysOneAllTheWayUp) {
   // The vertical is 2 cm within the wall of a tower, along which a single ray would leave it.
-  const Parity tower(joined(makeBox({2, 2, 400}), makeBox({1.9, 1.9, 399})));
+  const Parity tower(solidOf(joined(makeBox({2, 2, 400}), makeBox({1.9, 1.9, 399}))));
   for (const auto& [x, expected] : {std::pair(0.98, true), std::pair(0.92, false)}) {
     ParityColumn column({x, 0}, 0.015, {&tower});
     for (double z = -199; z < 199; z += 0.7) EXPECT_EQ(column.isInside(z), expected) << z;

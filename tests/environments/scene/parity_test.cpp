@@ -13,15 +13,15 @@ namespace {
 TEST(Parity, AMeshWithoutClosedPiecesHasNoInside) {
   TriangleMesh open = makeBox({2, 2, 2});
   open.triangles.pop_back();
-  EXPECT_TRUE(Parity(open).empty());
-  EXPECT_FALSE(Parity(open).inside({0, 0, 0}));
+  EXPECT_TRUE(Parity(solidOf(open)).empty());
+  EXPECT_FALSE(Parity(solidOf(open)).inside({0, 0, 0}));
   EXPECT_FALSE(Parity().inside({0, 0, 0}));
 }
 
 TEST(Parity, AgreesWithTheFormulaOfABox) {
   std::mt19937_64 generator(4);
   std::uniform_real_distribution<double> number(-1.5, 1.5);
-  const Parity solid(makeBox({2, 2, 2}));
+  const Parity solid(solidOf(makeBox({2, 2, 2})));
   for (int n = 0; n < 10000; ++n) {
     const Eigen::Vector3d p(number(generator), number(generator), number(generator));
     EXPECT_EQ(solid.inside(p), p.cwiseAbs().maxCoeff() < 1.0) << p.transpose();
@@ -31,7 +31,7 @@ TEST(Parity, AgreesWithTheFormulaOfABox) {
 TEST(Parity, AgreesWithTheFormulaOfASphere) {
   std::mt19937_64 generator(5);
   std::uniform_real_distribution<double> number(-1.2, 1.2);
-  const Parity solid(makeSphere(1.0, 64));
+  const Parity solid(solidOf(makeSphere(1.0, 64)));
   for (int n = 0; n < 10000; ++n) {
     const Eigen::Vector3d p(number(generator), number(generator), number(generator));
     if (p.norm() > 0.99 && p.norm() < 1.0) continue;  // between the sphere and its facets
@@ -44,7 +44,7 @@ TEST(Parity, WindingDoesNotMatterAndHollowShellsAreFreeWithin) {
   for (const TriangleMesh& mesh :
        {joined(outer, inner), joined(outer, turned(inner)), joined(turned(outer), inner),
         joined(turned(outer), turned(inner))}) {
-    const Parity solid(mesh);
+    const Parity solid(solidOf(mesh));
     EXPECT_FALSE(solid.inside({0, 0, 0}));
     EXPECT_TRUE(solid.inside({1.5, 0, 0}));
     EXPECT_TRUE(solid.inside({0, 0, -1.5}));
@@ -55,7 +55,7 @@ TEST(Parity, WindingDoesNotMatterAndHollowShellsAreFreeWithin) {
 TEST(Parity, PointsStraightAboveAndBelowEdgesAndCornersAreTold) {
   // The ray is off the vertical, but walls, edges and corners in line with the point must not
   // matter anyway.
-  const Parity solid(joined(makeBox({2, 2, 2}), makeBox({1, 1, 1})));
+  const Parity solid(solidOf(joined(makeBox({2, 2, 2}), makeBox({1, 1, 1}))));
   for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0})
     for (const double y : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
       EXPECT_FALSE(solid.inside({x, y, -1.5}));
@@ -89,38 +89,94 @@ int crossings(const TriangleMesh& mesh, const Eigen::Vector3d& p, const Eigen::V
   return count;
 }
 
-// The ray of Parity is near the vertical: any other must count the same, but for parity.
-TEST(Parity, AgreesWithCountingAlongARayAnyWay) {
+// The ray of Parity is near the vertical: any other must count the same, but for parity. None of
+// those beside and through one another is the hollow of another.
+TEST(Parity, IsInsideWhereCountingAlongARayAnyWayIsOfAnyPart) {
   std::mt19937_64 generator(41);
   std::uniform_real_distribution<double> number(-1.3, 1.3);
-  int within = 0;
+  int within = 0, doubly = 0;
   for (int n = 0; n < 12; ++n) {
-    TriangleMesh mesh = potato(generator);
-    const int more = n % 3;
-    for (int i = 0; i < more; ++i) {  // others beside, around and through it
+    std::vector<TriangleMesh> potatoes = {potato(generator)};
+    for (int i = 0; i < n % 3; ++i) {
       TriangleMesh other = potato(generator);
       const Eigen::Vector3d by(number(generator), number(generator), number(generator));
-      mesh = joined(mesh, moved(i == 0 ? turned(other) : other, 0.4 * by));
+      potatoes.push_back(moved(i == 0 ? turned(other) : other, 0.4 * by));
     }
-    const Parity solid(mesh);
+    TriangleMesh mesh;
+    for (const TriangleMesh& one : potatoes) appendMesh(mesh, one);
+    const Parity solid(solidOf(mesh));
     for (int k = 0; k < 300; ++k) {
       const Eigen::Vector3d p(number(generator), number(generator), number(generator));
       const Eigen::Vector3d way(number(generator), number(generator), number(generator));
-      within += solid.inside(p);
-      EXPECT_EQ(solid.inside(p), crossings(mesh, p, way) % 2 == 1) << p.transpose();
+      const auto count = std::ranges::count_if(
+          potatoes, [&](const TriangleMesh& one) { return crossings(one, p, way) % 2 == 1; });
+      EXPECT_EQ(solid.inside(p), count > 0) << p.transpose();
+      within += count > 0;
+      doubly += count > 1;
     }
   }
   EXPECT_GT(within, 300);
+  EXPECT_GT(doubly, 100);
+}
+
+// A frame of beams as one mesh: each overlaps others, none has another within it.
+TEST(Parity, PartsThatOverlapAreSolidWhereTheyDo) {
+  std::mt19937_64 generator(43);
+  std::uniform_real_distribution<double> number(-1.0, 1.0), breadth(0.3, 1.0);
+  for (int n = 0; n < 20; ++n) {
+    TriangleMesh mesh;
+    std::vector<Eigen::AlignedBox3d> beams;
+    for (int i = 0; i < 6; ++i) {
+      Eigen::Vector3d size(breadth(generator), breadth(generator), breadth(generator));
+      size[i % 3] = 3.0;
+      const Eigen::Vector3d at(number(generator), number(generator), number(generator));
+      beams.emplace_back(at - 0.5 * size, at + 0.5 * size);
+      const TriangleMesh beam = moved(makeBox(size), at);
+      appendMesh(mesh, i % 2 == 0 ? beam : turned(beam));
+    }
+    const Parity solid(solidOf(mesh));
+    for (int k = 0; k < 500; ++k) {
+      const Eigen::Vector3d p =
+          1.5 * Eigen::Vector3d(number(generator), number(generator), number(generator));
+      EXPECT_EQ(solid.inside(p),
+                std::ranges::any_of(
+                    beams, [&](const Eigen::AlignedBox3d& beam) { return beam.contains(p); }))
+          << p.transpose();
+    }
+  }
+}
+
+// A room whose walls are a shell with a hollow, and in one mesh with it: a pillar through its wall,
+// an open sheet across it, and a block that stands in the hollow, hollow itself.
+TEST(Parity, OverlapsHollowsAndOpenSheetsOfOneMeshAreToldApart) {
+  TriangleMesh sheet;
+  sheet.vertices = {{-1.5, -1, 0}, {1.5, -1, 0}, {1.5, 1, 0}, {-1.5, 1, 0}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  TriangleMesh mesh;
+  for (const TriangleMesh& part :
+       {makeBox({1, 1, 1}), sheet, moved(makeBox({1, 1, 9}), {3, 0, 0}), makeBox({8, 8, 8}),
+        turned(makeBox({6, 6, 6})), makeBox({2, 2, 2})})
+    appendMesh(mesh, part);
+  const Parity solid(solidOf(mesh));
+  EXPECT_FALSE(solid.inside({0, 0, 0})) << "in the hollow block";
+  EXPECT_TRUE(solid.inside({0.75, 0, 0.1})) << "in its wall";
+  EXPECT_FALSE(solid.inside({1.2, 0, 0.1})) << "over the sheet, in the room";
+  EXPECT_FALSE(solid.inside({1.2, 0, -0.1})) << "under it";
+  EXPECT_TRUE(solid.inside({2.7, 0, 0})) << "in the pillar, in the room";
+  EXPECT_TRUE(solid.inside({3.3, 0, 0})) << "in the pillar and the wall";
+  EXPECT_TRUE(solid.inside({3.8, 0, 0})) << "in the wall beside it";
+  EXPECT_TRUE(solid.inside({3, 0, 4.2})) << "in the pillar over the roof";
+  EXPECT_FALSE(solid.inside({3.8, 0, 4.2})) << "over the roof";
 }
 
 TEST(Parity, DoesNotDependOnWhereAMeshIsNorOnTheOrderOfItsTriangles) {
   std::mt19937_64 generator(42);
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   TriangleMesh mesh = potato(generator);
-  const Parity here(mesh);
+  const Parity here(solidOf(mesh));
   const Eigen::Vector3d by(120, -35, 8);
   std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), generator);
-  const Parity there(moved(mesh, by));
+  const Parity there(solidOf(moved(mesh, by)));
   for (int k = 0; k < 2000; ++k) {
     const Eigen::Vector3d p(number(generator), number(generator), number(generator));
     EXPECT_EQ(here.inside(p), there.inside(p + by));
