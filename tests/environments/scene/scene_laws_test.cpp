@@ -63,7 +63,7 @@ constexpr double kChord = 0.02;
 
 TEST(SceneLaws, InsideTheMeshOfAPrimitiveIsInsideThePrimitive) {
   forDrawnShapes(1, [](const DrawnShape& drawn, const Eigen::Isometry3d& X, SampleStream& random) {
-    const Parity parity(worldMesh(placed(drawn.shape, X)));
+    const Parity parity(SolidMesh(worldMesh(placed(drawn.shape, X))));
     int inside = 0;
     for (int n = 0; n < 300; ++n) {
       const Eigen::Vector3d p = drawnPoint(random, drawn.box);
@@ -79,8 +79,8 @@ TEST(SceneLaws, InsideTheMeshOfAPrimitiveIsInsideThePrimitive) {
 TEST(SceneLaws, InsideDoesNotDependOnHowASurfaceIsCutUpOrderedOrWound) {
   forDrawnShapes(2, [](const DrawnShape& drawn, const Eigen::Isometry3d& X, SampleStream& random) {
     const TriangleMesh mesh = worldMesh(placed(drawn.shape, X));
-    const Parity usual(mesh), shuffled_one(shuffled(mesh, random)), fine(subdivided(mesh, random)),
-        inside_out(turned(mesh));
+    const Parity usual((SolidMesh(mesh))), shuffled_one(SolidMesh(shuffled(mesh, random)));
+    const Parity fine(SolidMesh(subdivided(mesh, random))), inside_out(SolidMesh(turned(mesh)));
     for (int n = 0; n < 200; ++n) {
       const Eigen::Vector3d p = drawnPoint(random, drawn.box);
       if (std::abs(drawn.off(p)) < kChord) continue;
@@ -96,7 +96,7 @@ TEST(SceneLaws, InsideOfAShrunkMeshIsInsideOfTheMesh) {
   forDrawnShapes(3, [](const DrawnShape& drawn, const Eigen::Isometry3d& X, SampleStream& random) {
     TriangleMesh mesh = worldMesh(placed(drawn.shape, X)), small = mesh;
     for (Eigen::Vector3d& v : small.vertices) v = X.translation() + 0.7 * (v - X.translation());
-    const Parity whole(mesh), shrunk(small);
+    const Parity whole((SolidMesh(mesh))), shrunk((SolidMesh(small)));
     for (int n = 0; n < 150; ++n) {
       const Eigen::Vector3d p = X * drawnPoint(random, drawn.box);
       if (shrunk.inside(p)) {
@@ -111,11 +111,17 @@ TEST(SceneLaws, InsideOfAShrunkMeshIsInsideOfTheMesh) {
 
 TEST(SceneLaws, AlongAVerticalCrossingsAreWhereInsideChanges) {
   forDrawnShapes(4, [](const DrawnShape& drawn, const Eigen::Isometry3d& X, SampleStream& random) {
-    const Parity parity(worldMesh(placed(drawn.shape, X)));
-    std::vector<double> heights;
+    const Parity parity(SolidMesh(worldMesh(placed(drawn.shape, X))));
+    std::vector<Parity::Crossing> crossings;
     const Eigen::Vector3d p = X * (0.5 * drawnPoint(random, drawn.box));
-    parity.addCrossings(p, heights);
-    EXPECT_EQ(heights.size() % 2, 0u);  // what goes in comes out
+    EXPECT_EQ(parity.addCrossings(p, crossings), 0);
+    std::vector<double> heights;
+    int depth = 0;
+    for (const Parity::Crossing& crossing : crossings) {
+      heights.push_back(crossing.height);
+      depth += crossing.change;
+    }
+    EXPECT_EQ(depth, 0) << "what goes in comes out";
     std::sort(heights.begin(), heights.end());
     const auto above = heights.end() - std::upper_bound(heights.begin(), heights.end(), p.z());
     EXPECT_EQ(parity.inside(p), above % 2 == 1);
@@ -127,7 +133,7 @@ TEST(SceneLaws, AlongAVerticalCrossingsAreWhereInsideChanges) {
 
 TEST(SceneLaws, NothingBeyondTheBoundsIsInside) {
   forDrawnShapes(5, [](const DrawnShape& drawn, const Eigen::Isometry3d& X, SampleStream& random) {
-    const Parity parity(worldMesh(placed(drawn.shape, X)));
+    const Parity parity(SolidMesh(worldMesh(placed(drawn.shape, X))));
     const Eigen::AlignedBox3d bounds = parity.bounds();
     for (int n = 0; n < 100; ++n) {
       const Eigen::Vector3d p = bounds.center() + drawnVector(random, 6.0);
@@ -211,7 +217,7 @@ TEST(SceneLaws, ACutUpPieceIsClosedStillAndOneThatMissesATriangleIsNot) {
     const auto broken = splitComponents(open);
     ASSERT_EQ(broken.size(), 1u);
     EXPECT_FALSE(broken[0].closed);
-    EXPECT_TRUE(Parity(open).empty());
+    EXPECT_TRUE(Parity(solidOf(open)).empty());
   });
 }
 
