@@ -298,5 +298,47 @@ TEST(MeasureLaws, TokensThatLastLongerAreOfTheSameTypes) {
   }
 }
 
+TEST(MeasureLaws, ACapturedSoleTurnsWithItsFoot) {
+  Generator generator(315);
+  for (int i = 0; i < 200; ++i) {
+    const double heel = uniform(generator, 0.04, 0.1), flat = uniform(generator, 0.1, 0.7),
+                 pitch = uniform(generator, -0.6, 0.8), heading = uniform(generator, -3.0, 3.0);
+    const Eigen::Vector3d ankle = randomVector(generator, 2.0);
+    const double length = uniform(generator, 0.1, 0.2);
+    const auto toeAt = [&](double down) -> Eigen::Vector3d {
+      return ankle +
+             length * (aboutZ(heading) * Eigen::Vector3d(std::cos(down), 0.0, -std::sin(down)));
+    };
+    const SoleEnds ends = capturedSole(ankle, toeAt(flat + pitch), heel, flat);
+    EXPECT_EQ(ends.ball, toeAt(flat + pitch));
+    EXPECT_NEAR((ends.heel - ankle).norm(), heel, 1e-12);
+    // Flat the heel is below the ankle; a foot that goes down by more has it behind.
+    EXPECT_LT((capturedSole(ankle, toeAt(flat), heel, flat).heel - ankle +
+               heel * Eigen::Vector3d::UnitZ())
+                  .norm(),
+              1e-12);
+    const Eigen::Vector3d way = aboutZ(-heading) * (ends.heel - ankle);
+    EXPECT_NEAR(way.x(), -heel * std::sin(pitch), 1e-12);
+    EXPECT_NEAR(way.z(), -heel * std::cos(pitch), 1e-12);
+    EXPECT_NEAR(way.y(), 0.0, 1e-12);
+  }
+}
+
+TEST(MeasureLaws, AFootTurnsAsFastAsItIsTurned) {
+  const Puppet puppet{.speed = 0.0, .stance = 1.0, .rate = 60.0, .duration = 1.0};
+  const JointRoles roles = Puppet::roles();
+  for (const Side side : {kLeft, kRight}) {
+    for (const double rate : {0.5, 4.0, 20.0}) {
+      Clip clip = puppet.clip();
+      clip.joint_positions.clear();
+      for (int i = 30; i < clip.frames(); ++i) {
+        clip.poses.rotations(i)[roles.legs[side].foot] =
+            expRotation({0.0, rate * (i - 29) / 60.0, 0.0});
+      }
+      EXPECT_NEAR(fastestFootTurn(clip, roles), rate, 1e-6);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace amble

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "tests/animation/planted_clip.h"
+#include "tests/animation/random_clip.h"
 
 namespace amble {
 namespace {
@@ -116,6 +118,82 @@ TEST(BlendContacts, HeldFeetKeepToTheirSourcesAndEveryCaseComesUp) {
   for (const ContactCase which :
        {ContactCase::kBefore, ContactCase::kAfter, ContactCase::kWithin, ContactCase::kSlips})
     EXPECT_GT(seen[which], 0) << static_cast<int>(which);
+}
+
+std::vector<bool> anyStances(Generator& generator, int frames) {
+  std::vector<bool> stands;
+  bool now = uniform(generator, 0.0, 1.0) < 0.5;
+  while (static_cast<int>(stands.size()) < frames) {
+    const int run = std::uniform_int_distribution<int>(3, 12)(generator);
+    for (int i = 0; i < run && static_cast<int>(stands.size()) < frames; ++i) stands.push_back(now);
+    now = !now;
+  }
+  return stands;
+}
+
+// Whatever the two motions do.
+TEST(BlendContacts, ContactsAreInOrderWithinTheBlendAndApart) {
+  Generator generator(911);
+  for (int round = 0; round < 2000; ++round) {
+    const int frames = std::uniform_int_distribution<int>(6, 40)(generator);
+    const auto before = anyStances(generator, frames), after = anyStances(generator, frames);
+    int last = -1;
+    for (const FootHold& hold : contactsOf(kLeft, before, after, 2)) {
+      EXPECT_EQ(hold.side, kLeft);
+      EXPECT_GT(hold.first, last);
+      EXPECT_LE(hold.first, hold.last);
+      EXPECT_LT(hold.last, frames);
+      last = hold.last;
+      EXPECT_EQ(hold.which == ContactCase::kSlips, hold.first == 0 && hold.last == frames - 1);
+    }
+  }
+}
+
+TEST(BlendContacts, AFootThatStandsNowhereHasNoContactAndOneThatStandsAtAnEndHasOneThere) {
+  Generator generator(912);
+  for (int round = 0; round < 500; ++round) {
+    const int frames = std::uniform_int_distribution<int>(6, 40)(generator);
+    const std::vector<bool> never(frames, false);
+    EXPECT_TRUE(contactsOf(kLeft, never, never, 2).empty());
+    const auto before = anyStances(generator, frames), after = anyStances(generator, frames);
+    const auto holds = contactsOf(kLeft, before, after, 2);
+    if (before.front()) {
+      ASSERT_FALSE(holds.empty());
+      EXPECT_EQ(holds.front().first, 0);
+    }
+    if (after.back()) {
+      ASSERT_FALSE(holds.empty());
+      EXPECT_EQ(holds.back().last, frames - 1);
+    }
+  }
+}
+
+// Backwards, what was before is after. Contacts within are chosen from the begin on.
+TEST(BlendContacts, BackwardsAStanceAtTheBeginIsOneAtTheEnd) {
+  Generator generator(913);
+  const auto atEnds = [](std::vector<FootHold> holds) {
+    std::erase_if(holds, [](const FootHold& h) { return h.which == ContactCase::kWithin; });
+    return holds;
+  };
+  int seen = 0;
+  for (int round = 0; round < 500; ++round) {
+    const int frames = 2 * std::uniform_int_distribution<int>(4, 20)(generator) + 1;
+    auto before = anyStances(generator, frames), after = anyStances(generator, frames);
+    const auto holds = atEnds(contactsOf(kLeft, before, after, 2));
+    std::reverse(before.begin(), before.end());
+    std::reverse(after.begin(), after.end());
+    const auto back = atEnds(contactsOf(kLeft, after, before, 2));
+    ASSERT_EQ(back.size(), holds.size());
+    for (size_t i = 0; i < holds.size(); ++i) {
+      const FootHold &here = holds[i], &there = back[holds.size() - 1 - i];
+      EXPECT_EQ(there.first, frames - 1 - here.last);
+      EXPECT_EQ(there.last, frames - 1 - here.first);
+      EXPECT_EQ(there.which == ContactCase::kSlips, here.which == ContactCase::kSlips);
+      EXPECT_EQ(there.which == ContactCase::kAfter, here.which == ContactCase::kBefore);
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 200);
 }
 
 }  // namespace
