@@ -13,14 +13,15 @@
 namespace amble {
 namespace {
 
-// The furnished room's floor and walls, two walls across it with a gap each, wide or narrow, and
-// boxes about.
+// The furnished room's floor and walls, two walls across it with a gap each, one of them
+// narrow where the seed is odd, and boxes about.
 Scene crowdedRoom(std::uint64_t seed, int boxes) {
   Scene scene = furnishedScene();
   scene.objects.resize(5);
   SampleStream random(seed, 0);
   for (const double x : {2.2, 3.8}) {
-    const double gap = random.below(3) == 0 ? random.uniform(0.02, 0.14) : random.uniform(0.6, 1.0);
+    const bool narrow = x < 3.0 && seed % 2 == 1;
+    const double gap = narrow ? random.uniform(0.02, 0.08) : random.uniform(0.6, 1.0);
     const double low = random.uniform(0.5, 2.5);
     const double high = low + gap;
     scene.objects.push_back(boxObject("south of a gap", {0.1, low, 2}, {x, 0.5 * low, 1}));
