@@ -14,7 +14,7 @@ struct Clip;             // clip.h
 struct JointRoles;       // joint_roles.h
 struct MotionLibrary;    // motion_library.h
 class Ground;            // ground.h
-struct JudgedStep;  // step_measures.h
+struct JudgedStep;       // step_measures.h
 
 /// What the captures measure that a walk is made from, by measureGait.
 struct QualityAnchors {

@@ -24,7 +24,7 @@ struct TurnFeet {
 /// All by Side. Where nothing is captured of first and last steps, they are the walk's.
 struct SwingCycles {
   std::array<FootCycle, 2> walk, first, last;
-  FootCycle spot;  ///< of either foot (spotStep)
+  FootCycle spot;                              ///< of either foot (spotStep)
   std::array<std::vector<TurnFeet>, 2> turns;  ///< to the left, to the right; by growing rate
 
   FootBlend of(Side side, const FootState& state) const {

@@ -136,7 +136,9 @@ TEST_F(GraphClipsRead, ErrorsBetweenFramesDoNotKnowTheOrderOfClips) {
                   1e-3f * (1.0f + one.error(i, walk + j)));
     }
   }
-  const auto count = [](const ClusterGraph& graph) { return cutAt(graph, kGraphError).clusters.size(); };
+  const auto count = [](const ClusterGraph& graph) {
+    return cutAt(graph, kGraphError).clusters.size();
+  };
   EXPECT_NEAR(static_cast<double>(count(one)), static_cast<double>(count(two)),
               0.1 * static_cast<double>(count(one)));
 }

@@ -63,8 +63,10 @@ TEST_P(PlacedGrounds, HaveTheNormalsOfTheirHeights) {
   };
   for (int trial = 0; trial < 100; ++trial) {
     const Eigen::Vector2d p = randomVector(generator, 3.0).head<2>();
-    const double rise_x = (height(p.x() + kStep, p.y()) - height(p.x() - kStep, p.y())) / (2 * kStep);
-    const double rise_y = (height(p.x(), p.y() + kStep) - height(p.x(), p.y() - kStep)) / (2 * kStep);
+    const double rise_x =
+        (height(p.x() + kStep, p.y()) - height(p.x() - kStep, p.y())) / (2 * kStep);
+    const double rise_y =
+        (height(p.x(), p.y() + kStep) - height(p.x(), p.y() - kStep)) / (2 * kStep);
     if (std::abs(rise_x) + std::abs(rise_y) > 3.0) continue;  // a riser
     const Eigen::Vector3d wanted = Eigen::Vector3d(-rise_x, -rise_y, 1.0).normalized();
     const auto surface = ground->surface(p.x(), p.y(), 0.0, kAnyHeight);
