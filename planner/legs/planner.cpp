@@ -9,7 +9,7 @@
 #include "planner/legs/plan_run.h"
 #include "planner/roadmap/kept_roadmap.h"
 #include "planner/roadmap/visibility_roadmap.h"
-#include "planner/steering/walk_proposals.h"
+#include "planner/steering/ways_between.h"
 
 namespace amble {
 namespace {

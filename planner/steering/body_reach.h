@@ -17,6 +17,11 @@
 /// of it or as over the highest, or anyhow between: a ball is kept off by what it would touch at
 /// each of these heights. Ground in several layers it says nothing of.
 ///
+/// At open edges bodies lean out farther than kBeyond, to .23 m, over feet that stand within. Who
+/// gets by a thing there has ground beside it for his feet; and where there is ground beside a
+/// thing, a flood that leaves it by more than a ball's radius gets by, too. Only what hangs out
+/// over an edge, as the end of a beam, may be said to shut off where somebody leaned around it.
+///
 /// So "shut" is certain, up to walks that carry pelvis or chest otherwise than the straight one by
 /// more than that, of which tests find none; "not shut" says little.
 #pragma once

@@ -10,8 +10,8 @@
 #include "environments/ground/ground_cells.h"
 #include "planner/steering/passages.h"
 #include "planner/steering/walk_effort.h"
-#include "planner/steering/walk_proposals.h"
 #include "planner/steering/way_finder.h"
+#include "planner/steering/ways_between.h"
 
 namespace amble {
 namespace {

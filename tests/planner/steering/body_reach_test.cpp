@@ -169,6 +169,41 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
   EXPECT_GT(lifted, highest);  // somebody stepped over a log
 }
 
+// Of a floor without walls: a wall that leaves a strip along its edge is walked by, leaning out.
+TEST(BodyReach, NoWalkAlongAnOpenEdgeWasShutOff) {
+  SampleStream stream(6, 0);
+  int walked = 0;
+  double narrowest = HUGE_VAL;
+  for (int i = 0; i < 10; ++i) {
+    Scene scene = furnishedScene();
+    scene.objects.resize(1);
+    const Eigen::AlignedBox2d floor = FurnishedRoom(scene).ground.extent();
+    const double strip = stream.uniform(0.1, 0.8), south = floor.min().y() - 0.5;
+    const double breadth = floor.max().y() - strip - south;
+    scene.objects.push_back(
+        boxObject("wall", {0.1, breadth, 2.5}, {3, south + 0.5 * breadth, 1.25}));
+    const FurnishedRoom room(std::move(scene));
+    const WalkSteering steering(room.synthesizer, room.world, room.ground);
+    const auto scratch = steering.makeScratch();
+    for (int k = 0; k < 30; ++k) {
+      Waypoint from = anywhere(stream), to = anywhere(stream);
+      from.stance.position.x() = stream.uniform(0.5, 2.2);
+      to.stance.position.x() = stream.uniform(3.8, 5.5);
+      for (Waypoint* end : {&from, &to}) {
+        end->stance.position.y() = floor.max().y() - stream.uniform(0.0, 0.5);
+        end->stance.heading = stream.uniform(-0.3, 0.3);
+      }
+      if (!steering.steer(from, to, *scratch).edge) continue;
+      ++walked;
+      narrowest = std::min(narrowest, strip);
+      EXPECT_FALSE(
+          steering.shutOff(from.stance.position, to.stance.position, never, *scratch).has_value());
+    }
+  }
+  EXPECT_GE(walked, 15);
+  EXPECT_LT(narrowest, 0.5) << "narrower than anybody is";
+}
+
 // A room of 6 x 4 m with a step up to a platform.
 std::vector<SceneObject> platform(double height) {
   return {boxObject("platform", {2.0, 4.0, height}, {5, 2, 0.5 * height}),

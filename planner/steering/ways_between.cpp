@@ -1,4 +1,4 @@
-#include "planner/steering/walk_proposals.h"
+#include "planner/steering/ways_between.h"
 
 #include <algorithm>
 #include <array>
