@@ -193,7 +193,8 @@ std::optional<EdgePath> Plan::walkAllLegs() {
 std::optional<Obstruction> Plan::whyNot(const LegPlanner& planner) const {
   if (!outcome_.proved && !request_.limits.stopped()) {
     const auto shut = steering_.shutOffOnGround(
-        stops_[leg_].stance.position, stops_[leg_ + 1].stance.position, *steering_.makeScratch());
+        stops_[leg_].stance.position, stops_[leg_ + 1].stance.position,
+        [this] { return request_.limits.stopped(); }, *steering_.makeScratch());
     if (shut) return whatShutsOff(*shut, request_);
   }
   return planner.why();

@@ -171,9 +171,10 @@ std::optional<SteeringFailure> WalkSteering::shutOff(const Eigen::Vector3d& from
 
 std::optional<SteeringFailure> WalkSteering::shutOffOnGround(const Eigen::Vector3d& from,
                                                              const Eigen::Vector3d& to,
+                                                             const std::function<bool()>& stopped,
                                                              SteeringScratch& scratch) const {
-  const auto barrier = reach_.barrier(
-      from, to, world_, ground_, *walkScratch(scratch).collision, [] { return false; }, 0.0);
+  const auto barrier =
+      reach_.barrier(from, to, world_, ground_, *walkScratch(scratch).collision, stopped, 0.0);
   if (!barrier || barrier->object < 0) return std::nullopt;
   return disconnected(*barrier);
 }

@@ -62,6 +62,7 @@ class WalkSteering : public Steering {
   /// ground is open at its edge, since a body may lean out there. For reports.
   std::optional<SteeringFailure> shutOffOnGround(const Eigen::Vector3d& from,
                                                  const Eigen::Vector3d& to,
+                                                 const std::function<bool()>& stopped,
                                                  SteeringScratch& scratch) const;
 
   /// By a few small steps to a standing stance beside the first, in any direction, turning on the
