@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "planner/walk_proposals.h"
+#include "planner/refinement/walk_proposals.h"
 
 namespace amble {
 namespace {

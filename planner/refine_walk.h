@@ -21,8 +21,8 @@
 /// the same for any number of threads.
 #pragma once
 
-#include "planner/edge_path.h"
 #include "planner/plan_request.h"
+#include "planner/refinement/edge_path.h"
 #include "planner/search_limits.h"
 #include "planner/steering/steering.h"
 

@@ -19,7 +19,7 @@ set(rooms
   environments/furniture
   environments/scene environments/ground environments/body environments/collision environments/map
   planner/search_limits planner/plan_request
-  planner/steering planner/edge_path planner/why planner/walk_proposals planner/refine_walk
+  planner/steering planner/refinement planner/why planner/refine_walk
   planner/roadmap planner/ompl planner/legs planner/plan_walk
   scenarios
   viz viz/figure viz/pictures viz/exchange viz/page viz/regression

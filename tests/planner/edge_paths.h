@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/sample_stream.h"
-#include "planner/edge_path.h"
+#include "planner/refinement/edge_path.h"
 #include "tests/planner/disc_steering.h"
 
 namespace amble {

@@ -1,4 +1,4 @@
-#include "planner/edge_path.h"
+#include "planner/refinement/edge_path.h"
 
 #include <gtest/gtest.h>
 

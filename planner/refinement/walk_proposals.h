@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/sample_stream.h"
-#include "planner/edge_path.h"
+#include "planner/refinement/edge_path.h"
 
 namespace amble {
 

@@ -1,4 +1,4 @@
-#include "planner/walk_proposals.h"
+#include "planner/refinement/walk_proposals.h"
 
 #include <algorithm>
 #include <array>
