@@ -81,26 +81,27 @@ Polygon clip(const Triangle3& t, const Eigen::AlignedBox2d& box) {
 std::optional<double> heightOver(const Triangle3& t, double x, double y) {
   // Most of those asked are beside it; and a sliver's corner may be farther than a seam from all
   // that is between its edges.
-  for (const auto& [axis, value] : {std::pair(0, x), std::pair(1, y)}) {
+  const auto isBeyond = [&](int axis, double value) {
     const double a = t[0][axis], b = t[1][axis], c = t[2][axis];
-    if (value < std::min({a, b, c}) - kSeam || value > std::max({a, b, c}) + kSeam)
-      return std::nullopt;
-  }
-  const Eigen::Vector2d p(x, y);
-  std::array<double, 3> side;
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector2d a = t[k].head<2>(), edge = t[(k + 1) % 3].head<2>() - a;
-    side[k] = edge.x() * (p.y() - a.y()) - edge.y() * (p.x() - a.x());
-  }
+    return value < std::min(a, std::min(b, c)) - kSeam ||
+           value > std::max(a, std::max(b, c)) + kSeam;
+  };
+  if (isBeyond(0, x) || isBeyond(1, y)) return std::nullopt;
+  const auto sideOf = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
+  };
+  const std::array side = {sideOf(t[0], t[1]), sideOf(t[1], t[2]), sideOf(t[2], t[0])};
   const double twice_area = side[0] + side[1] + side[2];
   if (twice_area == 0.0) return std::nullopt;
   const double sign = twice_area < 0.0 ? -1.0 : 1.0;
   for (int k = 0; k < 3; ++k) {
     if (sign * side[k] >= 0.0) continue;
-    const double length = (t[(k + 1) % 3] - t[k]).head<2>().norm();
-    if (sign * side[k] < -kSeam * length) return std::nullopt;
+    const Eigen::Vector2d edge = (t[k < 2 ? k + 1 : 0] - t[k]).head<2>();
+    if (sign * side[k] < -kSeam * edge.lpNorm<1>()) return std::nullopt;  // no root is needed
+    if (sign * side[k] < -kSeam * edge.norm()) return std::nullopt;
   }
-  const auto [low, high] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
+  const double low = std::min(t[0].z(), std::min(t[1].z(), t[2].z()));
+  const double high = std::max(t[0].z(), std::max(t[1].z(), t[2].z()));
   if (low == high) return low;
   // side[k] weighs the corner opposite to edge k.
   const double z = (side[0] * t[2].z() + side[1] * t[0].z() + side[2] * t[1].z()) / twice_area;
