@@ -47,6 +47,17 @@ HeightRange heightsOf(const Triangle3& t) {
   return {low, high};
 }
 
+// Whether all of a triangle is beside a box of the plane.
+bool liesBeside(const Triangle3& t, const Eigen::AlignedBox2d& box) {
+  constexpr double kRounding = 1e-6;  // [m]
+  const auto isBeyond = [&](int axis) {
+    const double p = t[0][axis], q = t[1][axis], r = t[2][axis];
+    return std::max(p, std::max(q, r)) < box.min()[axis] - kRounding ||
+           std::min(p, std::min(q, r)) > box.max()[axis] + kRounding;
+  };
+  return isBeyond(0) || isBeyond(1);
+}
+
 // Whether a triangle may have its highest point over some strip between two heights.
 bool mayEndBetween(const Triangle3& t, const HeightRange& own, double low, double high) {
   if (own.high < low || own.low > high) return false;  // which most are
@@ -247,12 +258,14 @@ void SceneGround::surfaces(std::span<const Eigen::Vector2d> points, double z, do
 double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
                           double low, double high) const {
   const Strip strip({a, b}, half_width);
+  const Eigen::AlignedBox2d plan = strip.plan();
   double highest = kNone;
-  all().visitBox(strip.plan(), [&](int t) {
+  all().visitBox(plan, [&](int t) {
     const Triangle3& thing = all().triangles()[t];
     const HeightRange& own = parts_->heights[t];
     const double needed = std::max(highest, low);
-    if (own.high < needed || !mayEndBetween(thing, own, low, high)) return;
+    if (own.high < needed || liesBeside(thing, plan) || !mayEndBetween(thing, own, low, high))
+      return;
     if (strip.planeOf(thing).highestOver(0.0, strip.box.max().x(), half_width) < needed) return;
     highest = std::max(highest, strip.crestOf(thing, low, high));
   });
