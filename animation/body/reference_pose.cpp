@@ -77,8 +77,14 @@ ReferencePose meanPose(const Clip& clip, const JointRoles& roles) {
     std::swap(frames, before);
   }
   ReferencePose pose;
+  for (const RotationMean& joint : mean) pose.q_HJ.push_back(joint.mean());
+  // Who walks in a curve leans into it, in the mean too: upright are both hips at one height.
+  const std::vector<JointFrame> leant = posed(clip.skeleton, pose.q_HJ);
+  const Eigen::Vector3d left =
+      leant[roles.legs[kLeft].up_leg].p_WJ - leant[roles.legs[kRight].up_leg].p_WJ;
+  const Eigen::Quaterniond upright = turnBetween(left.normalized(), Eigen::Vector3d::UnitY());
   for (int j = 0; j < joints; ++j) {
-    pose.q_HJ.push_back((standing[j].empty() ? mean[j] : standing[j]).mean());
+    pose.q_HJ[j] = standing[j].empty() ? upright * pose.q_HJ[j] : standing[j].mean();
   }
   return pose;
 }

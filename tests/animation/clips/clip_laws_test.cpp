@@ -98,8 +98,8 @@ TEST_F(ClipLaws, InAMirrorThePelvisGoesAndFacesTheOtherWay) {
     const std::vector<Eigen::Vector3d> way = pelvisPath(one.clip, one.roles),
                                        other_way = pelvisPath(image, one.roles);
     for (size_t i = 0; i < here.size(); i += 10) {
-      // The mean pose of a short run in a curve, which is its rig's reference, leans by as much.
-      EXPECT_NEAR(wrapAngle(here[i] + there[i]), 0.0, 8.0 * kDegree) << one.path;
+      // Rigs whose one hip is put before the other face askew by as much, whoever is in the mirror.
+      EXPECT_NEAR(wrapAngle(here[i] + there[i]), 0.0, 1.5 * kDegree) << one.path;
       const Eigen::Vector3d& p = way[i];
       EXPECT_LT((Eigen::Vector3d(p.x(), -p.y(), p.z()) - other_way[i]).norm(), 1e-9) << one.path;
     }
