@@ -26,11 +26,13 @@ ClearanceMap::ClearanceMap(const SceneGround& ground, const Eigen::AlignedBox2d&
   if (made) {
     source_.resize(size());
     spare_.assign(size(), static_cast<float>(kFarthest));
+    measureDistances();
     markEdges();
     made = markObstacles(ground, stopped) && spread(stopped);
   }
   source_ = {};
   queue_ = {};
+  distance_ = {};
   if (!made) height_.clear();  // no places
 }
 
@@ -100,25 +102,41 @@ int ClearanceMap::placeAt(const Eigen::Vector3d& p) const {
   return best;
 }
 
-ClearanceMap::Source ClearanceMap::cellsTo(int place, int cell, int band) const {
-  const int dx = cell_of_[place] % count_.x() - cell % count_.x();
-  const int dy = cell_of_[place] / count_.x() - cell / count_.x();
-  return {static_cast<std::int16_t>(dx), static_cast<std::int16_t>(dy),
-          static_cast<std::int16_t>(band)};
+// As far as anything is seen that takes room, and a cell on.
+void ClearanceMap::measureDistances() {
+  double breadth = body_.feet;
+  for (const Band& band : body_.bands) breadth = std::max(breadth, band.half_breadth);
+  far_ = static_cast<int>((kFarthest + breadth) / cell_) + 3;
+  distance_.reserve(static_cast<size_t>(far_) * far_);
+  for (int y = 0; y < far_; ++y) {
+    for (int x = 0; x < far_; ++x) {
+      const double dx = x, dy = y;
+      distance_.push_back(std::max(0.0, cell_ * (std::sqrt(dx * dx + dy * dy) - 0.5)));
+    }
+  }
 }
 
+// More than kFarthest where the obstacle is too far away to matter.
 double ClearanceMap::spareFrom(const Source& source) const {
-  const double dx = source.dx, dy = source.dy;
-  const double distance = std::max(0.0, cell_ * (std::sqrt(dx * dx + dy * dy) - 0.5));
-  return distance - (source.band < 0 ? body_.feet : body_.bands[source.band].half_breadth);
+  const int dx = std::abs(source.dx), dy = std::abs(source.dy);
+  if (dx >= far_ || dy >= far_) return HUGE_VAL;
+  return distance_[static_cast<size_t>(dy) * far_ + dx] -
+         (source.band < 0 ? body_.feet : body_.bands[source.band].half_breadth);
 }
 
+bool ClearanceMap::isNews(int place, double spare) const {
+  return spare <= spare_[place] - kLeastGain;
+}
+
+// A place that waits in the queue already passes on what it has seen by then.
 void ClearanceMap::see(int place, const Source& source) {
   const double spare = spareFrom(source);
-  if (spare > spare_[place] - kLeastGain) return;
+  if (!isNews(place, spare)) return;
+  const bool waits = source_[place].waits;
   spare_[place] = static_cast<float>(spare);
   source_[place] = source;
-  queue_.push_back(place);
+  source_[place].waits = true;
+  if (!waits) queue_.push_back(place);
 }
 
 // Places beside which no step leads on: feet must stay off.
@@ -144,21 +162,55 @@ bool ClearanceMap::markObstacles(const SceneGround& ground, const std::function<
   return true;
 }
 
-// Row after row of cells, and in each only the columns that the triangle lies over.
+// Whether something over a cell, between two heights, may be nearer to one of its places than what
+// that has seen.
+bool ClearanceMap::isNewsTo(const Eigen::Vector2i& cell, double low, double high) const {
+  return anyOver(cell, low, high,
+                 [&](int place, const Source& source) { return isNews(place, spareFrom(source)); });
+}
+
+// The same of cells that a small triangle lies over, or beside; of a large one it is not asked.
+bool ClearanceMap::mayBeNews(const Triangle3& t, double low, double high) const {
+  constexpr int kFewCells = 9;
+  Eigen::AlignedBox2d around;
+  for (const Eigen::Vector3d& corner : t) around.extend(corner.head<2>().eval());
+  const Eigen::Vector2d max = min_ + cell_ * count_.cast<double>();
+  if (!around.intersects({min_, max})) return true;
+  const Eigen::Vector2i first = cellAt(around.min().array() - kBesideRound);
+  const Eigen::Vector2i last = cellAt(around.max().array() + kBesideRound);
+  if ((last - first + Eigen::Vector2i::Ones()).prod() > kFewCells) return true;
+  for (int row = first.y(); row <= last.y(); ++row)
+    for (int column = first.x(); column <= last.x(); ++column)
+      if (isNewsTo({column, row}, low, high)) return true;
+  return false;
+}
+
+// That a point is over, or the nearest to it.
+Eigen::Vector2i ClearanceMap::cellAt(const Eigen::Vector2d& p) const {
+  const auto index = [&](int axis) {
+    return static_cast<int>(std::clamp((p[axis] - min_[axis]) / cell_, 0.0, count_[axis] - 1.0));
+  };
+  return {index(0), index(1)};
+}
+
+// Row after row of cells, and in each only the columns that the triangle lies over; and of these
+// only the cells to which it may be news: meshes have many triangles over one.
 void ClearanceMap::markTriangle(const Triangle3& t) {
+  const auto [lowest, highest] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
+  const double low = lowest - kBesideRound, high = highest + kBesideRound;
+  if (!mayBeNews(t, low, high)) return;
   const Eigen::Vector2d max = min_ + cell_ * count_.cast<double>();
   const auto inside = boundsWithin(t, {min_, max});
   if (!inside) return;
-  const auto index = [&](double value, int axis) {
-    return std::clamp(static_cast<int>((value - min_[axis]) / cell_), 0, count_[axis] - 1);
-  };
-  for (int row = index(inside->min().y(), 1); row <= index(inside->max().y(), 1); ++row) {
+  const int last_row = cellAt(inside->max().head<2>()).y();
+  for (int row = cellAt(inside->min().head<2>()).y(); row <= last_row; ++row) {
     const double y = min_.y() + cell_ * row;
     const auto strip =
         boundsWithin(t, {Eigen::Vector2d(min_.x(), y), Eigen::Vector2d(max.x(), y + cell_)});
     if (!strip) continue;
-    const int last = index(strip->max().x(), 0);
-    for (int column = index(strip->min().x(), 0); column <= last; ++column) {
+    const int last = cellAt(strip->max().head<2>()).x();
+    for (int column = cellAt(strip->min().head<2>()).x(); column <= last; ++column) {
+      if (!isNewsTo({column, row}, low, high)) continue;
       const Eigen::Vector2d corner(min_.x() + cell_ * column, y);
       const auto heights = heightsWithin(t, {corner, corner + Eigen::Vector2d::Constant(cell_)});
       if (heights) markColumn({column, row}, heights->low, heights->high);
@@ -166,37 +218,51 @@ void ClearanceMap::markTriangle(const Triangle3& t) {
   }
 }
 
-// What is over a cell, for its places; where it has none, as under a wall that its floor ends at,
-// for those around it.
-void ClearanceMap::markColumn(const Eigen::Vector2i& at, double low, double high) {
+// Shows what is over a cell between two heights to its places; where it has none, as under a wall
+// that its floor ends at, to those around it: visit(place, source) until one says yes.
+template <typename Visit>
+bool ClearanceMap::anyOver(const Eigen::Vector2i& at, double low, double high, Visit visit) const {
   const int own = at.y() * count_.x() + at.x();
   const int far = start_[own] < start_[own + 1] ? 0 : kBesideGround;
+  const int bands = static_cast<int>(body_.bands.size());
   for (int y = std::max(0, at.y() - far); y <= std::min(count_.y() - 1, at.y() + far); ++y) {
     for (int x = std::max(0, at.x() - far); x <= std::min(count_.x() - 1, at.x() + far); ++x) {
       const int cell = y * count_.x() + x;
+      Source source{static_cast<std::int16_t>(x - at.x()), static_cast<std::int16_t>(y - at.y())};
       for (int place = start_[cell]; place < start_[cell + 1]; ++place) {
-        for (int band = 0; band < static_cast<int>(body_.bands.size()); ++band) {
-          if (low < height_[place] + body_.bands[band].high &&
-              high > height_[place] + body_.bands[band].low)
-            see(place, cellsTo(place, own, band));
+        const double height = height_[place];
+        for (source.band = 0; source.band < bands; ++source.band) {
+          const Band& band = body_.bands[source.band];
+          if (low < height + band.high && high > height + band.low && visit(place, source))
+            return true;
         }
       }
     }
   }
+  return false;
+}
+
+void ClearanceMap::markColumn(const Eigen::Vector2i& at, double low, double high) {
+  anyOver(at, low, high, [&](int place, const Source& source) {
+    see(place, source);
+    return false;
+  });
 }
 
 bool ClearanceMap::spread(const std::function<bool()>& stopped) {
   for (size_t next = 0; next < queue_.size(); ++next) {
     if (next % kStopEvery == 0 && stopped()) return false;
     const int place = queue_[next];
+    source_[place].waits = false;
     const Source source = source_[place];
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
         if (dx == 0 && dy == 0) continue;
+        const Source beyond{static_cast<std::int16_t>(source.dx + dx),
+                            static_cast<std::int16_t>(source.dy + dy), source.band};
+        if (spareFrom(beyond) > kFarthest) continue;
         const int other = beside(place, dx, dy);
-        if (other < 0) continue;
-        see(other, {static_cast<std::int16_t>(source.dx + dx),
-                    static_cast<std::int16_t>(source.dy + dy), source.band});
+        if (other >= 0) see(other, beyond);
       }
     }
   }

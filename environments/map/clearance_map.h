@@ -68,7 +68,8 @@ class ClearanceMap {
   // What a place's spare room is measured to: so many cells away.
   struct Source {
     std::int16_t dx = 0, dy = 0;
-    std::int16_t band = kFeet;  // of the body
+    std::int8_t band = kFeet;  // of the body
+    bool waits = false;        // the place is in the queue
   };
   static constexpr int kFeet = -1;
 
@@ -79,9 +80,15 @@ class ClearanceMap {
   bool spread(const std::function<bool()>& stopped);
   void markEdges();
   void markTriangle(const Triangle3& t);
+  bool isNewsTo(const Eigen::Vector2i& cell, double low, double high) const;
+  bool mayBeNews(const Triangle3& t, double low, double high) const;
+  Eigen::Vector2i cellAt(const Eigen::Vector2d& p) const;
   void markColumn(const Eigen::Vector2i& at, double low, double high);
+  template <typename Visit>
+  bool anyOver(const Eigen::Vector2i& at, double low, double high, Visit visit) const;
+  void measureDistances();
   double spareFrom(const Source& source) const;
-  Source cellsTo(int place, int cell, int band) const;
+  bool isNews(int place, double spare) const;
   void see(int place, const Source& source);
 
   Breadth body_;
@@ -95,6 +102,9 @@ class ClearanceMap {
   std::vector<float> spare_;    // by place [m]
   std::vector<Source> source_;  // by place, while the map is built
   std::vector<int> queue_;      // places that saw something nearer, while the map is built
+  // To an obstacle so many cells away along x and y, while the map is built [m].
+  std::vector<double> distance_;
+  int far_ = 0;  // cells along a side of these
 };
 
 }  // namespace amble
