@@ -51,9 +51,64 @@ std::vector<double> changeOf(const std::vector<double>& height, double factor, d
                       : averaged(clear, frame_time, kSmooth);
 }
 
-void liftSwing(const Swing& swing, double factor, double heel, double frame_time, FootTrack& foot) {
+/// Where the toes of one foot are at each frame as captured [m, World]; empty without tips.
+struct ToeTips {
+  std::vector<Eigen::Vector3d> joint, tip;
+
+  ToeTips(const Clip& clip, int toe) {
+    if (toe < 0 || clip.skeleton.joint(toe).end_sites.empty()) return;
+    const auto& sites = clip.skeleton.joint(toe).end_sites;
+    const Eigen::Vector3d& farthest = *std::max_element(
+        sites.begin(), sites.end(), [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+          return a.squaredNorm() < b.squaredNorm();
+        });
+    std::vector<JointFrame> joints(clip.skeleton.size());
+    for (int i = 0; i < clip.frames(); ++i) {
+      forwardKinematics(clip, i, joints);
+      joint.push_back(joints[toe].p_WJ);
+      tip.push_back(joints[toe] * farthest);
+    }
+  }
+};
+
+/// Of a bone from `joint` to `tip`, how far its tip is turned up for it to be `higher` [m]; upright
+/// where that is too far [rad, >= 0].
+double turnUp(const Eigen::Vector3d& bone, double higher) {
+  const double length = bone.norm();
+  const auto elevation = [&](double z) { return std::asin(std::clamp(z / length, -1.0, 1.0)); };
+  return elevation(bone.z() + higher) - elevation(bone.z());
+}
+
+/// Turns toes up where the foot is lowered so far that their tips come below the line between the
+/// prints, over which they stand, and below where they were captured.
+void bendToes(const Swing& swing, const std::vector<double>& change, const ToeTips& toes,
+              double frame_time, FootTrack& foot) {
+  if (toes.tip.empty()) return;
+  const auto over = [&](int i) {
+    const SoleEnds from{swing.from.ends.ball, swing.from.ends.ball},
+        to{swing.to.ends.ball, swing.to.ends.ball};
+    return heightOver(from, to, {toes.tip[i], toes.tip[i]});
+  };
+  const double stood = over((swing.from.plant.first + swing.from.plant.last) / 2);
+  std::vector<double> turn(foot.toe.size(), 0.0);
+  for (int i = swing.first(); i <= swing.last(); ++i) {
+    const double captured = over(i), lowest = std::min(captured, stood);
+    const double missing = lowest - (captured + change[i]);
+    if (missing > 0.0) turn[i] = turnUp(toes.tip[i] - toes.joint[i], missing);
+  }
+  const std::vector<double> smooth = curveOver(turn, frame_time, kSmoothUnder);
+  for (size_t i = 0; i < smooth.size(); ++i) {
+    if (smooth[i] == 0.0) continue;
+    const Eigen::Vector3d axis = (toes.tip[i] - toes.joint[i]).cross(Eigen::Vector3d::UnitZ());
+    if (!(axis.norm() > 0.0)) continue;
+    foot.toes[i] = Eigen::AngleAxisd(smooth[i], axis.normalized()) * foot.toes[i];
+  }
+}
+
+void liftSwing(const Swing& swing, double factor, double heel, double frame_time,
+               const ToeTips& toes, FootTrack& foot) {
   const std::vector<double> height = heights(swing, foot, heel);
-  const std::vector<double> change = changeOf(height, factor, frame_time);
+  std::vector<double> change = changeOf(height, factor, frame_time);
   const double lift = *std::max_element(height.begin(), height.end());
   const double most = *std::max_element(change.begin(), change.end());
   if (!(lift > 0.0)) return;
@@ -65,8 +120,10 @@ void liftSwing(const Swing& swing, double factor, double heel, double frame_time
     }
   }
   for (size_t i = 0; i < change.size(); ++i) {
-    foot.move(static_cast<int>(i), {0.0, 0.0, share * change[i]});
+    change[i] *= share;
+    foot.move(static_cast<int>(i), {0.0, 0.0, change[i]});
   }
+  if (factor < 1.0) bendToes(swing, change, toes, frame_time, foot);
 }
 
 }  // namespace
@@ -75,13 +132,14 @@ void scaleLift(const CapturedWalk& walk, const std::function<double(int frame)>&
                WalkTracks& tracks) {
   for (const Side side : {kLeft, kRight}) {
     const double heel = kAnkleHeightOfLeg * walk.roles.legLength(walk.clip.skeleton, side);
+    const ToeTips toes(walk.clip, walk.roles.legs[side].toe);
     const PlantMeasures* before = nullptr;
     for (const PlantMeasures& plant : walk.analysis.gait.plants) {
       if (plant.side != side) continue;
       if (before != nullptr) {
         const Swing swing{*before, plant};
         const double of_swing = factor((swing.first() + swing.last()) / 2);
-        liftSwing(swing, of_swing, heel, walk.clip.frame_time, tracks.feet[side]);
+        liftSwing(swing, of_swing, heel, walk.clip.frame_time, toes, tracks.feet[side]);
       }
       before = &plant;
     }

@@ -14,8 +14,8 @@ namespace amble {
 
 /// Each swing's lift, as StepMeasure has it, becomes what it was times `factor` in the middle of
 /// the swing [> 0]; 1 changes nothing. Where it is less, heel and ball stay over the line between
-/// the prints where they were; tips of toes that hang, which no lift looks at, may go below it: by
-/// 25 mm in our captures at half the lift.
+/// the prints where they were; toes whose tips hang turn up as far as it takes for these to stay,
+/// too.
 void scaleLift(const CapturedWalk& walk, const std::function<double(int frame)>& factor,
                WalkTracks& tracks);
 

@@ -81,6 +81,14 @@ void turnLeg(const CapturedFrame& frame, const Skeleton& skeleton, const LegJoin
   for (const int joint : {leg.up_leg, leg.leg, leg.foot}) q[joint].normalize();
 }
 
+/// Turns the toes, where they are turned, as their foot was captured.
+void turnToes(const CapturedFrame& frame, const Skeleton& skeleton, int toe,
+              const Eigen::Quaterniond& turn, std::span<Eigen::Quaterniond> q) {
+  if (toe < 0 || turn.vec().isZero(0.0)) return;
+  const Eigen::Quaterniond& q_WP = frame.joints[skeleton.joint(toe).parent].q_WJ;
+  q[toe] = (q_WP.conjugate() * turn * q_WP * q[toe]).normalized();
+}
+
 }  // namespace
 
 WalkTracks tracksOf(const Clip& clip, const JointRoles& roles) {
@@ -95,6 +103,7 @@ WalkTracks tracksOf(const Clip& clip, const JointRoles& roles) {
       tracks.feet[side].ankle.push_back(foot.p_WJ);
       tracks.feet[side].toe.emplace_back(paths[side].block<1, 3>(i, 3).transpose());
       tracks.feet[side].q_WF.push_back(foot.q_WJ);
+      tracks.feet[side].toes.push_back(Eigen::Quaterniond::Identity());
     }
   }
   return tracks;
@@ -130,6 +139,8 @@ Clip followTracks(const Clip& clip, const JointRoles& roles, const WalkTracks& t
       took.missed = std::max(took.missed, change.miss);
       turnLeg(frame, clip.skeleton, roles.legs[side], change, tracks.feet[side].q_WF[i],
               result.poses.rotations(i));
+      turnToes(frame, clip.skeleton, roles.legs[side].toe, tracks.feet[side].toes[i],
+               result.poses.rotations(i));
     }
   }
   if (fit != nullptr) *fit = took;

@@ -15,6 +15,9 @@ struct FootTrack {
   std::vector<Eigen::Vector3d> ankle;  ///< its joint [m]
   std::vector<Eigen::Vector3d> toe;    ///< its toe joint, or what stands for it (foot_paths.h) [m]
   std::vector<Eigen::Quaterniond> q_WF;  ///< of its joint
+  /// What its toes turn by, as its foot was captured, in World: the identity but where they give
+  /// way.
+  std::vector<Eigen::Quaterniond> toes;
 
   void move(int frame, const Eigen::Vector3d& by) {
     ankle[frame] += by;
@@ -42,8 +45,8 @@ struct TrackFit {
 
 /// The clip with root and feet where the tracks have them. Where a leg would have to be longer than
 /// it was captured at that frame, and than kStraightest of its length, the hips go down: one smooth
-/// curve over all that is missing. Joints but the root's place, thighs, shanks and feet keep their
-/// rotations to the bit. Tracks as they were captured give the clip back.
+/// curve over all that is missing. Joints but the root's place, thighs, shanks, feet and toes that
+/// give way keep their rotations to the bit. Tracks as they were captured give the clip back.
 /// @pre a row a frame; no joint_positions
 Clip followTracks(const Clip& clip, const JointRoles& roles, const WalkTracks& tracks,
                   TrackFit* fit = nullptr);

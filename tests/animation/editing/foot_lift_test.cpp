@@ -100,6 +100,27 @@ TEST_P(FootLifts, LoweredPutNoFootIntoTheFloor) {
   }
 }
 
+// Tips of toes are where they were or over where they stand, seen from the line between the prints.
+TEST_P(FootLifts, LoweredPutNoToesIntoTheFloor) {
+  for (const double factor : {0.3, 0.5, 0.8}) {
+    const Lifted lifted(walk, factor);
+    const Clip edited = followTracks(walk.clip, walk.roles, lifted.after);
+    lifted.swings([&](const PlantMeasures& from, const PlantMeasures& to) {
+      const int toe = walk.roles.legs[from.side].toe;
+      if (toe < 0 || walk.clip.skeleton.joint(toe).end_sites.size() != 1) return;
+      const auto tipOf = [&](const Clip& clip, int i) {
+        const Eigen::Vector3d tip =
+            jointFrames(clip, i)[toe] * clip.skeleton.joint(toe).end_sites[0];
+        const SoleEnds before{from.ends.ball, from.ends.ball}, after{to.ends.ball, to.ends.ball};
+        return heightOver(before, after, {tip, tip});
+      };
+      const double stood = tipOf(walk.clip, (from.plant.first + from.plant.last) / 2);
+      for (int i = from.plant.last; i <= to.plant.first; ++i)
+        EXPECT_GT(tipOf(edited, i), std::min(stood, tipOf(walk.clip, i)) - 1e-3) << i;
+    });
+  }
+}
+
 // What is raised is smoothed over half a tenth of a second; what is lowered ends with the swing.
 TEST_P(FootLifts, LeaveFeetThatStandWhereTheyAre) {
   const int reach = static_cast<int>(std::ceil(0.05 / walk.clip.frame_time)) + 1;
