@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <queue>
 #include <utility>
 
 #include "planner/steering/ground_range.h"
@@ -23,6 +25,7 @@ constexpr double kFeet = 0.5;
 constexpr double kLevels = 0.04;  // between heights at which a ball is tried where ground is uneven
 constexpr double kSmallest = 0.01;   // a smaller ball is none [m]
 constexpr int kStopEvery = 1 << 10;  // squares between looks at the clock
+constexpr double kOpenSquare = 0.2;  // of the flood over what all balls pass [m]
 
 // The axis of a part over a walk: heights over the ground, and how far it is from the path.
 struct PartWay {
@@ -77,6 +80,56 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
   }
   std::stable_sort(balls_.begin(), balls_.end(),
                    [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
+}
+
+// Whether all balls pass from one end to the other for sure, by squares in which none of them would
+// touch anything, whatever of the ground around they are carried over; the nearest to the other end
+// first. No says nothing.
+bool BodyReach::isOpen(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                       const CollisionWorld& world, const SceneGround& ground,
+                       CollisionScratch& scratch, const std::function<bool()>& stopped) const {
+  const Eigen::AlignedBox2d region = ground.extent();
+  const Eigen::Array2d squares = region.sizes().array() / kOpenSquare;
+  if (balls_.empty() || squares.prod() > kMostSquares) return false;
+  const GroundRange range(ground, kFeet * stature_ + kOpenSquare);  // around all of a square
+  const Eigen::Vector2i count = squares.cast<int>();
+  double low = HUGE_VAL, high = 0.0, aside = HUGE_VAL;
+  for (const Ball& ball : balls_) {
+    low = std::min(low, ball.height);
+    high = std::max({high, ball.height, ball.top});
+    aside = std::min(aside, ball.aside);
+  }
+  const double radius = balls_.front().radius + std::sqrt(0.5) * kOpenSquare;
+  const auto middle = [&](int x, int y) -> Eigen::Vector2d {
+    return region.min() + kOpenSquare * Eigen::Vector2d(x + 0.5, y + 0.5);
+  };
+  std::vector<bool> known(static_cast<size_t>(count.x()) * count.y());
+  using Open = std::pair<double, int>;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  const auto reach = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= count.x() || y >= count.y() || known[y * count.x() + x]) return;
+    known[y * count.x() + x] = true;
+    const Eigen::Vector2d p = middle(x, y);
+    const Eigen::AlignedBox1d z = range.around(p);
+    if (z.isEmpty() || world.touched({p.x(), p.y(), z.min()[0] + low},
+                                     {p.x(), p.y(), z.max()[0] + high}, radius, scratch) < 0)
+      open.emplace((p - to.head<2>()).norm(), y * count.x() + x);
+  };
+  const int far = static_cast<int>(std::ceil(aside / kOpenSquare));
+  const Eigen::Vector2i at = ((from.head<2>() - region.min()) / kOpenSquare).cast<int>();
+  for (int y = at.y() - far; y <= at.y() + far; ++y) {
+    for (int x = at.x() - far; x <= at.x() + far; ++x)
+      if ((middle(x, y) - from.head<2>()).norm() <= aside) reach(x, y);
+  }
+  for (long long i = 1; !open.empty(); ++i) {
+    const auto [distance, square] = open.top();
+    if (distance <= aside) return true;
+    if (i % kStopEvery == 0 && stopped()) return false;
+    open.pop();
+    const int x = square % count.x(), y = square / count.x();
+    for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) reach(x + dx, y + dy);
+  }
+  return false;
 }
 
 // Of one ball, from both ends in turn.
@@ -266,8 +319,10 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
     const SceneGround& ground, CollisionScratch& scratch, const std::function<bool()>& stopped,
     double beyond) const {
   const GroundRange range(ground, kFeet * stature_);
-  if (!range.isKnown()) return std::nullopt;
-  for (const Ball& ball : balls_) {
+  if (!range.isKnown() || isOpen(from, to, world, ground, scratch, stopped)) return std::nullopt;
+  for (size_t i = 0; i < balls_.size(); ++i) {
+    const Ball& ball = balls_[i];
+    if (i > 0 && ball.isAsWide(balls_[i - 1])) continue;  // the other leg
     Flood flood(ball, from, to, world, ground, range, beyond, scratch);
     if (flood.isShut(stopped)) return flood.barrier();
   }
