@@ -25,7 +25,6 @@ ClearanceMap::ClearanceMap(const SceneGround& ground, const Eigen::AlignedBox2d&
   bool made = layPlaces(ground, bounds, stopped);
   if (made) {
     source_.resize(size());
-    spare_.assign(size(), static_cast<float>(kFarthest));
     measureDistances();
     markEdges();
     made = markObstacles(ground, stopped) && spread(stopped);
@@ -33,7 +32,7 @@ ClearanceMap::ClearanceMap(const SceneGround& ground, const Eigen::AlignedBox2d&
   source_ = {};
   queue_ = {};
   distance_ = {};
-  if (!made) height_.clear();  // no places
+  if (!made) places_.clear();
 }
 
 bool ClearanceMap::layPlaces(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
@@ -59,25 +58,12 @@ bool ClearanceMap::layPlaces(const SceneGround& ground, const Eigen::AlignedBox2
       for (const GroundCells::Span& span : squares.spans(square.x(), square.y())) {
         if (!span.ground || is_rim) continue;
         cell_of_.push_back(row * count_.x() + column);
-        height_.push_back(static_cast<float>(span.height));
+        places_.push_back({static_cast<float>(span.height), static_cast<float>(kFarthest)});
       }
       start_.push_back(size());
     }
   }
   return true;
-}
-
-int ClearanceMap::beside(int place, int dx, int dy) const {
-  const int cell = cell_of_[place] + dy * count_.x() + dx;
-  int best = -1;
-  float least = static_cast<float>(step_);
-  for (int i = start_[cell]; i < start_[cell + 1]; ++i) {
-    const float rise = std::abs(height_[i] - height_[place]);
-    if (rise > least) continue;
-    least = rise;
-    best = i;
-  }
-  return best;
 }
 
 int ClearanceMap::placeAt(const Eigen::Vector3d& p) const {
@@ -91,7 +77,7 @@ int ClearanceMap::placeAt(const Eigen::Vector3d& p) const {
       if (!(x >= 0 && y >= 0 && x < count_.x() && y < count_.y())) continue;
       const int cell = static_cast<int>(y) * count_.x() + static_cast<int>(x);
       for (int place = start_[cell]; place < start_[cell + 1]; ++place) {
-        const double off = std::abs(height_[place] - p.z());
+        const double off = std::abs(places_[place].height - p.z());
         const double distance = off + cell_ * std::hypot(i, j);
         if (off > kSameFloor || distance >= least) continue;
         least = distance;
@@ -125,7 +111,7 @@ double ClearanceMap::spareFrom(const Source& source) const {
 }
 
 bool ClearanceMap::isNews(int place, double spare) const {
-  return spare <= spare_[place] - kLeastGain;
+  return spare <= places_[place].spare - kLeastGain;
 }
 
 // A place that waits in the queue already passes on what it has seen by then.
@@ -133,7 +119,7 @@ void ClearanceMap::see(int place, const Source& source) {
   const double spare = spareFrom(source);
   if (!isNews(place, spare)) return;
   const bool waits = source_[place].waits;
-  spare_[place] = static_cast<float>(spare);
+  places_[place].spare = static_cast<float>(spare);
   source_[place] = source;
   source_[place].waits = true;
   if (!waits) queue_.push_back(place);
@@ -230,7 +216,7 @@ bool ClearanceMap::anyOver(const Eigen::Vector2i& at, double low, double high, V
       const int cell = y * count_.x() + x;
       Source source{static_cast<std::int16_t>(x - at.x()), static_cast<std::int16_t>(y - at.y())};
       for (int place = start_[cell]; place < start_[cell + 1]; ++place) {
-        const double height = height_[place];
+        const double height = places_[place].height;
         for (source.band = 0; source.band < bands; ++source.band) {
           const Band& band = body_.bands[source.band];
           if (low < height + band.high && high > height + band.low && visit(place, source))

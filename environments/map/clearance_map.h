@@ -16,6 +16,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -51,16 +52,27 @@ class ClearanceMap {
       const std::function<bool()>& stopped = [] { return false; });
 
   /// Places are numbered from 0.
-  int size() const { return static_cast<int>(height_.size()); }
+  int size() const { return static_cast<int>(places_.size()); }
   double cell() const { return cell_; }  ///< [m, > 0]
   Eigen::Vector3d at(int place) const {
     return {min_.x() + cell_ * (cell_of_[place] % count_.x() + 0.5),
-            min_.y() + cell_ * (cell_of_[place] / count_.x() + 0.5), height_[place]};
+            min_.y() + cell_ * (cell_of_[place] / count_.x() + 0.5), places_[place].height};
   }
   /// Room to either side, at most kFarthest; negative where the body does not fit [m].
-  double spare(int place) const { return spare_[place]; }
+  double spare(int place) const { return places_[place].spare; }
   /// The place beside one, `dx` and `dy` cells on, to which a step leads [-1 to 1 each]; -1: none.
-  int beside(int place, int dx, int dy) const;
+  int beside(int place, int dx, int dy) const {
+    const int cell = cell_of_[place] + dy * count_.x() + dx;
+    int best = -1;
+    float least = static_cast<float>(step_);
+    for (int i = start_[cell]; i < start_[cell + 1]; ++i) {
+      const float rise = std::abs(places_[i].height - places_[place].height);
+      if (rise > least) continue;
+      least = rise;
+      best = i;
+    }
+    return best;
+  }
   /// That which somebody stands on at p, or the nearest to it within a few cells; -1: none.
   int placeAt(const Eigen::Vector3d& p) const;
 
@@ -95,11 +107,13 @@ class ClearanceMap {
   Eigen::Vector2d min_{0, 0};
   Eigen::Vector2i count_{0, 0};  // cells; those at the rim have no places
   double cell_ = kCell;
-  double step_ = 0.0;           // highest [m]
-  std::vector<int> start_;      // of each cell's places, lowest first; x fastest; and the end
-  std::vector<int> cell_of_;    // by place
-  std::vector<float> height_;   // by place [m]
-  std::vector<float> spare_;    // by place [m]
+  double step_ = 0.0;         // highest [m]
+  std::vector<int> start_;    // of each cell's places, lowest first; x fastest; and the end
+  std::vector<int> cell_of_;  // by place
+  struct Place {
+    float height, spare;  // [m]
+  };
+  std::vector<Place> places_;
   std::vector<Source> source_;  // by place, while the map is built
   std::vector<int> queue_;      // places that saw something nearer, while the map is built
   // To an obstacle so many cells away along x and y, while the map is built [m].

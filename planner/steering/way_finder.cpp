@@ -67,38 +67,45 @@ double WayFinder::tightest(int place) const {
 // Places from end to end; none where the map knows no way.
 std::vector<int> WayFinder::cheapest() const {
   if (from_ < 0 || to_ < 0) return {};
+  const double diagonal = std::hypot(1, 1);
   const Eigen::Vector3d goal = map_->at(to_);
-  std::vector<float> cost(map_->size(), HUGE_VALF);
-  std::vector<int> before(map_->size(), -1);
+  struct Reached {
+    float cost = HUGE_VALF;
+    int before = -1;
+  };
+  std::vector<Reached> reached(map_->size());
   using Entry = std::pair<float, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
   const auto least = [&](int place) {
     return static_cast<float>((map_->at(place) - goal).head<2>().norm());
   };
-  cost[from_] = 0.0f;
+  reached[from_].cost = 0.0f;
   open.emplace(least(from_), from_);
   for (long long i = 0; !open.empty(); ++i) {
     if (i % kPlacesEvery == 0 && stopped_()) return {};
     const auto [estimate, place] = open.top();
     open.pop();
     if (place == to_) break;
-    if (estimate > cost[place] + least(place) + 1e-4f) continue;
+    const float cost = reached[place].cost;
+    if (estimate > cost + least(place) + 1e-4f) continue;
     for (const auto& [dx, dy] : kAround) {
       const int other = map_->beside(place, dx, dy);
       if (other < 0) continue;
-      if (map_->spare(other) < kTightest && map_->spare(other) < tightest(other)) continue;
       const double rise = std::abs(map_->at(other).z() - map_->at(place).z());
-      const double length = map_->cell() * std::hypot(dx, dy) + kWayOfClimb * rise;
-      const float total = cost[place] + static_cast<float>(length * factor(other));
-      if (total >= cost[other]) continue;
-      cost[other] = total;
-      before[other] = place;
+      const double length =
+          map_->cell() * (dx != 0 && dy != 0 ? diagonal : 1.0) + kWayOfClimb * rise;
+      // No factor is less than 1: most places are known to be reached as well already.
+      if (cost + static_cast<float>(length) >= reached[other].cost) continue;
+      if (map_->spare(other) < kTightest && map_->spare(other) < tightest(other)) continue;
+      const float total = cost + static_cast<float>(length * factor(other));
+      if (total >= reached[other].cost) continue;
+      reached[other] = {total, place};
       open.emplace(total + least(other), other);
     }
   }
   std::vector<int> way;
-  if (before[to_] < 0 && to_ != from_) return way;
-  for (int place = to_; place >= 0; place = before[place]) way.push_back(place);
+  if (reached[to_].before < 0 && to_ != from_) return way;
+  for (int place = to_; place >= 0; place = reached[place].before) way.push_back(place);
   std::reverse(way.begin(), way.end());
   return way;
 }
