@@ -46,4 +46,18 @@ void parallelFor(int count, int threads, const std::function<void(int i, int thr
   if (first.error) std::rethrow_exception(first.error);
 }
 
+int firstOf(int count, int threads, const std::function<bool(int i, int thread)>& task) {
+  if (threads <= 1) {
+    for (int i = 0; i < count; ++i)
+      if (task(i, 0)) return i;
+    return count;
+  }
+  std::atomic<int> first{count};  // of those that said yes so far
+  parallelFor(count, threads, [&](int i, int thread) {
+    if (i > first || !task(i, thread)) return;
+    for (int known = first; i < known && !first.compare_exchange_weak(known, i);) continue;
+  });
+  return first;
+}
+
 }  // namespace amble

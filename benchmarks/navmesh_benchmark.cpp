@@ -115,7 +115,7 @@ void proof(benchmark::State& state, const std::string& scenario) {
   const auto scratch = steering.makeScratch();
   bool shut = false;
   for (auto _ : state)
-    shut = steering.shutOff(request.start.position, request.goal.position, never, *scratch)
+    shut = steering.shutOff(request.start.position, request.goal.position, never, {&scratch, 1})
                .has_value();
   state.SetLabel(shut ? "no walk, proved" : "nothing known");
 }

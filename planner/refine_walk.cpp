@@ -164,17 +164,13 @@ void Refiner::take(const Proposal& proposal, std::vector<WalkEdge> edges) {
 int Refiner::firstThatHelps(const std::vector<Proposal>& proposals) {
   const int total = static_cast<int>(proposals.size());
   std::vector<Answer> answers(total);
-  std::atomic<int> first{total};  // that helps, of those judged so far
   std::atomic<bool> cut_short{false};
-  parallelFor(total, limits_.threads, [&](int i, int thread) {
-    if (i > first) return;
+  const int taken = firstOf(total, limits_.threads, [&](int i, int thread) {
     if (stopped()) cut_short = true;
-    if (cut_short) return;
+    if (cut_short) return true;
     answers[i] = judge(proposals[i], *scratches_[thread]);
-    if (answers[i].edges.empty()) return;
-    for (int known = first; i < known && !first.compare_exchange_weak(known, i);) continue;
+    return !answers[i].edges.empty();
   });
-  const int taken = first;
   for (int i = 0; i <= std::min(taken, total - 1); ++i) count_.add(answers[i].count);
   if (cut_short || taken == total) return -1;
   take(proposals[taken], std::move(answers[taken].edges));

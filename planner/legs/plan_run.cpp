@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/parallel.h"
 #include "base/rotation.h"
 #include "base/stopwatch.h"
 #include "planner/refine_walk.h"
@@ -55,7 +56,7 @@ class Plan {
   bool groundLeads();
   std::optional<Obstruction> whyNot(const LegPlanner& planner) const;
   void tellReached();
-  void addPath(const WalkEdge& edge);
+  void addPath(const WalkEdge& edge, AnimationBuffer part);
 
   const PlanRequest request_;
   const WalkSteering& steering_;
@@ -192,9 +193,11 @@ std::optional<EdgePath> Plan::walkAllLegs() {
 // What cuts the ground in two says more than what refused most on the nearer side of it.
 std::optional<Obstruction> Plan::whyNot(const LegPlanner& planner) const {
   if (!outcome_.proved && !request_.limits.stopped()) {
+    std::vector<SteeringScratchPtr> scratches;
+    for (int i = 0; i < request_.limits.threads; ++i) scratches.push_back(steering_.makeScratch());
     const auto shut = steering_.shutOffOnGround(
         stops_[leg_].stance.position, stops_[leg_ + 1].stance.position,
-        [this] { return request_.limits.stopped(); }, *steering_.makeScratch());
+        [this] { return request_.limits.stopped(); }, scratches);
     if (shut) return whatShutsOff(*shut, request_);
   }
   return planner.why();
@@ -209,9 +212,7 @@ void Plan::tellReached() {
                                    stops_[leg_ + 1].stance.position, outcome_.why->at);
 }
 
-void Plan::addPath(const WalkEdge& edge) {
-  AnimationBuffer part;
-  steering_.animate(edge, part);
+void Plan::addPath(const WalkEdge& edge, AnimationBuffer part) {
   if (outcome_.walk.buffer.size() == 0)
     outcome_.walk.buffer = std::move(part);
   else
@@ -231,7 +232,10 @@ void Plan::finish(EdgePath path) {
   outcome_.time_limit_hit = request_.limits.timeIsUp();
   outcome_.stopped = request_.limits.stopped() && !outcome_.time_limit_hit;
   outcome_.walk.stances = {path.edges.front().from};
-  for (const WalkEdge& edge : path.edges) addPath(edge);
+  std::vector<AnimationBuffer> parts(path.edges.size());
+  parallelFor(static_cast<int>(parts.size()), request_.limits.threads,
+              [&](int i, int) { steering_.animate(path.edges[i], parts[i]); });
+  for (size_t i = 0; i < parts.size(); ++i) addPath(path.edges[i], std::move(parts[i]));
   for (const auto& [rule, times] : count.refusals) outcome_.refusals[rule] += times;
   outcome_.poses_checked += count.poses + outcome_.walk.buffer.size();
   const auto failure = steering_.contact(outcome_.walk.buffer, *scratch_);

@@ -42,7 +42,7 @@ class RoadmapPlanner : public ob::Planner {
   int insert(const ob::State* state, bool start) {
     const Waypoint& at = waypointOf(state);
     const bool both_ways = at.stance.standing && !at.any_heading;
-    return roadmap_->insert(at, both_ways || !start, both_ways || start);
+    return roadmap_->insert(at, both_ways || !start, both_ways || start, limits_.threads);
   }
   void addSolution(int from, const std::vector<int>& edges);
 

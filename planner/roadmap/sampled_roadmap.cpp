@@ -1,18 +1,21 @@
 #include "planner/roadmap/sampled_roadmap.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "base/parallel.h"
+#include "planner/roadmap/tried_walks.h"
 
 namespace amble {
 namespace {
 
 // Samples judged ahead, a thread: more keep threads busy, but are lost when the search ends with
-// one of the first.
-constexpr int kAheadPerThread = 4;
+// one of the first. So no more than 1 over kShareAhead of those that were judged; as long as that
+// would not keep threads busy they are judged one by one, each by all threads.
+constexpr int kAheadPerThread = 4, kLeastPerThread = 2;
+constexpr int kShareAhead = 8;
 // A map is looked at to so far around start and goal, and then to twice as far [m]: all of a house,
 // and a part of a level. By trial.
 constexpr double kFirstMargin = 12.0;
@@ -23,33 +26,8 @@ constexpr int kMostWays = 16;
 // From the narrowest place of the widest way samples are drawn so far to each side [m]: where a
 // walk through it begins and ends.
 constexpr double kAroundNarrow = 2.5;
-// Of walks straight through a narrow place: how far from it they begin and end, at most and apart
-// [m]; and how far from its middle, and by what heading to the way there, they pass it [m], [rad].
-constexpr double kNearestCrossing = 0.3, kFarthestCrossing = 1.5;
-constexpr double kCrossingsBefore = 0.15, kCrossingsBeyond = 0.4;
-constexpr double kAslant = 0.14;
-constexpr std::array<std::pair<double, double>, 9> kCrossings = {{{0.0, 0.0},
-                                                                  {-0.02, 0.0},
-                                                                  {0.02, 0.0},
-                                                                  {0.0, kAslant},
-                                                                  {0.0, -kAslant},
-                                                                  {-0.04, 0.0},
-                                                                  {0.04, 0.0},
-                                                                  {-0.02, -kAslant},
-                                                                  {0.02, kAslant}}};
-// As many of them tell what a place refuses.
-constexpr int kEnoughCrossings = 100;
 // Of the search's effort, 1 over this where what is left leads by a place that refuses them.
 constexpr int kShareOfRefused = 4;
-// How much farther from a passage its ends are tried [m]: shares of a step.
-constexpr std::array<double, 5> kPassageShifts = {0.0, 0.1, -0.1, 0.2, -0.2};
-
-// The stance moved along its heading.
-Stance ahead(Stance stance, double by) {
-  stance.position += by * Eigen::Vector3d(std::cos(stance.heading), std::sin(stance.heading), 0.0);
-  return stance;
-}
-
 Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box, double by) {
   return {box.min().array() - by, box.max().array() + by};
 }
@@ -68,16 +46,20 @@ struct SampledRoadmap::Draft {
   std::optional<Candidate> candidate;  // none where no free stance was found
 };
 
-bool SampledRoadmap::ask(Candidate& candidate, Question question, Verdict& verdict,
-                         SteeringScratch& scratch) const {
+std::optional<bool> SampledRoadmap::ask(Candidate& candidate, Question question, Verdict& verdict,
+                                        SteeringScratch& scratch) const {
+  if (candidate.asks_together && !candidate.answers.find(question.from(), question.to())) {
+    verdict.open.push_back(question);
+    return std::nullopt;
+  }
   verdict.questions.push_back(question);
   const SteerResult& answer = candidate.answers.answer(
       question.from(), question.to(), [&] { return steer(candidate, question, scratch); });
   return answer.edge.has_value();
 }
 
-bool SampledRoadmap::askRoughly(Candidate& candidate, Question question, Verdict& verdict,
-                                SteeringScratch& scratch) const {
+std::optional<bool> SampledRoadmap::askRoughly(Candidate& candidate, Question question,
+                                               Verdict& verdict, SteeringScratch& scratch) const {
   if (!candidate.answers.find(question.from(), question.to()) &&
       !candidate.known.find(question.from(), question.to())) {
     const Waypoint& node = roadmap_.nodes()[question.node].at;
@@ -102,23 +84,38 @@ SteerResult SampledRoadmap::steer(const Candidate& candidate, Question question,
                           : steering_.steer(node, candidate.at, scratch);
 }
 
-// A verdict that rests on no assumed edge, or throws the candidate away.
-Verdict SampledRoadmap::judgeExactly(Candidate& candidate, SteeringScratch& scratch) const {
+// What is to be steered before a verdict stands: what it leaves open, and edges that it assumes,
+// unless the candidate is thrown away.
+std::vector<Question> SampledRoadmap::unanswered(const Candidate& candidate,
+                                                 const Verdict& verdict) const {
+  std::vector<Question> questions = verdict.open;
+  const bool is_kept = candidate.end || (verdict.open.empty() && verdict.keep);
+  for (const Question& question : verdict.questions)
+    if (is_kept && candidate.answers.find(question.from(), question.to())->assumed)
+      questions.push_back(question);
+  return questions;
+}
+
+// A verdict that rests on no assumed edge, or throws the candidate away. What it asks for in any
+// case is steered at once, on all threads.
+Verdict SampledRoadmap::judgeExactly(Candidate& candidate, Scratches& scratches) const {
+  candidate.asks_together = scratches.size() > 1;
   while (true) {
-    Verdict verdict = judge(candidate, scratch);
-    bool exact = true;
-    for (const Question& question : verdict.questions) {
-      if (!verdict.keep || !candidate.answers.find(question.from(), question.to())->assumed)
-        continue;
-      exact = false;
-      candidate.answers.learn(question.from(), question.to(), steer(candidate, question, scratch));
-    }
-    if (exact) return verdict;
+    Verdict verdict = judge(candidate, *scratches[0]);
+    const std::vector<Question> questions = unanswered(candidate, verdict);
+    if (questions.empty()) return verdict;
+    std::vector<SteerResult> answers(questions.size());
+    const int count = static_cast<int>(questions.size());
+    parallelFor(count, static_cast<int>(scratches.size()), [&](int i, int thread) {
+      answers[i] = steer(candidate, questions[i], *scratches[thread]);
+    });
+    for (int i = 0; i < count; ++i)
+      candidate.answers.learn(questions[i].from(), questions[i].to(), std::move(answers[i]));
   }
 }
 
-int SampledRoadmap::commit(Candidate& candidate, SteeringScratch& scratch) {
-  const Verdict verdict = judgeExactly(candidate, scratch);
+int SampledRoadmap::commit(Candidate& candidate, Scratches& scratches) {
+  const Verdict verdict = judgeExactly(candidate, scratches);
   int node = -1;
   if (verdict.keep) {
     node = roadmap_.addNode({candidate.at, verdict.kind, candidate.enter, candidate.leave});
@@ -143,19 +140,25 @@ int SampledRoadmap::commit(Candidate& candidate, SteeringScratch& scratch) {
   return node;
 }
 
-int SampledRoadmap::insert(const Waypoint& at, bool enter, bool leave) {
-  const SteeringScratchPtr scratch = steering_.makeScratch();
-  return insert({.at = at, .enter = enter, .leave = leave, .end = true, .far = true}, *scratch);
+SampledRoadmap::Scratches SampledRoadmap::scratchesFor(int threads) const {
+  Scratches scratches;
+  for (int i = 0; i < threads; ++i) scratches.push_back(steering_.makeScratch());
+  return scratches;
 }
 
-int SampledRoadmap::insert(Candidate candidate, SteeringScratch& scratch) {
+int SampledRoadmap::insert(const Waypoint& at, bool enter, bool leave, int threads) {
+  Scratches scratches = scratchesFor(threads);
+  return insert({.at = at, .enter = enter, .leave = leave, .end = true, .far = true}, scratches);
+}
+
+int SampledRoadmap::insert(Candidate candidate, Scratches& scratches) {
   for (int node = 0; node < roadmap_.size(); ++node) {
     const RoadmapNode& known = roadmap_.nodes()[node];
     if (samePlace(known.at, candidate.at) && known.enter == candidate.enter &&
         known.leave == candidate.leave)
       return node;
   }
-  return commit(candidate, scratch);
+  return commit(candidate, scratches);
 }
 
 void SampledRoadmap::clear() {
@@ -172,7 +175,8 @@ void SampledRoadmap::clear() {
 }
 
 // Those with an end in the region, in their order.
-void SampledRoadmap::insertPassages(const Eigen::AlignedBox2d& region, const SearchLimits& limits) {
+void SampledRoadmap::insertPassages(const Eigen::AlignedBox2d& region, const SearchLimits& limits,
+                                    Scratches& scratches) {
   if (!passages_) passages_ = steering_.passages();
   std::vector<StancePair> near, far;
   for (const StancePair& pair : *passages_) {
@@ -181,89 +185,23 @@ void SampledRoadmap::insertPassages(const Eigen::AlignedBox2d& region, const Sea
     (is_near ? near : far).push_back(pair);
   }
   passages_ = std::move(far);
-  const SteeringScratchPtr scratch = steering_.makeScratch();
-  for (const StancePair& pair : near) insertPassage(pair, limits, *scratch);
-}
-
-// Both ends become nodes if walks lead between them. Where steps fall on a flight depends on how
-// far before it a walk begins: a few such places are tried for each direction.
-void SampledRoadmap::insertPassage(const StancePair& pair, const SearchLimits& limits,
-                                   SteeringScratch& scratch) {
-  bool up = false, down = false;
-  for (const double shift : kPassageShifts) {
-    if (limits.stopped() || (up && down)) return;
-    const auto [rises, falls] = insertPair({ahead(pair.first, -shift), ahead(pair.second, shift)},
-                                           !up, !down, limits.threads, scratch);
-    up = up || rises;
-    down = down || falls;
+  for (TriedWalk& walk : tryPassages(steering_, near, limits, scratches)) {
+    if (limits.stopped()) return;
+    insertTried(std::move(walk), scratches);
   }
 }
 
-// Straight through a narrow place: where arms swing wide there depends on how far before it, and
-// how far beyond, one stands; and they do not swing alike. Ends become nodes where a walk is found.
-SampledRoadmap::Crossing SampledRoadmap::insertCrossing(const WayGuide::Narrow& narrow,
-                                                        const SearchLimits& limits,
-                                                        SteeringScratch& scratch) {
-  int asked = 0;
-  for (const auto& [aside, turned] : kCrossings) {
-    Stance middle;
-    middle.heading = narrow.heading + turned;
-    middle.position = narrow.at + aside * Eigen::Vector3d(-std::sin(middle.heading),
-                                                          std::cos(middle.heading), 0.0);
-    const auto standing = [&](double direction, double spacing) {
-      std::vector<Stance> stances;
-      for (double far = kNearestCrossing; far < kFarthestCrossing; far += spacing) {
-        Stance stance = ahead(middle, direction * far);
-        if (!steering_.stand(stance, scratch)) stances.push_back(stance);
-      }
-      return stances;
-    };
-    const std::vector<Stance> firsts = standing(-1.0, kCrossingsBefore),
-                              seconds = standing(1.0, kCrossingsBeyond);
-    for (const Stance& first : firsts) {
-      for (const Stance& second : seconds) {
-        if (limits.stopped()) return Crossing::kUnknown;
-        ++asked;
-        if (insertPair({first, second}, true, false, 1, scratch).first) return Crossing::kWalked;
-      }
-    }
-  }
-  return asked >= kEnoughCrossings ? Crossing::kRefused : Crossing::kUnknown;
-}
-
-// The ends become nodes if one of the walks between them that are asked for is there.
-// @return whether walks lead from the first to the second, and back
-std::pair<bool, bool> SampledRoadmap::insertPair(const StancePair& pair, bool there, bool back,
-                                                 int threads, SteeringScratch& scratch) {
-  const auto& [first, second] = pair;
-  SteerResult going, coming;
-  if (there && back) {
-    const SteeringScratchPtr other = steering_.makeScratch();
-    parallelFor(2, threads, [&](int i, int) {
-      (i == 0 ? going : coming) = i == 0 ? steering_.steer({first}, {second}, scratch)
-                                         : steering_.steer({second}, {first}, *other);
-    });
-    note({first}, {second}, going);
-    note({second}, {first}, coming);
-  } else {
-    if (there) going = steer({first}, {second}, scratch);
-    if (back) coming = steer({second}, {first}, scratch);
-  }
-  if (going.edge || coming.edge) {
-    Candidate end{.at = {second}, .end = true};
-    const PlaceId begin = insert({.at = {first}, .end = true}, scratch);
-    if (there) end.known.learn(begin, kCandidate, going);
-    if (back) end.known.learn(kCandidate, begin, coming);
-    insert(std::move(end), scratch);
-  }
-  return {going.edge.has_value(), coming.edge.has_value()};
-}
-
-SteerResult SampledRoadmap::steer(const Waypoint& from, const Waypoint& to,
-                                  SteeringScratch& scratch) {
-  SteerResult result = steering_.steer(from, to, scratch);
-  note(from, to, result);
-  return result;
+// The ends become nodes if one of the walks between them is there.
+void SampledRoadmap::insertTried(TriedWalk walk, Scratches& scratches) {
+  const Waypoint first{walk.ends.first}, second{walk.ends.second};
+  if (walk.there) note(first, second, *walk.there);
+  if (walk.back) note(second, first, *walk.back);
+  if (!walk.isThere()) return;
+  Candidate end{.at = second, .end = true};
+  const PlaceId begin = insert({.at = first, .end = true}, scratches);
+  if (walk.there) end.known.learn(begin, kCandidate, std::move(*walk.there));
+  if (walk.back) end.known.learn(kCandidate, begin, std::move(*walk.back));
+  insert(std::move(end), scratches);
 }
 
 void SampledRoadmap::note(const Waypoint& from, const Waypoint& to, const SteerResult& result) {
@@ -271,10 +209,13 @@ void SampledRoadmap::note(const Waypoint& from, const Waypoint& to, const SteerR
   if (!result.edge) refused_.push_back({{from, to, result.failure}});
 }
 
-std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
-    const StanceSampler& sampler, const SearchLimits& limits,
-    std::vector<SteeringScratchPtr>& scratches) const {
-  const int count = limits.threads > 1 ? kAheadPerThread * limits.threads : 1;
+std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(const StanceSampler& sampler,
+                                                         const SearchLimits& limits,
+                                                         Scratches& scratches) const {
+  const int most = static_cast<int>(
+      std::min<long long>(samples_ / kShareAhead, kAheadPerThread * limits.threads));
+  const bool is_ahead = limits.threads > 1 && most >= kLeastPerThread * limits.threads;
+  const int count = is_ahead ? most : 1;
   std::vector<Draft> drafts(count);
   parallelFor(count, limits.threads, [&](int i, int thread) {
     if (limits.stopped()) return;
@@ -284,7 +225,7 @@ std::vector<SampledRoadmap::Draft> SampledRoadmap::draft(
     const bool counted = StanceSampler::isUniform(drafts[i].index);
     drafts[i].candidate =
         Candidate{.at = {sample->stance}, .all_round = sample->all_round, .counted = counted};
-    judge(*drafts[i].candidate, *scratches[thread]);  // for its answers
+    if (is_ahead) judge(*drafts[i].candidate, *scratches[thread]);  // for its answers
   });
   return drafts;
 }
@@ -295,7 +236,7 @@ bool SampledRoadmap::leads(int from, int to) const {
 
 // Samples until walks lead from one node to the other, if there are such, or the effort is spent.
 bool SampledRoadmap::grow(int from, int to, const StanceSampler& sampler, const Budget& budget,
-                          const SearchLimits& limits, std::vector<SteeringScratchPtr>& scratches) {
+                          const SearchLimits& limits, Scratches& scratches) {
   const long long before = samples_;
   const auto isSpent = [&] {
     return effort() >= budget.effort || samples_ - before >= budget.samples;
@@ -306,7 +247,7 @@ bool SampledRoadmap::grow(int from, int to, const StanceSampler& sampler, const 
       if (limits.stopped()) return false;
       ++samples_;
       if (StanceSampler::isUniform(draft.index)) ++failures_;  // a guard sets it back
-      if (draft.candidate) commit(*draft.candidate, *scratches[0]);
+      if (draft.candidate) commit(*draft.candidate, scratches);
       if (limits.progress) {
         limits.progress({"roadmap", effort(), limits.max_failures, roadmap_.count(NodeKind::kGuard),
                          roadmap_.count(NodeKind::kConnector)});
@@ -338,8 +279,8 @@ void SampledRoadmap::noteWay(const std::vector<Stance>& way, int from, int to) {
 }
 
 // The stances of ways over the map become nodes, way after way, until walks lead from end to end.
-bool SampledRoadmap::followWays(WayGuide& guide, int from, int to, const SearchLimits& limits) {
-  const SteeringScratchPtr scratch = steering_.makeScratch();
+bool SampledRoadmap::followWays(WayGuide& guide, int from, int to, const SearchLimits& limits,
+                                Scratches& scratches) {
   for (int i = 0; i < kMostWays && !limits.stopped(); ++i) {
     const auto way = guide.next();
     if (!way) return false;
@@ -347,11 +288,11 @@ bool SampledRoadmap::followWays(WayGuide& guide, int from, int to, const SearchL
     std::vector<int> nodes = {from};
     for (Stance stance : *way) {
       if (limits.stopped()) return false;
-      if (steering_.stand(stance, *scratch)) {
+      if (steering_.stand(stance, *scratches[0])) {
         guide.avoid(stance.position);
         continue;
       }
-      nodes.push_back(insert({.at = {stance}, .end = true}, *scratch));
+      nodes.push_back(insert({.at = {stance}, .end = true}, scratches));
       if (roadmap_.reachableFrom(from)[to]) return true;
     }
     nodes.push_back(to);
@@ -362,11 +303,10 @@ bool SampledRoadmap::followWays(WayGuide& guide, int from, int to, const SearchL
   return false;
 }
 
-bool SampledRoadmap::isShutOff(int from, int to, const SearchLimits& limits,
-                               SteeringScratch& scratch) {
+bool SampledRoadmap::isShutOff(int from, int to, const SearchLimits& limits, Scratches& scratches) {
   const auto place = [&](int node) { return roadmap_.nodes()[node].at.stance.position; };
   shut_off_ = steering_.shutOff(
-      place(from), place(to), [&] { return limits.stopped(); }, scratch);
+      place(from), place(to), [&] { return limits.stopped(); }, scratches);
   if (shut_off_) count_.add(*shut_off_);
   return shut_off_.has_value();
 }
@@ -374,48 +314,60 @@ bool SampledRoadmap::isShutOff(int from, int to, const SearchLimits& limits,
 // Ways over the map first, where there is one, and whether things shut the places off.
 // @return whether walks lead there; none where samples are to say
 std::optional<bool> SampledRoadmap::askMap(WayGuide* guide, int from, int to,
-                                           const SearchLimits& limits, SteeringScratch& scratch) {
-  if (guide && followWays(*guide, from, to, limits)) return true;
-  if (limits.stopped() || isShutOff(from, to, limits, scratch)) return false;
+                                           const SearchLimits& limits, Scratches& scratches) {
+  if (guide && followWays(*guide, from, to, limits, scratches)) return true;
+  if (limits.stopped() || isShutOff(from, to, limits, scratches)) return false;
   return std::nullopt;
 }
 
 // Where there is hardly room: walks straight through it, and samples around it.
 // @return whether walks lead there; none where samples of the rest are to say
 std::optional<bool> SampledRoadmap::askNarrow(const WayGuide::Narrow& narrow, int from, int to,
-                                              const SearchLimits& limits,
-                                              std::vector<SteeringScratchPtr>& scratches) {
-  const Crossing crossing = insertCrossing(narrow, limits, *scratches[0]);
+                                              const SearchLimits& limits, Scratches& scratches) {
+  TriedCrossing crossing = tryCrossing(steering_, narrow, limits, scratches);
+  for (TriedWalk& walk : crossing.tried) insertTried(std::move(walk), scratches);
   if (roadmap_.reachableFrom(from)[to]) return true;
-  const int share = crossing == Crossing::kRefused ? kShareOfRefused : 1;
+  const int share = crossing.outcome == TriedCrossing::Outcome::kRefused ? kShareOfRefused : 1;
   const Eigen::Vector2d at = narrow.at.head<2>();
   const StanceSampler around = sampler_.within(grown({at, at}, kAroundNarrow));
   // Every other sample is uniform.
   const Budget once{limits.max_failures, (2LL * limits.max_failures + share - 1) / share};
   if (grow(from, to, around, once, limits, scratches)) return true;
-  const bool may_pass = narrow.may_pass || crossing == Crossing::kWalked;
+  const bool may_pass = narrow.may_pass || crossing.outcome == TriedCrossing::Outcome::kWalked;
   if (!may_pass || limits.stopped()) return false;
   resetEffort();
   if (share == 1) return std::nullopt;
-  insertPassages(sampler_.bounds(), limits);
+  insertPassages(sampler_.bounds(), limits, scratches);
   const Budget rest{(limits.max_failures + share - 1) / share, 2LL * limits.max_failures};
   return grow(from, to, sampler_, rest, limits, scratches);
+}
+
+// Looks for passages meanwhile, if nobody has.
+std::unique_ptr<WayGuide> SampledRoadmap::findWays(const Eigen::Vector3d& from,
+                                                   const Eigen::Vector3d& to,
+                                                   const SearchLimits& limits) {
+  std::unique_ptr<WayGuide> guide;
+  parallelFor(2, limits.threads, [&](int i, int) {
+    if (i == 0)
+      guide = steering_.guide(from, to, sampler_.bounds(), [&] { return limits.stopped(); });
+    else if (!passages_)
+      passages_ = steering_.passages();
+  });
+  return guide;
 }
 
 bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
   way_.clear();
   narrow_.reset();
   if (roadmap_.reachableFrom(from)[to]) return true;
-  std::vector<SteeringScratchPtr> scratches(limits.threads);
-  for (SteeringScratchPtr& scratch : scratches) scratch = steering_.makeScratch();
+  Scratches scratches = scratchesFor(limits.threads);
   const Eigen::AlignedBox2d& bounds = sampler_.bounds();
   const auto place = [&](int node) { return roadmap_.nodes()[node].at.stance.position; };
   Eigen::AlignedBox2d ends;
   for (const int node : {from, to}) ends.extend(place(node).head<2>().eval());
-  insertPassages(grown(ends, kFirstMargin), limits);
-  const auto guide =
-      steering_.guide(place(from), place(to), bounds, [&] { return limits.stopped(); });
-  if (const auto known = askMap(guide.get(), from, to, limits, *scratches[0])) return *known;
+  const auto guide = findWays(place(from), place(to), limits);
+  insertPassages(grown(ends, kFirstMargin), limits, scratches);
+  if (const auto known = askMap(guide.get(), from, to, limits, scratches)) return *known;
   if (guide) narrow_ = guide->narrowest();
   if (narrow_) {
     if (const auto known = askNarrow(*narrow_, from, to, limits, scratches)) return *known;
@@ -423,7 +375,7 @@ bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
   for (double margin = kFirstMargin;; margin *= 2.0) {
     const Eigen::AlignedBox2d region = grown(ends, margin);
     const bool is_all = region.contains(bounds);
-    insertPassages(is_all ? Eigen::AlignedBox2d(bounds).extend(region) : region, limits);
+    insertPassages(is_all ? Eigen::AlignedBox2d(bounds).extend(region) : region, limits, scratches);
     const int most = is_all ? limits.max_failures : (limits.max_failures + 3) / kShareOfRegion;
     const StanceSampler sampler = is_all ? sampler_ : sampler_.within(region);
     if (grow(from, to, sampler, {most}, limits, scratches)) return true;
@@ -433,12 +385,11 @@ bool SampledRoadmap::connect(int from, int to, const SearchLimits& limits) {
 }
 
 void SampledRoadmap::fill(const SearchLimits& limits) {
-  std::vector<SteeringScratchPtr> scratches(limits.threads);
-  for (SteeringScratchPtr& scratch : scratches) scratch = steering_.makeScratch();
-  insertPassages(sampler_.bounds(), limits);
+  Scratches scratches = scratchesFor(limits.threads);
+  insertPassages(sampler_.bounds(), limits, scratches);
   grow(-1, -1, sampler_, {limits.max_failures}, limits, scratches);
   const int failures = failures_;  // that coverage is told from: what follows are no samples
-  joinPieces(limits);
+  joinPieces(limits, scratches);
   failures_ = failures;
 }
 
@@ -461,7 +412,8 @@ std::optional<std::pair<int, int>> SampledRoadmap::nearestOutside(int node) cons
 }
 
 // Ways from one node to the other over a map of what is around both.
-void SampledRoadmap::followWaysNear(int from, int to, const SearchLimits& limits) {
+void SampledRoadmap::followWaysNear(int from, int to, const SearchLimits& limits,
+                                    Scratches& scratches) {
   if (leads(from, to)) return;
   const auto place = [&](int node) { return roadmap_.nodes()[node].at.stance.position; };
   Eigen::AlignedBox2d ends(place(from).head<2>());
@@ -469,12 +421,12 @@ void SampledRoadmap::followWaysNear(int from, int to, const SearchLimits& limits
   const auto guide = steering_.guide(place(from), place(to),
                                      sampler_.bounds().intersection(grown(ends, kFirstMargin)),
                                      [&] { return limits.stopped(); });
-  if (guide) followWays(*guide, from, to, limits);
+  if (guide) followWays(*guide, from, to, limits, scratches);
 }
 
 // Each piece once, with the nearest of the others, there and back: with more of them few more are
 // joined, and the stances of ways in vain are many.
-void SampledRoadmap::joinPieces(const SearchLimits& limits) {
+void SampledRoadmap::joinPieces(const SearchLimits& limits, Scratches& scratches) {
   std::vector<int> first;  // node of each piece
   const std::vector<int> piece = roadmap_.components();
   for (int node = 0; node < roadmap_.size(); ++node)
@@ -482,8 +434,8 @@ void SampledRoadmap::joinPieces(const SearchLimits& limits) {
   for (const int node : first) {
     const auto pair = nearestOutside(node);
     if (!pair || limits.stopped()) return;
-    followWaysNear(pair->first, pair->second, limits);
-    followWaysNear(pair->second, pair->first, limits);
+    followWaysNear(pair->first, pair->second, limits, scratches);
+    followWaysNear(pair->second, pair->first, limits, scratches);
   }
 }
 

@@ -20,6 +20,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -30,6 +31,8 @@
 #include "planner/steering/edge_memory.h"
 
 namespace amble {
+
+struct TriedWalk;
 
 /// An edge that was refused, for the report of why there is no walk.
 struct RefusedLink : RefusedEdge {
@@ -48,6 +51,8 @@ struct Candidate {
   bool counted = true;      ///< as a failure unless it becomes a guard, which sets the count back
   EdgeMemory answers = {};  ///< places are nodes by number, and kCandidate
   EdgeMemory known = {};    ///< what was asked and counted before it was judged
+  /// What judging it asks is not steered one by one, but left open: all at once, on all threads.
+  bool asks_together = false;
 };
 inline constexpr PlaceId kCandidate = -1;
 
@@ -65,6 +70,9 @@ struct Verdict {
   NodeKind kind = NodeKind::kSample;
   int stands_for = -1;              ///< of one that is not kept: a node that covers it, or -1
   std::vector<Question> questions;  ///< in order; every edge that was found is kept with the node
+  /// What has to be answered before there is a verdict, whatever the answers are. The rest then
+  /// says nothing.
+  std::vector<Question> open = {};
 };
 
 /// Not for threads to share: it starts its own.
@@ -77,7 +85,7 @@ class SampledRoadmap {
 
   /// An end of a query, which becomes a node; one that is there already is found again. @return the
   /// node
-  int insert(const Waypoint& at, bool enter, bool leave);
+  int insert(const Waypoint& at, bool enter, bool leave, int threads = 1);
 
   /// Adds the ends of passages, each once, and samples until walks lead from one node to the other,
   /// the counted limit is reached for all of the bounds, or limits.stopped().
@@ -117,51 +125,51 @@ class SampledRoadmap {
   void setFailures(int failures) { failures_ = failures; }
 
   /// Asks steering unless the candidate knows the answer; notes the question. @return whether there
-  /// is an edge
-  bool ask(Candidate& candidate, Question question, Verdict& verdict,
-           SteeringScratch& scratch) const;
+  /// is an edge; none where that is left open
+  std::optional<bool> ask(Candidate& candidate, Question question, Verdict& verdict,
+                          SteeringScratch& scratch) const;
   /// The same, content with that there looks to be an edge (Steering::looksFree). Most candidates
   /// are thrown away, and their edges with them: only those of one that is kept are made, and where
   /// one of them is refused the candidate is judged again.
-  bool askRoughly(Candidate& candidate, Question question, Verdict& verdict,
-                  SteeringScratch& scratch) const;
+  std::optional<bool> askRoughly(Candidate& candidate, Question question, Verdict& verdict,
+                                 SteeringScratch& scratch) const;
 
  private:
   struct Draft;
+  using Scratches = std::vector<SteeringScratchPtr>;  // one for each thread
+  Scratches scratchesFor(int threads) const;
   std::vector<Draft> draft(const StanceSampler& sampler, const SearchLimits& limits,
-                           std::vector<SteeringScratchPtr>& scratches) const;
+                           Scratches& scratches) const;
   // What ends it: so much effort, or so many samples more.
   struct Budget {
     int effort;
     long long samples = std::numeric_limits<long long>::max();
   };
   bool grow(int from, int to, const StanceSampler& sampler, const Budget& budget,
-            const SearchLimits& limits, std::vector<SteeringScratchPtr>& scratches);
+            const SearchLimits& limits, Scratches& scratches);
   bool leads(int from, int to) const;
-  void joinPieces(const SearchLimits& limits);
+  void joinPieces(const SearchLimits& limits, Scratches& scratches);
   std::optional<std::pair<int, int>> nearestOutside(int node) const;
-  void followWaysNear(int from, int to, const SearchLimits& limits);
-  int insert(Candidate candidate, SteeringScratch& scratch);
+  void followWaysNear(int from, int to, const SearchLimits& limits, Scratches& scratches);
+  int insert(Candidate candidate, Scratches& scratches);
   std::optional<bool> askMap(WayGuide* guide, int from, int to, const SearchLimits& limits,
-                             SteeringScratch& scratch);
-  bool isShutOff(int from, int to, const SearchLimits& limits, SteeringScratch& scratch);
+                             Scratches& scratches);
+  bool isShutOff(int from, int to, const SearchLimits& limits, Scratches& scratches);
+  std::unique_ptr<WayGuide> findWays(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                     const SearchLimits& limits);
   void noteWay(const std::vector<Stance>& way, int from, int to);
-  bool followWays(WayGuide& guide, int from, int to, const SearchLimits& limits);
+  bool followWays(WayGuide& guide, int from, int to, const SearchLimits& limits,
+                  Scratches& scratches);
   std::optional<Eigen::Vector3d> firstRefused(const std::vector<int>& nodes) const;
-  int commit(Candidate& candidate, SteeringScratch& scratch);
-  Verdict judgeExactly(Candidate& candidate, SteeringScratch& scratch) const;
+  int commit(Candidate& candidate, Scratches& scratches);
+  std::vector<Question> unanswered(const Candidate& candidate, const Verdict& verdict) const;
+  Verdict judgeExactly(Candidate& candidate, Scratches& scratches) const;
   SteerResult steer(const Candidate& candidate, Question question, SteeringScratch& scratch) const;
-  void insertPassages(const Eigen::AlignedBox2d& region, const SearchLimits& limits);
-  void insertPassage(const StancePair& pair, const SearchLimits& limits, SteeringScratch& scratch);
-  std::pair<bool, bool> insertPair(const StancePair& pair, bool there, bool back, int threads,
-                                   SteeringScratch& scratch);
-  enum class Crossing { kWalked, kRefused, kUnknown };
-  Crossing insertCrossing(const WayGuide::Narrow& narrow, const SearchLimits& limits,
-                          SteeringScratch& scratch);
+  void insertPassages(const Eigen::AlignedBox2d& region, const SearchLimits& limits,
+                      Scratches& scratches);
+  void insertTried(TriedWalk walk, Scratches& scratches);
   std::optional<bool> askNarrow(const WayGuide::Narrow& narrow, int from, int to,
-                                const SearchLimits& limits,
-                                std::vector<SteeringScratchPtr>& scratches);
-  SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch);
+                                const SearchLimits& limits, Scratches& scratches);
   void note(const Waypoint& from, const Waypoint& to, const SteerResult& result);
 
   const Steering& steering_;

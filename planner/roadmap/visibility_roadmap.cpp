@@ -1,6 +1,7 @@
 #include "planner/roadmap/visibility_roadmap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace amble {
@@ -46,11 +47,13 @@ bool VisibilityRoadmap::askGuards(Candidate& candidate, Verdict& verdict,
   std::vector<bool> covered(roadmap().size(), false);  // by component
   for (const int guard : guards) {
     if (covered[component[guard]]) continue;
-    const bool out = candidate.leave && askRoughly(candidate, {guard, true}, verdict, scratch);
-    const bool in = candidate.enter && askRoughly(candidate, {guard, false}, verdict, scratch);
-    if (!out || !in) continue;
-    covered[component[guard]] = true;
-    if (verdict.stands_for < 0) verdict.stands_for = guard;
+    std::optional<bool> out = false, in = false;
+    if (candidate.leave) out = askRoughly(candidate, {guard, true}, verdict, scratch);
+    if (candidate.enter) in = askRoughly(candidate, {guard, false}, verdict, scratch);
+    const bool is_open = !out || !in;
+    if (!is_open && (!*out || !*in)) continue;
+    covered[component[guard]] = true;  // or may be: the next are not asked before that is known
+    if (!is_open && verdict.stands_for < 0) verdict.stands_for = guard;
   }
   return verdict.stands_for >= 0;
 }
@@ -58,9 +61,11 @@ bool VisibilityRoadmap::askGuards(Candidate& candidate, Verdict& verdict,
 // A terminal is asked unless walks lead between it and the candidate anyway.
 void VisibilityRoadmap::askTerminals(Candidate& candidate, Verdict& verdict,
                                      SteeringScratch& scratch) const {
+  std::array<bool, 2> open = {false,
+                              false};  // by direction: whether the next are asked is not known
   for (int node = 0; node < roadmap().size(); ++node) {
     const RoadmapNode& terminal = roadmap().nodes()[node];
-    if (terminal.kind != NodeKind::kTerminal) continue;
+    if (terminal.kind != NodeKind::kTerminal || open[terminal.enter]) continue;
     const bool to_node = terminal.enter;
     if (to_node ? !candidate.leave : !candidate.enter) continue;
     const double distance = (terminal.at.stance.position - candidate.at.stance.position).norm();
@@ -70,7 +75,7 @@ void VisibilityRoadmap::askTerminals(Candidate& candidate, Verdict& verdict,
     const std::vector<int> between = neighbours(candidate, verdict, to_node);
     if (std::any_of(between.begin(), between.end(), [&](int other) { return known[other]; }))
       continue;
-    ask(candidate, {node, to_node}, verdict, scratch);
+    open[to_node] = !ask(candidate, {node, to_node}, verdict, scratch);
   }
 }
 
@@ -88,7 +93,9 @@ bool VisibilityRoadmap::joins(const Candidate& candidate, const Verdict& verdict
 Verdict VisibilityRoadmap::judge(Candidate& candidate, SteeringScratch& scratch) const {
   Verdict verdict;
   const bool covered = askGuards(candidate, verdict, scratch);
+  if (!verdict.open.empty()) return verdict;
   askTerminals(candidate, verdict, scratch);
+  if (!verdict.open.empty()) return verdict;
   if (candidate.end) {
     verdict.kind = candidate.enter && candidate.leave ? NodeKind::kGuard : NodeKind::kTerminal;
     verdict.keep = true;

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <queue>
 #include <utility>
 
+#include "base/parallel.h"
 #include "planner/steering/ground_range.h"
 
 namespace amble {
@@ -314,19 +317,32 @@ BodyReach::Barrier BodyReach::Flood::between(const std::vector<int>& before, int
   return barrier;
 }
 
+// The first of the balls that is shut off; floods of those after it end when that is known. One
+// that is like an earlier one is shut off only if that is, too.
 std::optional<BodyReach::Barrier> BodyReach::barrier(
     const Eigen::Vector3d& from, const Eigen::Vector3d& to, const CollisionWorld& world,
-    const SceneGround& ground, CollisionScratch& scratch, const std::function<bool()>& stopped,
-    double beyond) const {
+    const SceneGround& ground, const std::vector<CollisionScratch*>& scratches,
+    const std::function<bool()>& stopped, double beyond) const {
   const GroundRange range(ground, kFeet * stature_);
-  if (!range.isKnown() || isOpen(from, to, world, ground, scratch, stopped)) return std::nullopt;
-  for (size_t i = 0; i < balls_.size(); ++i) {
-    const Ball& ball = balls_[i];
-    if (i > 0 && ball.isAsWide(balls_[i - 1])) continue;  // the other leg
-    Flood flood(ball, from, to, world, ground, range, beyond, scratch);
-    if (flood.isShut(stopped)) return flood.barrier();
-  }
-  return std::nullopt;
+  if (!range.isKnown() || isOpen(from, to, world, ground, *scratches.front(), stopped))
+    return std::nullopt;
+  const int count = static_cast<int>(balls_.size());
+  std::vector<std::unique_ptr<Flood>> floods(balls_.size());
+  std::atomic<int> shut{count};  // one that is known to be
+  const int first = firstOf(count, static_cast<int>(scratches.size()), [&](int i, int thread) {
+    // A leg's flood is that of the other.
+    if (std::any_of(balls_.begin(), balls_.begin() + i,
+                    [&](const Ball& ball) { return ball.isAsWide(balls_[i]); }))
+      return false;
+    auto flood = std::make_unique<Flood>(balls_[i], from, to, world, ground, range, beyond,
+                                         *scratches[thread]);
+    if (!flood->isShut([&] { return shut < i || stopped(); })) return false;
+    shut = i;
+    floods[i] = std::move(flood);
+    return true;
+  });
+  if (first == count) return std::nullopt;
+  return floods[first]->barrier();
 }
 
 }  // namespace amble

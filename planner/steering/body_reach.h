@@ -62,12 +62,14 @@ class BodyReach {
   /// None says nothing. Cost: a few hundred nanoseconds a square, of the smaller part at most
   /// twice; where there is much room some of a hundredth as many.
   /// @param from, to  on the ground [m, World]
-  /// @param stopped  asked now and then; where it says so nothing is known
+  /// @param scratches  one for each thread that may take part [1 or more]: a ball each
+  /// @param stopped  asked now and then, by any thread; where it says so nothing is known
   /// @param beyond  how far the flood may leave the ground [m, >= 0]: with less than kBeyond it is
   /// no proof, but tells what shuts off all who keep to the ground
   std::optional<Barrier> barrier(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                  const CollisionWorld& world, const SceneGround& ground,
-                                 CollisionScratch& scratch, const std::function<bool()>& stopped,
+                                 const std::vector<CollisionScratch*>& scratches,
+                                 const std::function<bool()>& stopped,
                                  double beyond = kBeyond) const;
 
   struct Ball {

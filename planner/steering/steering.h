@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "animation/steps/root_path.h"
@@ -153,10 +154,12 @@ class Steering {
   }
 
   /// Proof that no walk leads from one place to another, whatever edges are tried: what shuts the
-  /// body off. None says nothing. @param stopped  asked now and then
-  virtual std::optional<SteeringFailure> shutOff(const Eigen::Vector3d&, const Eigen::Vector3d&,
-                                                 const std::function<bool()>&,
-                                                 SteeringScratch&) const {
+  /// body off. None says nothing. @param stopped  asked now and then, by any thread
+  /// @param scratches  one for each thread that may look for it [1 or more]; the answer does not
+  /// depend on how many
+  virtual std::optional<SteeringFailure> shutOff(
+      const Eigen::Vector3d&, const Eigen::Vector3d&, const std::function<bool()>&,
+      std::span<const SteeringScratchPtr> /*scratches*/) const {
     return std::nullopt;
   }
 

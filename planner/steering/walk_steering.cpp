@@ -34,6 +34,13 @@ class WalkScratch : public SteeringScratch {
 
 WalkScratch& walkScratch(SteeringScratch& scratch) { return static_cast<WalkScratch&>(scratch); }
 
+std::vector<CollisionScratch*> collisionScratches(std::span<const SteeringScratchPtr> scratches) {
+  std::vector<CollisionScratch*> own;
+  for (const SteeringScratchPtr& scratch : scratches)
+    own.push_back(walkScratch(*scratch).collision.get());
+  return own;
+}
+
 SteeringFailure failure(WalkRule rule, const Stance& from, const Stance& to) {
   const Eigen::Vector3d way = to.position - from.position;
   return {rule, -1, -1, 0.0, from.position, to.position, std::atan2(way.y(), way.x())};
@@ -159,22 +166,20 @@ SteeringFailure disconnected(const BodyReach::Barrier& barrier) {
 
 }  // namespace
 
-std::optional<SteeringFailure> WalkSteering::shutOff(const Eigen::Vector3d& from,
-                                                     const Eigen::Vector3d& to,
-                                                     const std::function<bool()>& stopped,
-                                                     SteeringScratch& scratch) const {
+std::optional<SteeringFailure> WalkSteering::shutOff(
+    const Eigen::Vector3d& from, const Eigen::Vector3d& to, const std::function<bool()>& stopped,
+    std::span<const SteeringScratchPtr> scratches) const {
   const auto barrier =
-      reach_.barrier(from, to, world_, ground_, *walkScratch(scratch).collision, stopped);
+      reach_.barrier(from, to, world_, ground_, collisionScratches(scratches), stopped);
   if (!barrier) return std::nullopt;
   return disconnected(*barrier);
 }
 
-std::optional<SteeringFailure> WalkSteering::shutOffOnGround(const Eigen::Vector3d& from,
-                                                             const Eigen::Vector3d& to,
-                                                             const std::function<bool()>& stopped,
-                                                             SteeringScratch& scratch) const {
+std::optional<SteeringFailure> WalkSteering::shutOffOnGround(
+    const Eigen::Vector3d& from, const Eigen::Vector3d& to, const std::function<bool()>& stopped,
+    std::span<const SteeringScratchPtr> scratches) const {
   const auto barrier =
-      reach_.barrier(from, to, world_, ground_, *walkScratch(scratch).collision, stopped, 0.0);
+      reach_.barrier(from, to, world_, ground_, collisionScratches(scratches), stopped, 0.0);
   if (!barrier || barrier->object < 0) return std::nullopt;
   return disconnected(*barrier);
 }

@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "animation/synthesis/walk_synthesizer.h"
 #include "environments/collision/collision_world.h"
@@ -55,15 +56,14 @@ class WalkSteering : public Steering {
   std::unique_ptr<WayGuide> guide(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                   const Eigen::AlignedBox2d& bounds,
                                   const std::function<bool()>& stopped) const override;
-  std::optional<SteeringFailure> shutOff(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                                         const std::function<bool()>& stopped,
-                                         SteeringScratch& scratch) const override;
+  std::optional<SteeringFailure> shutOff(
+      const Eigen::Vector3d& from, const Eigen::Vector3d& to, const std::function<bool()>& stopped,
+      std::span<const SteeringScratchPtr> scratches) const override;
   /// What shuts off all who keep to the ground, as far as the body's middle: no proof where the
   /// ground is open at its edge, since a body may lean out there. For reports.
-  std::optional<SteeringFailure> shutOffOnGround(const Eigen::Vector3d& from,
-                                                 const Eigen::Vector3d& to,
-                                                 const std::function<bool()>& stopped,
-                                                 SteeringScratch& scratch) const;
+  std::optional<SteeringFailure> shutOffOnGround(
+      const Eigen::Vector3d& from, const Eigen::Vector3d& to, const std::function<bool()>& stopped,
+      std::span<const SteeringScratchPtr> scratches) const;
 
   /// By a few small steps to a standing stance beside the first, in any direction, turning on the
   /// way; refused where it is farther than kSmallSteps. For start and goal: between samples of a

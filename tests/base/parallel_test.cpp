@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <string>
@@ -58,6 +59,55 @@ TEST(ParallelFor, UsualThreadsAreSomeButNotTooMany) {
 
 TEST(ParallelFor, NothingToDoIsNothingDone) {
   parallelFor(0, 4, [](int, int) { FAIL(); });
+}
+
+TEST(FirstOf, IsTheSmallestThatSaysYesAndAllBeforeItAreAskedOnce) {
+  for (const int threads : {1, 2, 3, 8}) {
+    for (int least = 0; least <= 60; least += 7) {
+      std::vector<std::atomic<int>> asked(60);
+      const int first = firstOf(60, threads, [&](int i, int thread) {
+        EXPECT_LT(thread, threads);
+        ++asked[i];
+        return i >= least && i % 2 == least % 2;  // others after it say yes, too
+      });
+      EXPECT_EQ(first, std::min(least, 60));
+      for (int i = 0; i < 60; ++i) {
+        if (i <= first) {
+          EXPECT_EQ(asked[i], 1) << i;
+        }
+        EXPECT_LE(asked[i], threads == 1 && i > first ? 0 : 1) << i;
+      }
+    }
+  }
+}
+
+TEST(FirstOf, AThreadThatKnowsTheAnswerBeginsNothingAfterIt) {
+  std::atomic<int> begun{0};
+  EXPECT_EQ(firstOf(10000, 4,
+                    [&](int, int) {
+                      ++begun;
+                      return true;
+                    }),
+            0);
+  EXPECT_LE(begun, 4);
+}
+
+TEST(FirstOf, OfNoneIsNone) {
+  for (const int threads : {1, 4}) {
+    EXPECT_EQ(firstOf(0, threads, [](int, int) { return true; }), 0);
+    EXPECT_EQ(firstOf(5, threads, [](int, int) { return false; }), 5);
+  }
+}
+
+TEST(FirstOf, AFailureReachesTheCaller) {
+  for (const int threads : {1, 2, 8}) {
+    EXPECT_THROW(firstOf(40, threads,
+                         [](int i, int) {
+                           if (i == 3) throw std::runtime_error("3");
+                           return false;
+                         }),
+                 std::runtime_error);
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/sample_stream.h"
 #include "planner/roadmap/nearest_roadmap.h"
 #include "planner/roadmap/visibility_roadmap.h"
 #include "tests/planner/disc_steering.h"
@@ -73,7 +74,7 @@ class GuidedRooms : public DiscSteering {
   }
   std::optional<SteeringFailure> shutOff(const Eigen::Vector3d&, const Eigen::Vector3d&,
                                          const std::function<bool()>&,
-                                         SteeringScratch&) const override {
+                                         std::span<const SteeringScratchPtr>) const override {
     return barrier;
   }
 
@@ -211,6 +212,85 @@ TEST(SampledRoadmap, EachPairIsSteeredOnceThroughPassagesToo) {
   EXPECT_EQ(roadmap.steering().asked, steering.asked);
 }
 
+void expectSame(const SampledRoadmap& a, const SampledRoadmap& b) {
+  ASSERT_EQ(a.roadmap().size(), b.roadmap().size());
+  for (int i = 0; i < a.roadmap().size(); ++i) {
+    const RoadmapNode &one = a.roadmap().nodes()[i], &other = b.roadmap().nodes()[i];
+    EXPECT_EQ(one.at.stance.position, other.at.stance.position);
+    EXPECT_EQ(one.kind, other.kind);
+  }
+  const auto &edges = a.roadmap().edges(), &others = b.roadmap().edges();
+  ASSERT_EQ(edges.size(), others.size());
+  for (size_t i = 0; i < edges.size(); ++i)
+    EXPECT_EQ(std::pair(edges[i].from, edges[i].to), std::pair(others[i].from, others[i].to));
+  ASSERT_EQ(a.refused().size(), b.refused().size());
+  for (size_t i = 0; i < a.refused().size(); ++i) {
+    const RefusedLink &one = a.refused()[i], &other = b.refused()[i];
+    EXPECT_EQ(std::pair(one.from_node, one.to_node), std::pair(other.from_node, other.to_node));
+    EXPECT_EQ(one.from.stance.position, other.from.stance.position);
+    EXPECT_EQ(one.failure.object, other.failure.object);
+  }
+  EXPECT_EQ(a.steering().asked, b.steering().asked);
+  EXPECT_EQ(a.steering().refusals, b.steering().refusals);
+  EXPECT_EQ(a.samples(), b.samples());
+}
+
+/// Rooms full of boxes and one-way doors, with ways, passages and a narrow place anywhere.
+struct DrawnRooms : GuidedRooms {
+  explicit DrawnRooms(std::uint64_t seed) {
+    twoRooms(*this, 0.6);
+    SampleStream random(seed, 0);
+    const auto place = [&] { return Eigen::Vector2d(random.uniform(0, 8), random.uniform(0, 6)); };
+    for (int i = 0; i < 6; ++i) {
+      const Eigen::Vector2d low = place();
+      boxes.push_back({low, low + Eigen::Vector2d(random.uniform(0, 1), random.uniform(0, 1))});
+    }
+    doors = {{place(), place()}, {place(), place()}};
+    for (int i = 0; i < 4; ++i) {
+      ways.emplace_back();
+      for (int k = 0; k < 3; ++k) ways.back().push_back({.position = inSpace(place())});
+    }
+    for (int i = 0; i < 4; ++i)
+      pairs_of_passages.push_back({{.position = inSpace(place())}, {.position = inSpace(place())}});
+    narrow = {inSpace({4, 4.5}), random.uniform(-0.3, 0.3), seed % 2 == 0};
+  }
+  static Eigen::Vector3d inSpace(const Eigen::Vector2d& p) { return {p.x(), p.y(), 0.0}; }
+  std::vector<StancePair> passages() const override { return pairs_of_passages; }
+
+  std::vector<StancePair> pairs_of_passages;
+};
+
+TEST(SampledRoadmap, WithWaysPassagesAndNarrowPlacesItIsTheSameAtAnyNumberOfThreads) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    DrawnRooms one(seed);
+    VisibilityRoadmap of_one({one, kRoom});
+    for (const int threads : {1, 2, 5}) {
+      DrawnRooms steering(seed);
+      VisibilityRoadmap roadmap({steering, kRoom});
+      VisibilityRoadmap& made = threads == 1 ? of_one : roadmap;
+      const int from = made.insert(standing(1, 1), true, seed % 3 != 0, threads),
+                to = made.insert(standing(7, 1), true, true, threads);
+      made.connect(from, to, limitsOf(seed, 40, threads));
+      expectSame(of_one, made);
+    }
+  }
+}
+
+// Other threads begin no edge ahead that one thread would not ask for.
+TEST(SampledRoadmap, AWayOverTheMapCostsNoEdgeMoreOnSeveralThreads) {
+  for (const int threads : {1, 2, 5}) {
+    GuidedRooms steering;
+    twoRooms(steering, 0.8);
+    steering.ways = {{standing(2, 2).stance, standing(6, 2).stance},
+                     {standing(3, 4.5).stance, standing(5, 4.5).stance}};
+    VisibilityRoadmap roadmap({steering, kRoom});
+    const int from = roadmap.insert(standing(1, 1), true, true, threads),
+              to = roadmap.insert(standing(7, 1), true, true, threads);
+    EXPECT_TRUE(roadmap.connect(from, to, limitsOf(1, 60, threads)));
+    EXPECT_EQ(steering.asked, roadmap.steering().asked);
+  }
+}
+
 TEST(SampledRoadmap, ThreadsChangeNothing) {
   DiscSteering steering;
   twoRooms(steering, 0.8);
@@ -221,12 +301,7 @@ TEST(SampledRoadmap, ThreadsChangeNothing) {
                 to = roadmap->insert(standing(7, 1), true, true);
       roadmap->connect(from, to, limitsOf(seed, 60, threads));
     }
-    ASSERT_EQ(one.roadmap().size(), three.roadmap().size());
-    for (int i = 0; i < one.roadmap().size(); ++i)
-      EXPECT_EQ(one.roadmap().nodes()[i].at.stance.position,
-                three.roadmap().nodes()[i].at.stance.position);
-    EXPECT_EQ(one.steering().refusals, three.steering().refusals);
-    EXPECT_EQ(one.samples(), three.samples());
+    expectSame(one, three);
   }
 }
 

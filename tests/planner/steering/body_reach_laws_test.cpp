@@ -44,7 +44,17 @@ const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> kEnds = {
 struct Crowded {
   Crowded(std::uint64_t seed, int boxes) : scene(crowdedRoom(seed, boxes)) {}
   bool isShut(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
-    return reach.barrier(from, to, world, ground, *scratch, [] { return false; }).has_value();
+    return barrier(from, to, 1).has_value();
+  }
+  std::optional<BodyReach::Barrier> barrier(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                            int threads) const {
+    std::vector<CollisionScratchPtr> scratches;
+    std::vector<CollisionScratch*> each;
+    for (int i = 0; i < threads; ++i) {
+      scratches.push_back(world.makeScratch());
+      each.push_back(scratches.back().get());
+    }
+    return reach.barrier(from, to, world, ground, each, [] { return false; });
   }
 
   const FurnishedRoom& home = furnishedRoom();
@@ -121,6 +131,28 @@ bool ballPasses(const Crowded& crowded, const BodyReach::Ball& ball, const Eigen
       for (int dx = -1; dx <= 1; ++dx) reach(i + dx, j + dy);
   }
   return false;
+}
+
+TEST(BodyReachLaws, WhatShutsOffIsTheSameAtAnyNumberOfThreads) {
+  int shut = 0;
+  for (std::uint64_t seed = 31; seed <= 36; ++seed) {
+    const Crowded crowded(seed, 6);
+    for (const auto& [from, to] : kEnds) {
+      const auto one = crowded.barrier(from, to, 1);
+      shut += one.has_value();
+      for (const int threads : {2, 5}) {
+        const auto other = crowded.barrier(from, to, threads);
+        ASSERT_EQ(other.has_value(), one.has_value()) << seed;
+        if (!one) continue;
+        EXPECT_EQ(other->part, one->part);
+        EXPECT_EQ(other->object, one->object);
+        EXPECT_EQ(other->at, one->at);
+        EXPECT_EQ(other->near, one->near);
+        EXPECT_EQ(other->far, one->far);
+      }
+    }
+  }
+  EXPECT_GT(shut, 2);
 }
 
 TEST(BodyReachLaws, WhereEveryBallPassesByAFineFloodNothingIsShutOff) {

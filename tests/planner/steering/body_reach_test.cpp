@@ -36,7 +36,8 @@ Waypoint anywhere(SampleStream& stream) {
 std::optional<SteeringFailure> shutOff(const FurnishedRoom& room, const Eigen::Vector3d& from,
                                        const Eigen::Vector3d& to) {
   const WalkSteering steering(room.synthesizer, room.world, room.ground);
-  return steering.shutOff(from, to, never, *steering.makeScratch());
+  const auto scratch = steering.makeScratch();
+  return steering.shutOff(from, to, never, {&scratch, 1});
 }
 
 struct Named {
@@ -117,8 +118,8 @@ TEST(BodyReach, NoWalkThatIsFoundWasShutOff) {
       const Waypoint from = anywhere(stream), to = anywhere(stream);
       if (!steering.steer(from, to, *scratch).edge) continue;
       ++walked;
-      EXPECT_FALSE(
-          steering.shutOff(from.stance.position, to.stance.position, never, *scratch).has_value());
+      EXPECT_FALSE(steering.shutOff(from.stance.position, to.stance.position, never, {&scratch, 1})
+                       .has_value());
     }
   }
   EXPECT_GE(walked, 20);
@@ -196,8 +197,8 @@ TEST(BodyReach, NoWalkAlongAnOpenEdgeWasShutOff) {
       if (!steering.steer(from, to, *scratch).edge) continue;
       ++walked;
       narrowest = std::min(narrowest, strip);
-      EXPECT_FALSE(
-          steering.shutOff(from.stance.position, to.stance.position, never, *scratch).has_value());
+      EXPECT_FALSE(steering.shutOff(from.stance.position, to.stance.position, never, {&scratch, 1})
+                       .has_value());
     }
   }
   EXPECT_GE(walked, 15);
@@ -253,8 +254,8 @@ TEST(BodyReach, NoWalkOverStepsWasShutOffAndTheirPosesHoldTheBalls) {
       const auto result = steering.steer(from, to, *scratch);
       if (!result.edge || from.stance.position.z() == to.stance.position.z()) continue;
       ++walked;
-      EXPECT_FALSE(
-          steering.shutOff(from.stance.position, to.stance.position, never, *scratch).has_value());
+      EXPECT_FALSE(steering.shutOff(from.stance.position, to.stance.position, never, {&scratch, 1})
+                       .has_value());
       steering.animate(*result.edge, buffer);
       for (int frame = 0; frame < buffer.size(); ++frame) {
         forwardKinematics(room.synthesizer.skeleton(), buffer.poses[frame], joints);
@@ -282,10 +283,8 @@ TEST(BodyReach, NoWalkOverStepsWasShutOffAndTheirPosesHoldTheBalls) {
 TEST(BodyReach, WhoIsStoppedKnowsNothing) {
   const FurnishedRoom room(roomWith({boxObject("wall", {0.1, 4.0, 2.5}, {3, 2, 1.25})}));
   const WalkSteering steering(room.synthesizer, room.world, room.ground);
-  EXPECT_FALSE(steering
-                   .shutOff(
-                       kWest, kEast, [] { return true; }, *steering.makeScratch())
-                   .has_value());
+  const auto scratch = steering.makeScratch();
+  EXPECT_FALSE(steering.shutOff(kWest, kEast, [] { return true; }, {&scratch, 1}).has_value());
 }
 
 }  // namespace
