@@ -121,4 +121,9 @@ Eigen::Vector3d rolledAnkle(const FootShape& shape, double pitch) {
   return {pivot + c * x + s * z, 0.0, shape.radius - s * x + c * z};
 }
 
+Eigen::Vector3d rolledBall(const FootShape& shape, double toes) {
+  const double length = shape.tip_x - shape.ball_x;
+  return {length * (1.0 - std::cos(toes)), 0.0, length * std::sin(toes)};
+}
+
 }  // namespace amble

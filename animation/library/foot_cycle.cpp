@@ -1,5 +1,6 @@
 #include "animation/library/foot_cycle.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/ease.h"
@@ -24,6 +25,7 @@ FootCycle meanFoot(const std::vector<FootCycle>& feet) {
       mean.yaw[k] += share * foot.yaw[k];
     }
     for (size_t i = 0; i < mean.pitch.size(); ++i) mean.pitch[i] += share * foot.pitch[i];
+    for (size_t k = 0; k < mean.toes.size(); ++k) mean.toes[k] += share * foot.toes[k];
   }
   mean.strike = wrapped(feet.front().strike + strike);
   mean.lift_off = wrapped(feet.front().lift_off + lift_off);
@@ -55,6 +57,24 @@ double footPitch(const FootCycle& foot, double x) {
   const double m0 = 0.5 * (p(1) - p(-1)), m1 = 0.5 * (p(2) - p(0));
   const double a = 2.0 * (p(0) - p(1)) + m0 + m1, b = 3.0 * (p(1) - p(0)) - 2.0 * m0 - m1;
   return p(0) + t * (m0 + t * (b + t * a));
+}
+
+double toeSpline(int k, double x) {
+  static_assert(FootCycle::kStanceSamples == FootCycle::kSwingSamples);
+  const double d = std::abs(x * FootCycle::kStanceSamples - FootCycle::kToesFrom - k);
+  if (d >= 2.0) return 0.0;
+  if (d >= 1.0) return std::pow(2.0 - d, 3) / 6.0;
+  return 2.0 / 3.0 - d * d * (1.0 - 0.5 * d);
+}
+
+double toeRoll(const FootCycle& foot, double x) {
+  const double u = x * FootCycle::kStanceSamples - FootCycle::kToesFrom;
+  if (u <= -2.0 || u >= FootCycle::kToeSplines + 1) return 0.0;
+  double roll = 0.0;
+  const int first = std::max(0, static_cast<int>(std::ceil(u)) - 2);
+  for (int k = first; k < std::min(first + 4, FootCycle::kToeSplines); ++k)
+    roll += foot.toes[k] * toeSpline(k, x);
+  return roll;
 }
 
 }  // namespace amble

@@ -28,12 +28,18 @@ struct FootCycle {
   /// strike to lift-off, then kSwingSamples from lift-off to the next strike, where it begins anew.
   /// 0 while the foot is flat.
   std::vector<double> pitch;
+  /// How far the toes are rolled over their tips, which stay where they stand while the foot does:
+  /// captured feet do so at last before they leave. Coefficients of cubic B-splines, a sample of
+  /// the pitch apart, the first around kToesFrom [rad, 0 to 1].
+  static constexpr int kToeSplines = 16;
+  std::array<double, kToeSplines> toes = {};
 
   static constexpr int kStanceSamples = 32;
   static constexpr int kSwingSamples = 32;
   /// Here of its stance every foot is flat: its pitch is that of the landing before, that of the
   /// rise after.
   static constexpr double kFlat = 0.4;
+  static constexpr int kToesFrom = 28;
 };
 
 /// Mean of the feet of several cycles; phases by the shorter way around the cycle. @pre one or more
@@ -46,5 +52,9 @@ double swingProgress(const FootCycle& foot, double tau);
 /// Pitch at x: 0 to 1 is the stance from strike to lift-off, 1 to 2 the swing [rad]. Smooth, with
 /// period 2. @param x  [0, 2]
 double footPitch(const FootCycle& foot, double x);
+/// FootCycle::toes at x, as of footPitch [rad, >= 0].
+double toeRoll(const FootCycle& foot, double x);
+/// What the spline of FootCycle::toes[k] is at x [0 to 2/3].
+double toeSpline(int k, double x);
 
 }  // namespace amble

@@ -15,12 +15,15 @@ void eachStretch(Foot& foot, const Take& take) {
   for (auto* terms : {&foot.progress, &foot.height, &foot.sideways, &foot.roll, &foot.yaw}) {
     take(terms->data(), terms->size());
   }
+  take(foot.toes.data(), foot.toes.size());
   take(foot.pitch.data(), foot.pitch.size());
 }
 
 }  // namespace
 
-int footNumberCount() { return 1 + 5 * static_cast<int>(FootCycle().progress.size()) + kPitches; }
+int footNumberCount() {
+  return 1 + 5 * static_cast<int>(FootCycle().progress.size()) + FootCycle::kToeSplines + kPitches;
+}
 
 Eigen::RowVectorXd footNumbers(const FootCycle& foot) {
   assert(static_cast<int>(foot.pitch.size()) == kPitches);

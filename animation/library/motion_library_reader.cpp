@@ -26,8 +26,8 @@ SwingTerms coefficients(const YamlNode& node) {
 }
 
 FootCycle readFoot(const YamlNode& node) {
-  node.requireKeys(
-      {"strike", "lift_off", "slip", "progress", "height", "sideways", "roll", "yaw", "pitch"});
+  node.requireKeys({"strike", "lift_off", "slip", "progress", "height", "sideways", "roll", "yaw",
+                    "pitch", "toes"});
   FootCycle foot;
   foot.strike = node.at("strike").asDouble(0.0, 1.0, "phase [cycles]");
   foot.lift_off = node.at("lift_off").asDouble(0.0, 1.0, "phase [cycles]");
@@ -41,6 +41,12 @@ FootCycle readFoot(const YamlNode& node) {
       node.at("pitch").asVec(FootCycle::kStanceSamples + FootCycle::kSwingSamples,
                              "pitch of the sole [degrees]", -180, 180);
   for (const double p : pitch) foot.pitch.push_back(p * kDegree);
+  if (const YamlNode rolled = node["toes"]) {  // libraries that were built before have none
+    const Eigen::VectorXd toes =
+        rolled.asVec(FootCycle::kToeSplines, "roll of the toes [degrees]", 0, 90);
+    std::copy(toes.begin(), toes.end(), foot.toes.begin());
+    for (double& t : foot.toes) t *= kDegree;
+  }
   return foot;
 }
 

@@ -29,6 +29,7 @@ void putFoot(YAML::Emitter& out, const char* side, const FootCycle& foot) {
   putList(out, "roll", foot.roll);
   putList(out, "yaw", foot.yaw);
   putList(out, "pitch", foot.pitch, kDegree);
+  if (foot.toes != FootCycle().toes) putList(out, "toes", foot.toes, kDegree);
   out << EndMap;
 }
 

@@ -182,6 +182,15 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
   return foot;
 }
 
+FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape,
+                       const Stretch& stretch, const std::string& clip) {
+  FootCycle foot = fitFootCycle(track, side, shape, stretch.begin, stretch.end, clip);
+  if (stretch.leading == kLeft) return foot;
+  foot.strike = std::fmod(foot.strike + 0.5, 1.0);
+  foot.lift_off = std::fmod(foot.lift_off + 0.5, 1.0);
+  return foot;
+}
+
 bool hasSwing(const GaitTrack& track, Side side, double begin, double end) {
   return swingWithin(track, side, begin, end).has_value();
 }

@@ -25,6 +25,10 @@ FootCycle fitSwing(const GaitTrack& track, Side side, const FootShape& shape, co
 FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape, double begin,
                        double end, const std::string& clip);
 
+/// The same of a stretch, its phases as if the left foot had led.
+FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape,
+                       const Stretch& stretch, const std::string& clip);
+
 /// Where a walk puts its feet.
 struct FootPlacing {
   double width = 0.0;   ///< between the lines of left and right footprints [m]

@@ -5,259 +5,335 @@
 #include <cmath>
 #include <utility>
 
-#include "animation/body/pose.h"
-#include "animation/preparation/cycle_path.h"
+#include "animation/preparation/leg_track.h"
 #include "animation/preparation/swing_fit.h"
 #include "animation/steps/leg_reach.h"
-#include "animation/steps/stride_law.h"
 #include "base/ease.h"
-#include "base/rotation.h"
 
 namespace amble {
 namespace {
 
 constexpr int kStance = FootCycle::kStanceSamples, kSwing = FootCycle::kSwingSamples;
-constexpr int kPitches = kStance + kSwing;
+constexpr int kPitches = LegTrack::kSamples, kToes = FootCycle::kToeSplines;
+constexpr int kTerms = static_cast<int>(SwingTerms().size());
+
+// Where the unknowns of a leg are: pitches, how far its prints go forward, FootCycle::toes,
+// progress and height. Those of the pelvis are behind both legs'.
+constexpr int kForward = kPitches, kRolls = kForward + 1, kProgress = kRolls + kToes,
+              kHeight = kProgress + kTerms, kOfLeg = kHeight + kTerms, kPelvis = 2 * kOfLeg,
+              kUnknowns = kPelvis + kSwayNumbers;
 
 // What squares are weighed with against those of knee and hip, whose weights over a cycle are 1
 // together. By trial, on walks of seven persons.
 struct Weight {
   static constexpr double kPitch = 0.15;     // of the pitch against the captured one
   static constexpr double kFlat = 100.0;     // the same while the foot stands flat
-  static constexpr double kBends = 2.0;      // of what the pitch's second differences are more
+  static constexpr double kBends = 0.5;      // of what the pitch's second differences are more
+  static constexpr double kToes = 0.05;      // of the toes against the captured ones
+  static constexpr double kToesBend = 0.05;  // of the second differences of their coefficients
   static constexpr double kMoved = 20.0;     // of the print against where it was, in metres
   static constexpr double kTooFar = 3000.0;  // of a leg in front that is too long, in its lengths
+  static constexpr double kTooLow = 3000.0;  // of a sole that does not clear the ground, in metres
+  // Of the pelvis against where it was, in metres: a wave a cycle, and how much more faster ones.
+  static constexpr double kAlong = 4.0, kUp = 25.0, kWaves = 0.01;
+  static constexpr double kNone = 1e3;  // of what may not be less than 0 and would
 };
-double timeOf(int sample) {
-  return sample < kStance ? static_cast<double>(sample) / kStance
-                          : 1.0 + static_cast<double>(sample - kStance) / kSwing;
-}
+
+double weightOf(int sample) { return sample < kStance ? 0.6 / kStance : 0.4 / kSwing; }
 
 // How flat a foot stands at a time of it [0, 1].
 double flatness(double at) {
   return smoothstep((at - 0.1) / 0.15) * smoothstep((0.75 - at) / 0.15);
 }
 
-// Least squares: the sum of weight * (terms - wanted)^2 over all that is added.
+// What is linear in the unknowns near where they are now.
+struct Row {
+  const Eigen::VectorXd& now;
+  double target;  // that the sum of slope times unknown is to be
+  std::vector<std::pair<int, double>> terms = {};
+
+  /// @param missing  what is wanted less what there is now
+  Row(const Eigen::VectorXd& unknowns, double missing) : now(unknowns), target(missing) {}
+  void by(int unknown, double slope) {
+    if (slope == 0.0) return;
+    terms.emplace_back(unknown, slope);
+    target += slope * now[unknown];
+  }
+};
+
+// Least squares: the sum of weight * (terms - target)^2 over all rows.
 class Squares {
  public:
-  using Term = std::pair<int, double>;  // unknown and coefficient
-
-  explicit Squares(int unknowns)
-      : normal_(Eigen::MatrixXd::Zero(unknowns, unknowns)),
-        right_(Eigen::VectorXd::Zero(unknowns)) {}
-
-  void add(double weight, double wanted, std::initializer_list<Term> terms) {
-    for (const auto& [row, a] : terms) {
-      right_[row] += weight * a * wanted;
-      for (const auto& [column, b] : terms) normal_(row, column) += weight * a * b;
+  void add(double weight, const Row& row) {
+    for (const auto& [i, a] : row.terms) {
+      right_[i] += weight * a * row.target;
+      for (const auto& [k, b] : row.terms) normal_(i, k) += weight * a * b;
     }
   }
   Eigen::VectorXd least() const { return normal_.ldlt().solve(right_); }
 
  private:
-  Eigen::MatrixXd normal_;
-  Eigen::VectorXd right_;
+  Eigen::MatrixXd normal_ = 1e-9 * Eigen::MatrixXd::Identity(kUnknowns, kUnknowns);
+  Eigen::VectorXd right_ = Eigen::VectorXd::Zero(kUnknowns);
 };
 
-// How a leg is bent: at the knee, and how far forward it goes from the hip [rad].
-using Bend = Eigen::Vector2d;
+FootCycle footOf(FootCycle foot, const Eigen::VectorXd& x, int first) {
+  std::copy_n(x.data() + first, kPitches, foot.pitch.begin());
+  std::copy_n(x.data() + first + kRolls, kToes, foot.toes.begin());
+  std::copy_n(x.data() + first + kProgress, kTerms, foot.progress.begin());
+  std::copy_n(x.data() + first + kHeight, kTerms, foot.height.begin());
+  return foot;
+}
 
-// A leg over the stance and the swing of its foot, as captured and as ours, where the walk begins
-// along x.
-class LegTrack {
- public:
-  LegTrack(const Skeleton& skeleton, const JointRoles& roles, const FootShape& shape,
-           const std::vector<Eigen::Quaterniond>& reference, const WalkCycle& cycle, Side side)
-      : skeleton_(skeleton),
-        joints_(roles.legs[side]),
-        shape_(shape),
-        reference_(reference),
-        cycle_(cycle),
-        path_{Eigen::Vector2d::Zero(), 0.0, 2.0 * cycle.stepLength(),
-              cycle.turn_rate * cycle.period},
-        toe_out_(cycle.toe_out[side]),
-        thigh_(skeleton.joint(joints_.leg).offset.norm()),
-        shank_(skeleton.joint(joints_.foot).offset.norm()),
-        joints_at_(skeleton.size()) {
-    const double node = side == kLeft ? 0.0 : 0.5, sign = side == kLeft ? 1.0 : -1.0;
-    const double half = 0.25 * support(roles.legLength(skeleton, kLeft));
-    strike_ = node - half;
-    stance_ = 0.5 + 2.0 * half;
-    beside_ = node + 0.25;
-    forward_ = cycle.foot_forward[side];
-    left_ = cycle.prints_left + 0.5 * sign * cycle.step_width;
-    for (int i = 0; i < kPitches; ++i) captured_.push_back(legAt(timeOf(i)));
-  }
+void putFoot(const FootCycle& foot, int first, Eigen::VectorXd& x) {
+  std::copy(foot.pitch.begin(), foot.pitch.end(), x.data() + first);
+  std::copy(foot.toes.begin(), foot.toes.end(), x.data() + first + kRolls);
+  std::copy(foot.progress.begin(), foot.progress.end(), x.data() + first + kProgress);
+  std::copy(foot.height.begin(), foot.height.end(), x.data() + first + kHeight);
+}
 
-  double length() const { return thigh_ + shank_; }
-  void movePrint(double forward) { forward_ += forward; }
-  // Of the print that the foot stands on or leaves, and from there to its next one [m].
-  Eigen::Vector3d print() const { return printAt(beside_); }
-  Eigen::Vector3d stride() const { return printAt(beside_ + 1.0) - print(); }
-  // Where the path goes beside the foot [unit].
-  Eigen::Vector3d ahead(double at) const {
-    return aboutZ(path_.headingAt(beside_) + turned(at)) * Eigen::Vector3d::UnitX();
+// What a number of a leg does by all unknowns, whose slopes by what can be moved are these.
+void addSlopes(const LegTrack& track, int first, int sample, const LegMoves& slopes, Row& row) {
+  const double at = LegTrack::timeOf(sample), phase = track.phaseOf(sample);
+  row.by(first + sample, slopes[kByPitch]);
+  row.by(first + kForward, slopes[kByPrint]);
+  for (int k = 0; k < kToes; ++k) row.by(first + kRolls + k, slopes[kByToes] * toeSpline(k, at));
+  double power = std::pow((at - 1.0) * (2.0 - at), 2);
+  for (int k = 0; k < kTerms && sample >= kStance; ++k, power *= at - 1.0) {
+    if (k < kProgressTerms)
+      row.by(first + kProgress + k, slopes[kByWay] * track.wayLength() * power);
+    if (k < kHeightTerms) row.by(first + kHeight + k, slopes[kByHeight] * power);
   }
+  for (int k = 0; k < kSwayNumbers; ++k)
+    row.by(kPelvis + k, slopes[swayAxis(k) == 0 ? kByHip : kByHipUp] * swayBasis(k, phase));
+}
 
-  struct Leg {
-    Eigen::Vector3d hip, ankle;  // [m]
-    Eigen::Vector3d line() const { return ankle - hip; }
-  };
-  const Leg& captured(int sample) const { return captured_[sample]; }
-  // At a time of the foot, FootState::at.
-  Leg legAt(double at) const {
-    const double phase = phaseAt(at);
-    const Eigen::VectorXd c = fourierAt(cycle_.series, phase);
-    const Eigen::Quaterniond along = aboutZ(path_.headingAt(phase));
-    Pose pose;
-    pose.p_WR = along * c.head<3>();
-    pose.p_WR.head<2>() += path_.at(phase);
-    for (size_t j = 0; j < reference_.size(); ++j) {
-      const Eigen::Vector3d v = c.segment<3>(3 + 3 * static_cast<Eigen::Index>(j));
-      pose.rotations.push_back(reference_[j] * expRotation(v));
-    }
-    pose.rotations[0] = along * pose.rotations[0];
-    forwardKinematics(skeleton_, pose, joints_at_);
-    return {joints_at_[joints_.up_leg].p_WJ, joints_at_[joints_.foot].p_WJ};
-  }
-
-  // From the sole that stands on the print to that under the captured ankle, were it so pitched
-  // [m].
-  Eigen::Vector3d soleUnder(double at, double pitch) const {
-    return legAt(at).ankle - ankleOver(at, pitch) - print();
-  }
-  // From the captured hip to our ankle [m].
-  Eigen::Vector3d line(const FootCycle& foot, int sample, double pitch) const {
-    Eigen::Vector3d sole = print();
-    if (sample >= kStance) {
-      const double tau = timeOf(sample) - 1.0;
-      const Eigen::Vector3d way = stride();
-      const Eigen::Vector3d left = Eigen::Vector3d(-way.y(), way.x(), 0.0) / way.norm();
-      sole += swingProgress(foot, tau) * way + swingPolynomial(foot.sideways, tau) * left;
-      sole.z() += swingPolynomial(foot.height, tau);
-    }
-    return sole + ankleOver(timeOf(sample), pitch) - captured_[sample].hip;
-  }
-  // Of a line from hip to ankle at a sample.
-  Bend bendOf(int sample, const Eigen::Vector3d& line_W) const {
-    const Eigen::Vector3d line = aboutZ(-path_.headingAt(phaseAt(timeOf(sample)))) * line_W;
-    const double l = std::min(line.norm(), LegReach::kLongest * length());
-    const double cosine = (l * l - thigh_ * thigh_ - shank_ * shank_) / (2.0 * thigh_ * shank_);
-    return {std::acos(std::clamp(cosine, -1.0, 1.0)), std::atan2(line.x(), -line.z())};
-  }
-
- private:
-  double phaseAt(double at) const {
-    return strike_ + (at <= 1.0 ? at * stance_ : stance_ + (at - 1.0) * (1.0 - stance_));
-  }
-  // What the foot has turned since it stood [rad].
-  double turned(double at) const { return smoothstep(at - 1.0) * path_.turn; }
-  Eigen::Vector3d printAt(double u) const {
-    Eigen::Vector3d print = aboutZ(path_.headingAt(u)) * Eigen::Vector3d(forward_, left_, 0.0);
-    print.head<2>() += path_.at(u);
-    return print;
-  }
-  Eigen::Vector3d ankleOver(double at, double pitch) const {
-    return aboutZ(path_.headingAt(beside_) + turned(at) + toe_out_) * rolledAnkle(shape_, pitch);
-  }
-  // Share of the cycle with both feet down, of walks at the captured speed.
-  double support(double leg_length) const {
-    StrideLaw law(cycle_.speed, cycle_.stepLength());
-    law.setSupports({{cycle_.speed, cycle_.doubleSupport()}}, leg_length);
-    return law.doubleSupport(cycle_.speed);
-  }
-
-  const Skeleton& skeleton_;
-  LegJoints joints_;
-  FootShape shape_;
-  const std::vector<Eigen::Quaterniond>& reference_;
-  const WalkCycle& cycle_;
-  FittedPath path_;
-  double toe_out_, thigh_, shank_;
-  mutable std::vector<JointFrame> joints_at_;
-  double strike_, stance_;  // [cycles]
-  double beside_, forward_,
-      left_;                   // where along the path the print is [cycles], and from there [m]
-  std::vector<Leg> captured_;  // by sample of the pitch
-};
-
-// What one sample of the pitch and the print's way forward do to the leg.
-void addLeg(const LegTrack& track, const FootCycle& foot, int sample, double weight,
+// Legs bend as captured.
+void addLeg(const LegTrack& track, const Eigen::VectorXd& now, int first, int sample,
             Squares& squares) {
   constexpr double kStep = 1e-4;  // [rad, m]
-  const double at = timeOf(sample), p = foot.pitch[sample];
-  const Eigen::Vector3d captured = track.captured(sample).line();
-  const Eigen::Vector3d line = track.line(foot, sample, p);
-  const Eigen::Vector3d pitched = track.line(foot, sample, p + kStep);
-  const Eigen::Vector3d moved = line + kStep * track.ahead(at);
-  const Bend bend = track.bendOf(sample, line), wanted = track.bendOf(sample, captured);
-  const Bend by_pitch = (track.bendOf(sample, pitched) - bend) / kStep;
-  const Bend by_move = (track.bendOf(sample, moved) - bend) / kStep;
+  const double at = LegTrack::timeOf(sample);
+  const Eigen::Vector3d line = track.line(sample);
+  const LegBend bend = track.bendOf(sample, line), wanted = track.capturedBend(sample);
+  std::array<LegMoves, 2> slopes;
+  LegMoves longer;
+  for (int k = 0; k < kLegMoves; ++k) {
+    LegMoves moved = {};
+    moved[k] = kStep;
+    const Eigen::Vector3d there = track.line(sample, moved);
+    const LegBend by = (track.bendOf(sample, there) - bend) / kStep;
+    slopes[0][k] = by[0];
+    slopes[1][k] = by[1];
+    longer[k] = (there.norm() - line.norm()) / kStep;
+  }
   for (const int k : {0, 1}) {
-    squares.add(weight, wanted[k] - bend[k] + by_pitch[k] * p,
-                {{sample, by_pitch[k]}, {kPitches, by_move[k]}});
+    Row row(now, wanted[k] - bend[k]);
+    addSlopes(track, first, sample, slopes[k], row);
+    squares.add(weightOf(sample), row);
   }
   // A leg in front is no longer than it may be (LegReach): heels cannot help there, and hips would
   // be lowered.
-  const double most = std::clamp(captured.norm(), LegReach::kStraight * track.length(),
+  const double most = std::clamp(track.capturedLength(sample), LegReach::kStraight * track.length(),
                                  LegReach::kLongest * track.length());
   if (line.norm() <= most || (at > 0.4 && at < 1.6)) return;
-  const double slope = (pitched.norm() - line.norm()) / kStep;
-  squares.add(weight * Weight::kTooFar / std::pow(track.length(), 2),
-              most - line.norm() + slope * p,
-              {{sample, slope}, {kPitches, (moved.norm() - line.norm()) / kStep}});
+  Row row(now, most - line.norm());
+  addSlopes(track, first, sample, longer, row);
+  squares.add(weightOf(sample) * Weight::kTooFar / std::pow(track.length(), 2), row);
 }
 
-// One step of Gauss and Newton. @return how far the print goes forward [m]
-double fitPitch(const LegTrack& track, const std::vector<double>& captured, FootCycle& foot) {
-  Squares squares(kPitches + 1);
-  squares.add(Weight::kMoved, 0.0, {{kPitches, 1.0}});
+// Heels rise as captured, as smoothly.
+void addPitches(const std::vector<double>& captured, const Eigen::VectorXd& now, int first,
+                Squares& squares) {
   for (int i = 0; i < kPitches; ++i) {
-    const double weight = i < kStance ? 0.6 / kStance : 0.4 / kSwing;
-    addLeg(track, foot, i, weight, squares);
-    squares.add(weight * (Weight::kPitch + Weight::kFlat * flatness(timeOf(i))), captured[i],
-                {{i, 1.0}});
+    Row pitch(now, captured[i] - now[first + i]);
+    pitch.by(first + i, 1.0);
+    squares.add(weightOf(i) * (Weight::kPitch + Weight::kFlat * flatness(LegTrack::timeOf(i))),
+                pitch);
     const int before = (i + kPitches - 1) % kPitches, after = (i + 1) % kPitches;
-    squares.add(Weight::kBends / kPitches, captured[before] - 2.0 * captured[i] + captured[after],
-                {{before, 1.0}, {i, -2.0}, {after, 1.0}});
+    const auto bend = [&](const auto& p, int offset) {
+      return p[offset + before] - 2.0 * p[offset + i] + p[offset + after];
+    };
+    Row row(now, bend(captured, 0) - bend(now, first));
+    row.by(first + before, 1.0);
+    row.by(first + i, -2.0);
+    row.by(first + after, 1.0);
+    squares.add(Weight::kBends / kPitches, row);
   }
-  const Eigen::VectorXd least = squares.least();
-  for (int i = 0; i < kPitches; ++i) foot.pitch[i] = captured[i] == 0.0 ? 0.0 : least[i];
-  return least[kPitches];
+}
+
+// Toes roll as captured.
+void addToes(const LegTrack& track, const FootCycle& foot, const Eigen::VectorXd& now, int first,
+             Squares& squares) {
+  for (int i = FootCycle::kToesFrom - 1; i <= FootCycle::kToesFrom + kToes; ++i) {
+    const double at = LegTrack::timeOf(i);
+    Row row(now, track.capturedToes(i) - toeRoll(foot, at));
+    for (int k = 0; k < kToes; ++k) row.by(first + kRolls + k, toeSpline(k, at));
+    squares.add(Weight::kToes * weightOf(i), row);
+  }
+  for (int k = 0; k < kToes; ++k) {
+    const int at = first + kRolls + k;
+    const auto roll = [&](int i) { return i < 0 || i >= kToes ? 0.0 : now[first + kRolls + i]; };
+    Row row(now, 2.0 * roll(k) - roll(k - 1) - roll(k + 1));
+    row.by(at, -2.0);
+    if (k > 0) row.by(at - 1, 1.0);
+    if (k + 1 < kToes) row.by(at + 1, 1.0);
+    squares.add(Weight::kToesBend / kPitches, row);
+  }
+}
+
+// Swings clear the ground.
+void addClearance(const FootShape& shape, const FootCycle& foot, const Eigen::VectorXd& now,
+                  int first, Squares& squares) {
+  constexpr double kStep = 1e-4;  // [rad]
+  for (int i = 1; i < kSwing; ++i) {
+    const double tau = static_cast<double>(i) / kSwing, p = foot.pitch[kStance + i];
+    const double height = swingPolynomial(foot.height, tau);
+    const double have = soleClearance(shape, p, height), wanted = swingClearance(tau);
+    if (have >= wanted) continue;
+    Row row(now, wanted - have);
+    row.by(first + kStance + i, (soleClearance(shape, p + kStep, height) - have) / kStep);
+    double power = std::pow(tau * (1.0 - tau), 2);
+    for (int k = 0; k < kHeightTerms; ++k, power *= tau) row.by(first + kHeight + k, power);
+    squares.add(weightOf(kStance + i) * Weight::kTooLow, row);
+  }
+}
+
+// The pelvis goes as captured, and by no waves that its series has not.
+void addPelvis(const Eigen::VectorXd& now, int harmonics, Squares& squares) {
+  for (int k = 0; k < kSwayNumbers; ++k) {
+    Row row(now, -now[kPelvis + k]);
+    row.by(kPelvis + k, 1.0);
+    const double faster = 1.0 + Weight::kWaves * std::pow(swayWaves(k), 4);
+    const double weight = swayAxis(k) == 0 ? Weight::kAlong : Weight::kUp;
+    squares.add(swayWaves(k) > harmonics ? Weight::kNone : weight * faster, row);
+  }
+}
+
+// Toes do not roll into the ground: what would is held at 0.
+Eigen::VectorXd leastUpward(Squares& squares) {
+  constexpr int kRounds = 4;
+  Eigen::VectorXd least = squares.least();
+  for (int round = 0; round < kRounds; ++round) {
+    bool held = false;
+    for (const int first : {0, kOfLeg}) {
+      for (int i = first + kRolls; i < first + kRolls + kToes; ++i) {
+        if (least[i] > -1e-5) continue;
+        const Eigen::VectorXd none = Eigen::VectorXd::Zero(kUnknowns);
+        Row row(none, 0.0);
+        row.by(i, 1.0);
+        squares.add(Weight::kNone, row);
+        held = true;
+      }
+    }
+    if (!held) break;
+    least = squares.least();
+  }
+  return least;
 }
 
 // Along and up, so that the ankle goes as captured.
 void fitSwing(const LegTrack& track, const FootShape& shape, FootCycle& foot) {
   std::vector<double> progress, height;
-  const Eigen::Vector3d way = track.stride();
   for (int i = 0; i < kSwingPoints; ++i) {
     const double tau = static_cast<double>(i) / (kSwingPoints - 1);
-    const Eigen::Vector3d sole = track.soleUnder(1.0 + tau, footPitch(foot, 1.0 + tau));
-    progress.push_back(sole.dot(way) / way.squaredNorm() - smoothstep(tau));
-    height.push_back(sole.z());
+    const Eigen::Vector2d sole = track.soleUnderAnkle(tau);
+    progress.push_back(sole[0] - smoothstep(tau));
+    height.push_back(sole[1]);
   }
   foot.progress = fitProgress(progress);
   foot.height = fitSwingHeight(shape, foot, height);
 }
+
+// Raised where it does not clear the ground.
+void clearGround(const FootShape& shape, FootCycle& foot) {
+  std::vector<double> height;
+  for (int i = 0; i < kSwingPoints; ++i)
+    height.push_back(swingPolynomial(foot.height, static_cast<double>(i) / (kSwingPoints - 1)));
+  foot.height = fitSwingHeight(shape, foot, height);
+}
+
+// Both legs of a walk and its pelvis, and what is unknown of them.
+class WalkFit {
+ public:
+  WalkFit(const Skeleton& skeleton, const JointRoles& roles, const std::array<FootShape, 2>& shapes,
+          const std::vector<Eigen::Quaterniond>& reference, const WalkCycle& cycle)
+      : shapes_(shapes),
+        feet_(cycle.feet),
+        harmonics_(cycle.series.harmonics()),
+        now_(Eigen::VectorXd::Zero(kUnknowns)) {
+    for (const Side side : {kLeft, kRight}) {
+      LegTrack& track = tracks_.emplace_back(skeleton, roles, shapes[side], reference, cycle, side);
+      for (int i = 0; i < kPitches; ++i) captured_[side].push_back(track.capturedPitch(i));
+      FootCycle foot = cycle.feet[side];
+      foot.pitch = captured_[side];
+      track.make(foot, 0.0, PelvisSway::Zero());
+      fitSwing(track, shapes[side], foot);
+      putFoot(foot, side * kOfLeg, now_);
+    }
+  }
+
+  // One step of Gauss and Newton.
+  void step() {
+    constexpr double kShare = 0.5;  // of it: farther, and knees that are straight overshoot
+    Squares squares;
+    addPelvis(now_, harmonics_, squares);
+    for (const Side side : {kLeft, kRight}) {
+      const int first = side * kOfLeg;
+      const FootCycle made = foot(side);
+      tracks_[side].make(made, now_[first + kForward], sway());
+      for (int i = 0; i < kPitches; ++i) addLeg(tracks_[side], now_, first, i, squares);
+      addPitches(captured_[side], now_, first, squares);
+      addToes(tracks_[side], made, now_, first, squares);
+      addClearance(shapes_[side], made, now_, first, squares);
+      Row still(now_, -now_[first + kForward]);
+      still.by(first + kForward, 1.0);
+      squares.add(Weight::kMoved, still);
+    }
+    now_ += kShare * (leastUpward(squares) - now_);
+    for (const Side side : {kLeft, kRight}) {
+      auto toes = now_.segment<kToes>(side * kOfLeg + kRolls);
+      toes = toes.cwiseMax(0.0).eval();
+      if (!isRigid(side)) continue;
+      toes.setZero();
+      now_.segment<kPitches>(side * kOfLeg).setZero();
+    }
+  }
+
+  FootCycle foot(Side side) const { return footOf(feet_[side], now_, side * kOfLeg); }
+  double forward(Side side) const { return now_[side * kOfLeg + kForward]; }
+  PelvisSway sway() const { return now_.tail<kSwayNumbers>(); }
+
+ private:
+  // Feet that no capture rolls.
+  bool isRigid(Side side) const {
+    return std::ranges::all_of(captured_[side], [](double pitch) { return pitch == 0.0; });
+  }
+
+  std::array<FootShape, 2> shapes_;
+  std::array<FootCycle, 2> feet_;                // as they were
+  std::array<std::vector<double>, 2> captured_;  // pitches
+  std::vector<LegTrack> tracks_;
+  int harmonics_;  // of the series
+  Eigen::VectorXd now_;
+};
 
 }  // namespace
 
 void fitHeelRise(const Skeleton& skeleton, const JointRoles& roles,
                  const std::array<FootShape, 2>& shapes,
                  const std::vector<Eigen::Quaterniond>& reference, WalkCycle& cycle) {
-  constexpr int kRounds = 8;  // by then nothing moves by more than a tenth of a millimetre
+  constexpr int kRounds = 12;  // by then no angle of a leg moves by more than a tenth of a degree
+  WalkFit fit(skeleton, roles, shapes, reference, cycle);
+  for (int round = 0; round < kRounds; ++round) fit.step();
   for (const Side side : {kLeft, kRight}) {
-    FootCycle& foot = cycle.feet[side];
-    const std::vector<double> captured = foot.pitch;
-    LegTrack track(skeleton, roles, shapes[side], reference, cycle, side);
-    for (int round = 0; round < kRounds; ++round) {
-      const double forward = fitPitch(track, captured, foot);
-      fitSwing(track, shapes[side], foot);
-      track.movePrint(forward);
-      cycle.foot_forward[side] += forward;
-    }
+    cycle.feet[side] = fit.foot(side);
+    clearGround(shapes[side], cycle.feet[side]);
+    cycle.foot_forward[side] += fit.forward(side);
   }
+  const PelvisSway sway = fit.sway();
+  FourierSeries& series = cycle.series;
+  for (int k = 0; k < kSwayNumbers && swayWaves(k) <= series.harmonics(); ++k)
+    (k % 2 == 0 ? series.alpha : series.beta)(swayAxis(k), swayWaves(k)) += sway[k];
 }
 
 }  // namespace amble

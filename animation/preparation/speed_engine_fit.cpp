@@ -193,8 +193,7 @@ Eigen::MatrixXd samplesOf(const FourierSeries& series, Eigen::Index count) {
   return samples;
 }
 
-// How the feet of a walk swing and roll, and where they are put down, as walks of libraries have
-// it.
+// How the feet of a walk swing and roll and where they are put down, as libraries' walks have it.
 void takeFeet(const GaitTrack& track, const Stretch& stretch, const MotionLibrary& rig,
               const std::string& clip, const FourierSeries& series, EngineCycle& cycle) {
   WalkCycle walk;
@@ -205,10 +204,11 @@ void takeFeet(const GaitTrack& track, const Stretch& stretch, const MotionLibrar
   walk.toe_out = cycle.toe_out;
   for (const Side side : {kLeft, kRight}) {
     FootCycle& foot = walk.feet[side];
-    foot = fitFootCycle(track, side, rig.feet()[side], stretch.begin, stretch.end, clip);
+    foot = fitFootCycle(track, side, rig.feet()[side], stretch, clip);
     walk.foot_forward[side] = cycle.foot_forward[side] - 0.5 * foot.slip;
   }
   fitHeelRise(rig.skeleton, rig.roles, rig.feet(), rig.stand().rotations, walk);
+  cycle.channels = samplesOf(walk.series, cycle.channels.cols());
   cycle.feet = walk.feet;
   cycle.foot_forward = walk.foot_forward;
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSwingClearance = 0.012;
 // Coefficients that a captured swing is fitted with: along and up, where feet go quickly at first;
 // and beside that.
-constexpr int kProgressTerms = 4, kHeightTerms = 5, kStrayTerms = 3;
+constexpr int kStrayTerms = 3;
 
 // Least squares of tau^2 (1 - tau)^2 (c0 + c1 tau + ...) to values at even tau, with `terms`
 // coefficients.
@@ -33,7 +33,8 @@ SwingTerms fitSwing(const std::vector<double>& values, int terms) {
   return coefficients;
 }
 
-// Lowest point of heel, ball and toe tip over the ground in a swing.
+}  // namespace
+
 double soleClearance(const FootShape& shape, double pitch, double height) {
   const double pivot = pitch < 0.0 ? shape.heel_x : shape.ball_x;
   const double s = std::sin(pitch);
@@ -41,7 +42,10 @@ double soleClearance(const FootShape& shape, double pitch, double height) {
   return height + std::min(heel, ball);
 }
 
-}  // namespace
+double swingClearance(double tau) {
+  const double window = 16.0 * tau * tau * (1.0 - tau) * (1.0 - tau);
+  return kSwingClearance * window * window;
+}
 
 SwingTerms fitProgress(const std::vector<double>& values) {
   return fitSwing(values, kProgressTerms);
@@ -56,11 +60,9 @@ SwingTerms fitSwingHeight(const FootShape& shape, const FootCycle& foot,
   for (int round = 0; round < kRounds; ++round) {
     for (int i = 0; i < kSwingPoints; ++i) {
       const double tau = static_cast<double>(i) / (kSwingPoints - 1);
-      const double window = tau * tau * (1.0 - tau) * (1.0 - tau);
-      const double wanted = kSwingClearance * 256.0 * window * window;
       const double have =
           soleClearance(shape, footPitch(foot, 1.0 + tau), swingPolynomial(fitted, tau));
-      height[i] += 2.0 * std::max(0.0, wanted - have);  // twice: fits take back
+      height[i] += 2.0 * std::max(0.0, swingClearance(tau) - have);  // twice: fits take back
     }
     fitted = fitSwing(height, kHeightTerms);
   }

@@ -9,6 +9,14 @@
 namespace amble {
 
 inline constexpr int kSwingPoints = 33;  ///< at which a swing is fitted, both ends with them
+/// Coefficients that progress and height are fitted with: feet go quickly at first.
+inline constexpr int kProgressTerms = 4, kHeightTerms = 5;
+
+/// Lowest point of heel and ball over the ground in a swing, of a sole so pitched [rad] and so high
+/// [m].
+double soleClearance(const FootShape& shape, double pitch, double height);
+/// What that is at least, at tau of the swing [m, >= 0].
+double swingClearance(double tau);
 
 /// Least squares of what swingPolynomial makes of the terms to kSwingPoints values: progress beyond
 /// smoothstep [1], and sideways, roll and yaw [m, rad].

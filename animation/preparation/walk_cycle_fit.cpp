@@ -78,12 +78,8 @@ void fitFeet(const GaitTrack& track, const std::vector<Stretch>& stretches,
              const std::array<FootShape, 2>& shapes, const std::string& clip, WalkCycle& cycle) {
   for (const Side side : {kLeft, kRight}) {
     std::vector<FootCycle> feet;
-    for (const Stretch& s : stretches) {
-      feet.push_back(fitFootCycle(track, side, shapes[side], s.begin, s.end, clip));
-      if (s.leading == kLeft) continue;
-      feet.back().strike = std::fmod(feet.back().strike + 0.5, 1.0);
-      feet.back().lift_off = std::fmod(feet.back().lift_off + 0.5, 1.0);
-    }
+    for (const Stretch& s : stretches)
+      feet.push_back(fitFootCycle(track, side, shapes[side], s, clip));
     cycle.feet[side] = meanFoot(feet);
   }
 }

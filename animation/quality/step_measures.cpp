@@ -35,6 +35,17 @@ Sole soleAt(const JointFrame& foot_joint, const FootShape& foot) {
   return sole;
 }
 
+// Flat on its print.
+Sole flatSole(const FootPlace& place, const FootShape& foot) {
+  Sole sole;
+  sole.q_WS = soleFrame(place.heading, place.normal);
+  sole.middle = place.position;
+  const Eigen::Vector3d ankle =
+      place.position + sole.q_WS * Eigen::Vector3d(foot.ankle_x, 0.0, foot.ankle_height);
+  sole.ends = soleEnds(foot, ankle, sole.q_WS * foot.q_SF);
+  return sole;
+}
+
 double supportOf(const Sole& sole, const FootShape& foot, const Ground& ground) {
   constexpr int kPoints = 51;
   const double back = foot.heel_x - foot.radius, front = foot.tip_x + foot.radius;
@@ -121,8 +132,11 @@ std::vector<JudgedStep> measureWalkSteps(const Skeleton& skeleton, const JointRo
   for (const Footprint& print : walk.footprints) {
     const Side side = print.side;
     const int frame = soles.flattest(print);
-    const Stood stood{soles.at(frame, side), print.last_frame};
-    const double off = std::abs(walk.states[frame].feet[side].at - kMiddleOfStance);
+    const FootState& foot = walk.states[frame].feet[side];
+    const double off = std::abs(foot.at - kMiddleOfStance);
+    // Of a stance of which there is an end only, the foot rolls in all of it.
+    const Stood stood{off < kCutOff ? soles.at(frame, side) : flatSole(foot.from, feet[side]),
+                      print.last_frame};
     if (before[kLeft] && before[kRight] && off < kCutOff) {
       const Stood &own = *before[side], &standing = *before[other(side)];
       StepPrints prints{side, own.print(), stood.print(), standing.print(), 0.0, {}};

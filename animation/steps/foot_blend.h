@@ -37,6 +37,10 @@ class FootBlend {
   double pitch(double x) const {
     return sum([&](const FootCycle& cycle) { return footPitch(cycle, x); });
   }
+  /// @param x  [0, 2]
+  double toeRoll(double x) const {
+    return sum([&](const FootCycle& cycle) { return amble::toeRoll(cycle, x); });
+  }
 
  private:
   struct Part {

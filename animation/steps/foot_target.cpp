@@ -25,6 +25,10 @@ SwingRoll swingRoll(const FootState& state, const FootBlend& cycle) {
   return {rolled(cycle.pitch(state.at), share, share), cycle.polynomial(&FootCycle::roll, tau)};
 }
 
+double toesOf(const FootState& state, const FootBlend& cycle) {
+  return state.lift_roll > 0.0 ? state.lift_roll * cycle.toeRoll(state.at) : 0.0;
+}
+
 Sole swingingSole(const FootState& state, const FootBlend& cycle) {
   const SwingShape& shape = state.swing;
   const double tau = state.at - 1.0, ease = smoothstep(tau);
@@ -54,7 +58,8 @@ FootTarget targetOf(const FootShape& shape, const Sole& sole) {
   target.q_WF = q_WS * Eigen::Quaterniond(Eigen::AngleAxisd(sole.pitch, Eigen::Vector3d::UnitY())) *
                 Eigen::Quaterniond(Eigen::AngleAxisd(sole.roll, Eigen::Vector3d::UnitX())) *
                 shape.q_SF;
-  target.toe_bend = std::max(sole.pitch, 0.0);  // toes stay level while the heel is up
+  // Toes stay as they lie while the heel is up.
+  target.toe_bend = std::max(sole.pitch - sole.toes, 0.0);
   return target;
 }
 
@@ -80,9 +85,20 @@ double pitchAtDistance(const FootShape& shape, const Eigen::Vector3d& p, double 
 
 }  // namespace
 
-Sole soleOf(const FootState& state, const FootBlend& cycle) {
-  if (!state.planted()) return swingingSole(state, cycle);
-  return {state.from, rolled(cycle.pitch(state.at), state.strike_roll, state.lift_roll), 0.0};
+Sole soleOf(const FootState& state, const FootBlend& cycle, const FootShape& shape) {
+  Sole sole;
+  if (state.planted()) {
+    sole.place = state.from;
+    sole.pitch = rolled(cycle.pitch(state.at), state.strike_roll, state.lift_roll);
+  } else {
+    sole = swingingSole(state, cycle);
+  }
+  sole.toes = toesOf(state, cycle);
+  if (sole.toes > 0.0) {
+    sole.place.position +=
+        soleFrame(sole.place.heading, sole.place.normal) * rolledBall(shape, sole.toes);
+  }
+  return sole;
 }
 
 double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector3d& hip,
@@ -104,7 +120,7 @@ double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector
 
 FootTarget footTarget(const FootState& state, const FootBlend& cycle, const FootShape& shape,
                       const Eigen::Vector3d& hip, double longest) {
-  Sole sole = soleOf(state, cycle);
+  Sole sole = soleOf(state, cycle, shape);
   const FootTarget target = targetOf(shape, sole);
   const double distance = (target.ankle - hip).norm();
   if (distance < longest - kHeelRests) return target;
@@ -125,7 +141,8 @@ double levelHeight(const FootState& state, const FootBlend& cycle, const FootSha
   const double s = std::sin(turned.pitch), c = std::cos(turned.pitch);
   const double under = c * std::cos(turned.roll) * (shape.radius - shape.ankle_height);
   const double lower = s > 0.0 ? shape.ball_x : shape.heel_x;
-  return swingHeight(state.swing, cycle, state.at - 1.0) + rolledAnkle(shape, turned.pitch).z() -
+  return swingHeight(state.swing, cycle, state.at - 1.0) +
+         rolledBall(shape, toesOf(state, cycle)).z() + rolledAnkle(shape, turned.pitch).z() -
          shape.radius + under - s * (lower - shape.ankle_x);
 }
 
@@ -141,7 +158,7 @@ bool isLevelSwing(const FootState& state) {
 
 double swingLift(FootState state, const FootBlend& cycle, const FootShape& shape) {
   const auto endsOf = [&](const FootState& s) {
-    const FootTarget target = targetOf(shape, soleOf(s, cycle));
+    const FootTarget target = targetOf(shape, soleOf(s, cycle, shape));
     return soleEnds(shape, target.ankle, target.q_WF);
   };
   const auto flat = [&](const FootPlace& place) {

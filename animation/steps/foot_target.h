@@ -23,23 +23,26 @@ struct HeelRise {
   /// gives hardly a millimetre, and the foot would turn over in a frame. By trial [rad].
   static constexpr double kLeastYield = 25.0 * kDegree;
   /// Over which the heel begins to rise before the leg is at its longest; at once, and the knee
-  /// jerks [m].
-  static constexpr double kSoftReach = 0.006;
+  /// jerks; over more, and captured knees that are straight come out bent [m].
+  static constexpr double kSoftReach = 0.003;
 };
 
 /// Where a foot is to be: the ankle, the foot's rotation and how far the toes bend up.
 struct FootTarget {
   Eigen::Vector3d ankle;    ///< [m, World]
   Eigen::Quaterniond q_WF;  ///< foot joint in World
-  double toe_bend = 0.0;    ///< [rad, >= 0]
+  double toe_bend = 0.0;    ///< against the foot [rad, >= 0]
 };
 
 /// A sole before it is a target: where it is, how its ground lies and how it is rolled.
 struct Sole {
   FootPlace place;
   double pitch = 0.0, roll = 0.0;  ///< toes down, and over to the right, positive [rad]
+  /// How far the toes are rolled over their tip: the place is that of a sole whose ball is lifted
+  /// by it [rad, >= 0].
+  double toes = 0.0;
 };
-Sole soleOf(const FootState& state, const FootBlend& cycle);
+Sole soleOf(const FootState& state, const FootBlend& cycle, const FootShape& shape);
 
 /// The pitch of a sole whose ankle is so far from `hip` and should be `longest` away at most
 /// (HeelRise) [rad].

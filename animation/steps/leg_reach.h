@@ -5,7 +5,7 @@
 namespace amble {
 
 /// Distances from hip to ankle, as shares of the leg's length [1]. The knee's angle goes with the
-/// square root of what is missing to 1: at 0.998 it is bent by 7 degrees, at 0.9998 by 2.
+/// square root of what is missing to 1: at 0.998 it is bent by 7 degrees, at 0.9999 by 1.6.
 struct LegReach {
   /// A leg may be as long as the captured one is at that moment, and as this. Higher, and knees
   /// snap where steps and slopes stretch them; lower, and people walk over rubble crouching. By
@@ -13,7 +13,7 @@ struct LegReach {
   static constexpr double kStraight = 0.998;
   /// No leg is longer: captured ones are straight at times, but over a straight knee the hip does
   /// not move without the foot.
-  static constexpr double kLongest = 0.9995;
+  static constexpr double kLongest = 0.99988;
   /// A leg stretched farther is refused (WalkRule::kReach).
   static constexpr double kRefused = 0.9999;
 };

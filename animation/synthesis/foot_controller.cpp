@@ -20,6 +20,7 @@ LaneSoles sideBySide(const std::array<Sole, 4>& soles) {
     lanes.heading[i] = soles[i].place.heading;
     lanes.pitch[i] = soles[i].pitch;
     lanes.roll[i] = soles[i].roll;
+    lanes.toes[i] = soles[i].toes;
   }
   return lanes;
 }
@@ -162,7 +163,7 @@ void FootController::aim(const AnimationBuffer& buffer, const Four& frames,
     std::array<Sole, 4> soles;
     for (int i = 0; i < 4; ++i)
       soles[i] = soleOf(buffer.states[frames[i]].feet[side],
-                        blend_.feet().of(side, buffer.states[frames[i]].feet[side]));
+                        blend_.feet().of(side, buffer.states[frames[i]].feet[side]), shapes_[side]);
     LaneSoles lanes = sideBySide(soles);
     kernel.aim(lanes_[side], lanes, legs);
     bool risen = false;

@@ -57,6 +57,21 @@ inline Turn soleTurn(const LaneSoles& soles) {
   return product({-n.y * over, n.x * over, Lanes{}, 0.5 * s}, heading);
 }
 
+// Half of what the toes are bent by: they stay as they lie while the heel is up.
+inline void storeToes(const LaneSoles& soles, const SinCos& half_pitch,
+                      LaneLegFrames::Target& target) {
+  const double* toes = soles.toes;
+  SinCos half = half_pitch;
+  Lanes bend = loaded(soles.pitch);
+  if (toes[0] != 0.0 || toes[1] != 0.0 || toes[2] != 0.0 || toes[3] != 0.0) {
+    bend -= loaded(toes);
+    half = sinCos(0.5 * bend);
+  }
+  const LaneBits straight = bend < 0.0;
+  store(target.toe, straight ? Lanes{} : half.sine);
+  store(target.toe + 4, straight ? Lanes{} + 1.0 : half.cosine);
+}
+
 inline void aimLanes(const LaneLeg& leg, const LaneSoles& soles, LaneLegFrames& frames) {
   const Turn q_WS = soleTurn(soles);
   const Lanes pitch = loaded(soles.pitch);
@@ -75,8 +90,7 @@ inline void aimLanes(const LaneLeg& leg, const LaneSoles& soles, LaneLegFrames& 
   LaneLegFrames::Target& target = frames.targets[leg.side];
   storePoint(target.ankle, ankle);
   storeQuad(target.q_WF, product(product(product(q_WS, about_y), about_x), same(leg.q_SF)));
-  store(target.toe, toes_up ? Lanes{} : half.sine);
-  store(target.toe + 4, toes_up ? Lanes{} + 1.0 : half.cosine);
+  storeToes(soles, half, target);
   store(target.distance, length(ankle - hip));
   store(target.captured, length(pointAt(jointAt(frames, leg.foot.chain) + 16) - hip));
 }

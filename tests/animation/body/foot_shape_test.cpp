@@ -77,6 +77,7 @@ TEST(RolledAnkle, IsContinuousThroughTheFlatFoot) {
   const FootShape& foot = rig.feet[kRight];
   const Eigen::Vector3d flat(foot.ankle_x, 0, foot.ankle_height);
   EXPECT_LT((rolledAnkle(foot, 0.0) - flat).norm(), 1e-15);
+  EXPECT_EQ(rolledBall(foot, 0.0), Eigen::Vector3d::Zero());
   EXPECT_LT((rolledAnkle(foot, -1e-9) - flat).norm(), 1e-8);
   EXPECT_LT((rolledAnkle(foot, 1e-9) - flat).norm(), 1e-8);
 }

@@ -141,16 +141,17 @@ TEST_P(EveryWalk, SwingsFromPrintToPrintWithoutDipping) {
   }
 }
 
-// More waves leave out less, and never change what fewer have: they do not mix at even phases.
+// More waves leave out less, and never change what fewer have: they do not mix at even phases. But
+// for the pelvis, which goes by waves of its own (fitHeelRise).
 TEST_P(EveryWalk, LeavesOutLessWithMoreHarmonics) {
   double before = 1.0;
   for (const int harmonics : {2, 4, 8}) {
     const WalkCycle more = walk().cycle(reference(), {"the clip", false, harmonics, {}});
     EXPECT_LT(more.residual, before);
     before = more.residual;
-    EXPECT_LT(
-        (more.series.alpha.leftCols(3) - cycle().series.alpha.leftCols(3)).cwiseAbs().maxCoeff(),
-        1e-9);
+    const Eigen::MatrixXd change = more.series.alpha.leftCols(3) - cycle().series.alpha.leftCols(3);
+    EXPECT_LT(change.bottomRows(change.rows() - 3).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT(change.row(1).cwiseAbs().maxCoeff(), 1e-9);
   }
 }
 

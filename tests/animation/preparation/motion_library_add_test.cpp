@@ -104,7 +104,11 @@ TEST(AddMotion, ALoopOfARigWhoseFeetHangMakesALibraryThatWalksOnItsSoles) {
         const Joint& toe = library.skeleton.joint(library.roles.legs[side].toe);
         const Eigen::Vector3d tip = joints[library.roles.legs[side].toe] * toe.end_sites[0];
         lowest = std::min({lowest, ends.heel.z(), ends.ball.z()});
-        toes = std::min(toes, tip.z() - feet[side].radius);
+        // The centre of the toes' round end, over whose tip the foot rolls before it leaves.
+        const Eigen::Quaterniond q_WT = joints[library.roles.legs[side].toe].q_WJ *
+                                        (feet[side].q_SF * feet[side].q_FT).conjugate();
+        const Eigen::Vector3d centre = tip - q_WT * Eigen::Vector3d(feet[side].radius, 0.0, 0.0);
+        toes = std::min(toes, centre.z() - feet[side].radius);
       }
     }
     EXPECT_GT(lowest, -0.001);
@@ -159,7 +163,14 @@ TEST(CapturedCycles, TheirMeanIsTheSeriesOfTheLibrary) {
     for (const FourierSeries& one : cycles)
       alpha += one.alpha.leftCols(alpha.cols()) / static_cast<double>(cycles.size());
     const double near = motion.source.mirrored ? 5e-3 : 2e-6;
-    EXPECT_LT((alpha - mean.alpha).cwiseAbs().maxCoeff(), near) << name;
+    Eigen::MatrixXd off = (alpha - mean.alpha).cwiseAbs();
+    // Beside its captured way the pelvis goes by some millimetres along the path and up, and not in
+    // the mean (fitHeelRise).
+    for (const int axis : {0, 2}) {
+      EXPECT_LT(off.row(axis).maxCoeff(), 0.015) << name;
+      off.row(axis).tail(off.cols() - 1).setZero();
+    }
+    EXPECT_LT(off.maxCoeff(), near) << name;
   }
 }
 

@@ -55,9 +55,45 @@ TEST(FootTarget, OfAFlatFootHasTheSoleOnTheGround) {
 
 // A planted foot rolls about heel or ball: one of them rests, none is in the ground.
 TEST(FootTarget, OfAPlantedFootRestsOnHeelOrBall) {
-  for (double at = 0.0; at <= 1.0; at += 0.05) {
+  for (double at = 0.0; at <= 0.8; at += 0.05) {
     const SoleEnds ends = endsOf(targetAt(stateAt(at)));
     EXPECT_NEAR(std::min(ends.heel.z(), ends.ball.z()), 0.0, 1e-6) << at;
+  }
+}
+
+// The tip of a foot's toes: their joint lies where the sole's ball does, and they are bent up by
+// toe_bend against the foot.
+Eigen::Vector3d tipOf(const FootTarget& target) {
+  const FootShape& shape = foot().shape;
+  const Eigen::Quaterniond q_WS = target.q_WF * shape.q_SF.conjugate();
+  const Eigen::Quaterniond q_WT =
+      q_WS * Eigen::Quaterniond(Eigen::AngleAxisd(-target.toe_bend, Eigen::Vector3d::UnitY()));
+  const Eigen::Vector3d ball(shape.ball_x - shape.ankle_x, 0.0, shape.radius - shape.ankle_height);
+  return target.ankle + q_WS * ball + q_WT * Eigen::Vector3d(shape.tip_x - shape.ball_x, 0.0, 0.0);
+}
+
+// At last the foot rolls over the tips of its toes, on whatever it stands: these stay, and the toes
+// are bent by so much less.
+TEST(FootTarget, TheTipOfAPlantedFootStaysAsItsToesRoll) {
+  FootCycle rolls = foot().cycle;
+  for (int k = 0; k < FootCycle::kToeSplines; ++k) rolls.toes[k] = 0.04 * k;
+  for (const Eigen::Vector3d& normal : {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0.2, -0.1, 1)}) {
+    FootState state = stateAt(0.7);
+    state.from.normal = state.to.normal = normal.normalized();
+    const auto target = [&](const FootCycle& cycle) {
+      return footTarget(state, cycle, foot().shape, kHip, 9.0);
+    };
+    const Eigen::Vector3d tip = tipOf(target(rolls));
+    double rolled = 0.0;
+    for (state.at = 0.7; state.at <= 1.0; state.at += 0.02) {
+      const FootTarget now = target(rolls);
+      EXPECT_LT((tipOf(now) - tip).norm(), 1e-9) << state.at;
+      FootCycle flat = rolls;
+      flat.toes.fill(0.0);
+      EXPECT_NEAR(target(flat).toe_bend - now.toe_bend, toeRoll(rolls, state.at), 1e-9);
+      rolled = std::max(rolled, toeRoll(rolls, state.at));
+    }
+    EXPECT_GT(rolled, 0.1);
   }
 }
 

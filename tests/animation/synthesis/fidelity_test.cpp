@@ -44,8 +44,9 @@ Carried carriedIn(const std::vector<JointFrame>& joints, const JointRoles& roles
 struct Compared {
   MotionLibrary library;
   std::string compared = "walk";
-  std::vector<Carried> captured, made;  // by phase
-  double period = 0.0;                  // made [s]
+  std::vector<Carried> captured, made;     // by phase
+  double period = 0.0;                     // made [s]
+  std::array<double, 2> strike, lift_off;  // made, by Side [cycles]
 
   explicit Compared(const std::string& clip, const std::string& stand,
                     const std::string& turn = "") {
@@ -114,6 +115,15 @@ struct Compared {
       if (!phases.empty() && state.phase < phases.back() - passed - 0.5) passed += 1.0;
       phases.push_back(passed + state.phase);
     }
+    for (size_t i = 1; i < phases.size(); ++i) {
+      for (const Side side : {kLeft, kRight}) {
+        const bool before = buffer.states[i - 1].planted[side],
+                   now = buffer.states[i].planted[side];
+        if (before != now && std::floor(phases[i]) == 3.0) {
+          (now ? strike : lift_off)[side] = buffer.states[i].phase;
+        }
+      }
+    }
     std::vector<JointFrame> joints(library.skeleton.size());
     const auto frameAt = [&](double phase) {
       return std::lower_bound(phases.begin(), phases.end(), phase) - phases.begin();
@@ -139,44 +149,53 @@ struct Compared {
   }
 };
 
-// The bars are 2.5 degrees for hips and knees and 2 for the least flexion; what is over
-// them is what feet cost that stay where captured ones slide, and heels that do not enter the
-// floor.
+// What issue and QUALITY.md ask for: 2.5 degrees for hips and knees, 2 for the least flexion, 1 %
+// of the period, 4 mm of the pelvis. Ankles are left out: captured feet slide and markers tilt
+// them.
 TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
   AMBLE_NEEDS_CAPTURES();
   for (const auto& [clip, stand] :
        {std::pair("accad_female1/Female1_B03_Walk1.bvh", "accad_female1/Female1_A01_Stand.bvh"),
-        std::pair("cmu_mb2/02_01.bvh", ""), std::pair("cmu_mb2/07_10.bvh", "")}) {
+        std::pair("accad_male1/Male1_B3_Walk.bvh", ""), std::pair("cmu_mb2/02_01.bvh", ""),
+        std::pair("cmu_mb2/07_05.bvh", ""), std::pair("cmu_mb2/07_01.bvh", ""),
+        std::pair("cmu_mb2/07_10.bvh", ""), std::pair("cmu_mb2/07_12.bvh", ""),
+        std::pair("cmu_mb2/08_03.bvh", ""), std::pair("cmu_mb2/08_09.bvh", "")}) {
     SCOPED_TRACE(clip);
     const Compared walk(clip, stand);
     EXPECT_NEAR(walk.period, walk.cycle().period, 0.01 * walk.cycle().period);
-    double height = 0.0;
+    double height = 0.0, squares = 0.0;
     for (int i = 0; i < kCompared; ++i)
       height += (walk.made[i].height - walk.captured[i].height) / kCompared;
+    for (int i = 0; i < kCompared; ++i)
+      squares += std::pow(walk.made[i].height - walk.captured[i].height, 2) / kCompared;
     EXPECT_LT(std::abs(height), 0.001);
+    EXPECT_LT(std::sqrt(squares), 0.004);
     for (const Side side : {kLeft, kRight}) {
-      EXPECT_LT(walk.rms(&Carried::hip, side), 3.0) << side;
-      EXPECT_LT(walk.rms(&Carried::knee, side), 3.8) << side;
+      EXPECT_LT(walk.rms(&Carried::hip, side), 2.5) << side;
+      EXPECT_LT(walk.rms(&Carried::knee, side), 2.5) << side;
+      const FootCycle& foot = walk.cycle().feet[side];
+      EXPECT_NEAR(std::remainder(walk.strike[side] - foot.strike, 1.0), 0.0, 0.02);
+      EXPECT_NEAR(std::remainder(walk.lift_off[side] - foot.lift_off, 1.0), 0.0, 0.02);
+      EXPECT_NEAR(Compared::leastKnee(walk.made, side), Compared::leastKnee(walk.captured, side),
+                  2.0)
+          << side;
     }
-    EXPECT_NEAR(Compared::leastKnee(walk.made, kLeft), Compared::leastKnee(walk.captured, kLeft),
-                4.0);
   }
 }
 
 // The bar is 4 degrees. Steps that turn are those of the capture: where they are put down,
-// how they swing, how long they are.
+// how they swing and roll, how long they are.
 TEST(Fidelity, AtItsOwnRateATurnIsTheCapturedOne) {
   AMBLE_NEEDS_CAPTURES();
   const std::string person = "accad_female1/Female1_";
-  for (const auto& [turn, knee] :
-       {std::pair("B09_WalkTurnLeft90.bvh", 4.0), std::pair("B12_WalkTurnRight90.bvh", 4.0),
-        std::pair("B10_WalkTurnLeft45.bvh", 5.5)}) {
+  for (const char* turn :
+       {"B09_WalkTurnLeft90.bvh", "B12_WalkTurnRight90.bvh", "B10_WalkTurnLeft45.bvh"}) {
     SCOPED_TRACE(turn);
     const Compared walk(person + "B03_Walk1.bvh", person + "A01_Stand.bvh", person + turn);
     EXPECT_NEAR(walk.period, walk.cycle().period, 0.01 * walk.cycle().period);
     for (const Side side : {kLeft, kRight}) {
       EXPECT_LT(walk.rms(&Carried::hip, side), 2.5) << side;
-      EXPECT_LT(walk.rms(&Carried::knee, side), knee) << side;
+      EXPECT_LT(walk.rms(&Carried::knee, side), 3.0) << side;
     }
   }
 }

@@ -167,10 +167,14 @@ TEST(FootTarget, APlantedFootRollsAboutAPointThatDoesNotMove) {
       foot.at = at;
       const FootTarget target = footTarget(foot, s.blend.foot(side), shape, {0, 0, 1}, kFar);
       const Eigen::Quaterniond q_WS = target.q_WF * shape.q_SF.conjugate();
-      const double pivot = footPitch(s.blend.foot(side), at) < 0.0 ? shape.heel_x : shape.ball_x;
-      const Eigen::Vector3d p =
-          target.ankle +
-          q_WS * Eigen::Vector3d(pivot - shape.ankle_x, 0, shape.radius - shape.ankle_height);
+      double pivot = footPitch(s.blend.foot(side), at) < 0.0 ? shape.heel_x : shape.ball_x;
+      Eigen::Vector3d p = target.ankle + q_WS * Eigen::Vector3d(pivot - shape.ankle_x, 0,
+                                                                shape.radius - shape.ankle_height);
+      if (toeRoll(s.blend.foot(side), at) > 0.0) {  // about the tip of its toes
+        const Eigen::Vector3d toes(shape.tip_x - pivot, 0, 0);
+        p += q_WS * (Eigen::AngleAxisd(-target.toe_bend, Eigen::Vector3d::UnitY()) * toes);
+        pivot = shape.tip_x;
+      }
       EXPECT_LT((p - Eigen::Vector3d(pivot, 0, shape.radius)).norm(), 1e-12);
     }
   }

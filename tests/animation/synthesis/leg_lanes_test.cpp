@@ -62,7 +62,7 @@ struct Frames {
         place->heading = uniform(generator, -4.0, 4.0);
         place->normal = (Eigen::Vector3d::UnitZ() + randomVector(generator, 0.2)).normalized();
       }
-      const Sole sole = soleOf(state, cycle);
+      const Sole sole = soleOf(state, cycle, defaultLibrary().feet()[kLeft]);
       for (int k = 0; k < 3; ++k) {
         soles.position[4 * k + i] = sole.place.position[k];
         soles.normal[4 * k + i] = sole.place.normal[k];
@@ -70,6 +70,7 @@ struct Frames {
       soles.heading[i] = sole.place.heading;
       soles.pitch[i] = sole.pitch;
       soles.roll[i] = sole.roll;
+      soles.toes[i] = sole.toes;
     }
   }
 

@@ -129,14 +129,16 @@ void expectGoodWalk(const WalkSynthesizer& character, const AnimationBuffer& buf
       }
       backwards = std::min(backwards, seen.kneeFlexion(side));
       if (!buffer.states[i].planted[side]) continue;
-      // It rolls about its heel or about its ball, whose centres stay over the footprint.
+      // It rolls about its heel, its ball or the tip of its toes, whose centres stay over the
+      // footprint.
       const FootPlace& print = buffer.states[i].feet[side].from;
       const auto over = [&](double x) {
         const Eigen::Vector3d p_S(x, 0, shape.radius);
         return Eigen::Vector3d(print.position + aboutZ(print.heading) * p_S);
       };
-      drift = std::max(drift, std::min((sole.heel - over(shape.heel_x)).norm(),
-                                       (sole.ball - over(shape.ball_x)).norm()));
+      drift = std::max(drift, std::min({(sole.heel - over(shape.heel_x)).norm(),
+                                        (sole.ball - over(shape.ball_x)).norm(),
+                                        (sole.tip - over(shape.tip_x)).norm()}));
     }
   }
   EXPECT_LT(drift, 1e-4) << "a planted foot's contact moves";

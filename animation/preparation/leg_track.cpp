@@ -1,0 +1,185 @@
+#include "animation/preparation/leg_track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "animation/steps/foot_target.h"
+#include "animation/steps/leg_reach.h"
+#include "animation/steps/stride_law.h"
+#include "base/ease.h"
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+// A ball that is lifted higher than this over a tip that stands is a foot that has left [rad].
+constexpr double kMostRolled = 45.0 * kDegree;
+
+// Share of the cycle with both feet down, of walks at the captured speed.
+double supportOf(const WalkCycle& cycle, double leg_length) {
+  StrideLaw law(cycle.speed, cycle.stepLength());
+  law.setSupports({{cycle.speed, cycle.doubleSupport()}}, leg_length);
+  return law.doubleSupport(cycle.speed);
+}
+
+}  // namespace
+
+double swayBasis(int k, double phase) {
+  const double angle = 2.0 * std::numbers::pi * swayWaves(k) * phase;
+  return k % 2 == 0 ? std::cos(angle) : std::sin(angle);
+}
+
+Eigen::Vector3d swayAt(const PelvisSway& sway, double phase) {
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  for (int k = 0; k < kSwayNumbers; ++k) at[swayAxis(k)] += sway[k] * swayBasis(k, phase);
+  return at;
+}
+
+LegTrack::LegTrack(const Skeleton& skeleton, const JointRoles& roles, const FootShape& shape,
+                   const std::vector<Eigen::Quaterniond>& reference, const WalkCycle& cycle,
+                   Side side)
+    : skeleton_(skeleton),
+      joints_(roles.legs[side]),
+      shape_(shape),
+      reference_(reference),
+      cycle_(cycle),
+      path_{Eigen::Vector2d::Zero(), 0.0, 2.0 * cycle.stepLength(), cycle.turn_rate * cycle.period},
+      toe_out_(cycle.toe_out[side]),
+      thigh_(skeleton.joint(joints_.leg).offset.norm()),
+      shank_(skeleton.joint(joints_.foot).offset.norm()),
+      joints_at_(skeleton.size()),
+      captured_foot_(cycle.feet[side]),
+      foot_(captured_foot_) {
+  const double node = side == kLeft ? 0.0 : 0.5, sign = side == kLeft ? 1.0 : -1.0;
+  const double half = 0.25 * supportOf(cycle, roles.legLength(skeleton, kLeft));
+  strike_ = node - half;
+  stance_ = 0.5 + 2.0 * half;
+  beside_ = node + 0.25;
+  forward_ = cycle.foot_forward[side];
+  left_ = cycle.prints_left + 0.5 * sign * cycle.step_width;
+  for (int i = 0; i < kSamples; ++i) captured_.push_back(legAt(timeOf(i)));
+}
+
+double LegTrack::timeOf(int sample) {
+  return sample < FootCycle::kStanceSamples
+             ? static_cast<double>(sample) / FootCycle::kStanceSamples
+             : 1.0 + static_cast<double>(sample - FootCycle::kStanceSamples) /
+                         FootCycle::kSwingSamples;
+}
+
+double LegTrack::phaseAt(double at) const {
+  return strike_ + (at <= 1.0 ? at * stance_ : stance_ + (at - 1.0) * (1.0 - stance_));
+}
+
+Eigen::Quaterniond LegTrack::pathAt(double at) const {
+  return aboutZ(path_.headingAt(phaseAt(at)));
+}
+
+// At a time of the foot, FootState::at.
+LegTrack::Leg LegTrack::legAt(double at) const {
+  const double phase = phaseAt(at);
+  const Eigen::VectorXd c = fourierAt(cycle_.series, phase);
+  const Eigen::Quaterniond along = pathAt(at);
+  Pose pose;
+  pose.p_WR = along * c.head<3>();
+  pose.p_WR.head<2>() += path_.at(phase);
+  for (size_t j = 0; j < reference_.size(); ++j) {
+    const Eigen::Vector3d v = c.segment<3>(3 + 3 * static_cast<Eigen::Index>(j));
+    pose.rotations.push_back(reference_[j] * expRotation(v));
+  }
+  pose.rotations[0] = along * pose.rotations[0];
+  forwardKinematics(skeleton_, pose, joints_at_);
+  return {joints_at_[joints_.up_leg].p_WJ, joints_at_[joints_.foot].p_WJ,
+          joints_at_[joints_.toe].p_WJ.z()};
+}
+
+// Captured feet strike and leave at phases of their own.
+double LegTrack::capturedPitch(int sample) const {
+  const auto since = [](double from, double to) { return to - from - std::floor(to - from); };
+  const FootCycle& foot = captured_foot_;
+  const double stance = since(foot.strike, foot.lift_off);
+  const double gone = since(foot.strike, phaseOf(sample));
+  return footPitch(foot, gone < stance ? gone / stance : 1.0 + (gone - stance) / (1.0 - stance));
+}
+
+double LegTrack::capturedToes(int sample) const {
+  constexpr int kFlat = static_cast<int>(FootCycle::kFlat * FootCycle::kStanceSamples);
+  const double rise =
+      captured_[std::min(sample, FootCycle::kStanceSamples)].ball - captured_[kFlat].ball;
+  const double rolled =
+      std::asin(std::clamp(rise / (shape_.tip_x - shape_.ball_x), 0.0, std::sin(kMostRolled)));
+  constexpr double kOver = 0.25;  // of the swing: by then toes lie as they lay
+  return rolled * (1.0 - smoothstep((timeOf(sample) - 1.0) / kOver));
+}
+
+void LegTrack::make(const FootCycle& foot, double forward, const PelvisSway& sway) {
+  foot_ = foot;
+  moved_ = forward;
+  sway_ = sway;
+}
+
+Eigen::Vector3d LegTrack::printAt(double u) const {
+  Eigen::Vector3d print =
+      aboutZ(path_.headingAt(u)) * Eigen::Vector3d(forward_ + moved_, left_, 0.0);
+  print.head<2>() += path_.at(u);
+  return print;
+}
+
+// Of the path beside the foot, which turns with it as it swings.
+double LegTrack::headingAt(double at) const {
+  return path_.headingAt(beside_) + smoothstep(at - 1.0) * path_.turn;
+}
+
+// The pitch to which FootController raises the heel.
+double LegTrack::raised(const Eigen::Vector3d& sole, int sample, double pitch,
+                        const Eigen::Vector3d& hip) const {
+  Sole on;
+  on.place.position = sole;
+  on.place.heading = headingAt(timeOf(sample)) + toe_out_;
+  on.pitch = pitch;
+  const double longest = std::clamp(capturedLength(sample), LegReach::kStraight * length(),
+                                    LegReach::kLongest * length());
+  const Eigen::Vector3d ankle = sole + aboutZ(on.place.heading) * rolledAnkle(shape_, pitch);
+  return raisedPitch(on, shape_, hip, (ankle - hip).norm(), longest);
+}
+
+Eigen::Vector3d LegTrack::line(int sample, const LegMoves& moved) const {
+  const double at = timeOf(sample), heading = headingAt(at);
+  const Eigen::Quaterniond q_WS = aboutZ(heading + toe_out_), along = pathAt(at);
+  Eigen::Vector3d sole = print() + aboutZ(heading) * Eigen::Vector3d(moved[kByPrint], 0.0, 0.0);
+  if (sample >= FootCycle::kStanceSamples) {
+    const Eigen::Vector3d way = stride();
+    const Eigen::Vector3d ahead = way / way.norm(), left(-ahead.y(), ahead.x(), 0.0);
+    sole += swingProgress(foot_, at - 1.0) * way + moved[kByWay] * ahead +
+            swingPolynomial(foot_.sideways, at - 1.0) * left;
+    sole.z() += swingPolynomial(foot_.height, at - 1.0) + moved[kByHeight];
+  }
+  sole += q_WS * rolledBall(shape_, std::max(0.0, toeRoll(foot_, at) + moved[kByToes]));
+  Eigen::Vector3d sway = swayAt(sway_, phaseOf(sample));
+  sway.x() += moved[kByHip];
+  sway.z() += moved[kByHipUp];
+  const Eigen::Vector3d hip = captured_[sample].hip + along * sway;
+  const double pitch = raised(sole, sample, foot_.pitch[sample] + moved[kByPitch], hip);
+  return sole + q_WS * rolledAnkle(shape_, pitch) - hip;
+}
+
+LegBend LegTrack::bendOf(int sample, const Eigen::Vector3d& line_W) const {
+  const Eigen::Vector3d line = pathAt(timeOf(sample)).conjugate() * line_W;
+  const double l = std::min(line.norm(), LegReach::kLongest * length());
+  const double cosine = (l * l - thigh_ * thigh_ - shank_ * shank_) / (2.0 * thigh_ * shank_);
+  return {std::acos(std::clamp(cosine, -1.0, 1.0)), std::atan2(line.x(), -line.z())};
+}
+
+Eigen::Vector2d LegTrack::soleUnderAnkle(double tau) const {
+  const double at = 1.0 + tau;
+  const Eigen::Quaterniond q_WS = aboutZ(headingAt(at) + toe_out_);
+  const Eigen::Vector3d sole =
+      legAt(at).ankle + pathAt(at) * swayAt(sway_, phaseAt(at)) -
+      q_WS * (rolledAnkle(shape_, footPitch(foot_, at)) + rolledBall(shape_, toeRoll(foot_, at))) -
+      print();
+  const Eigen::Vector3d way = stride();
+  return {sole.dot(way) / way.squaredNorm(), sole.z()};
+}
+
+}  // namespace amble
