@@ -121,13 +121,14 @@ Support supportAtPace(const AnimationBuffer& walk) {
 }
 
 // What the pelvis misses of the path's turn while a walk at pace turns one way: between two moments
-// of one phase at which it turns as fast, whole strides apart and as far around as there are such.
-// In between it swings by up to 20 degrees to either side, the more the faster the walk turns. 0
-// where there are none.
+// of one phase at which it turns as fast and goes as fast, whole strides apart and as far around as
+// there are such. In between it swings by up to 20 degrees to either side, the more the faster the
+// walk turns. 0 where there are none.
 double turnMiss(const Clip& clip, const JointRoles& roles, const AnimationBuffer& walk,
                 const Support& strides) {
   constexpr double kOneWay = 0.9;              // share of turning that is left [1]
   constexpr double kSameRate = 2.0 * kDegree;  // [rad/s]
+  constexpr double kSameSpeed = 0.005;         // in what is blended [m/s]
   const double same_phase = 0.55 * strides.strides / strides.frames;  // half of a frame [cycles]
   const std::vector<double> headings = pelvisHeadings(clip, roles);
   std::vector<double> path = {0.0}, either_way = {0.0};  // turned since the first frame
@@ -143,7 +144,7 @@ double turnMiss(const Clip& clip, const JointRoles& roles, const AnimationBuffer
       const double turned = path[k] - path[i];
       if (std::abs(std::remainder(to.phase - from.phase, 1.0)) > same_phase ||
           std::abs(to.blended_turn_rate - from.blended_turn_rate) > kSameRate ||
-          std::abs(turned) <= farthest ||
+          std::abs(to.slower - from.slower) > kSameSpeed || std::abs(turned) <= farthest ||
           std::abs(turned) <= std::max(kTurns * (k - i) * walk.frame_time,
                                        kOneWay * (either_way[k] - either_way[i])))
         continue;

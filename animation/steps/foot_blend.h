@@ -1,4 +1,4 @@
-/// A foot's captured cycle, or several that are blended: of a straight walk and of turns.
+/// A foot's captured cycle, or several that are blended: of straight walks and of turns.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ class FootBlend {
   FootBlend() = default;
   FootBlend(const FootCycle& cycle) { add(cycle, 1.0); }  // NOLINT: one cycle is a blend of it
 
-  static constexpr int kMost = 3;  ///< a straight walk and two turns
+  static constexpr int kMost = 4;  ///< two straight walks and two turns
   /// @param share  [0, 1]; all of them are 1 together  @pre fewer than kMost so far
   void add(const FootCycle& cycle, double share) { parts_[count_++] = {&cycle, share}; }
 

@@ -53,6 +53,7 @@ struct FootState {
   SwingShape swing;        ///< of the swing that the foot is in
   SwingKind kind = SwingKind::kWalk;
   double turn_rate = 0.0;  ///< of a walk's swing [rad/s], left positive
+  double slower = 0.0;     ///< the same: by how much than the plan's (WalkDepartures) [m/s, >= 0]
 
   bool planted() const { return at <= 1.0; }
 };

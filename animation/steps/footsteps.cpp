@@ -103,6 +103,7 @@ void Footsteps::follow(int placing, FootState& foot) const {
   if (first && swings_to == 1) foot.kind = SwingKind::kFirst;
   if (last && swings_to == steps_) foot.kind = SwingKind::kLast;
   if (swings_to <= steps_) foot.turn_rate = landings_[swings_to + 1].turn_rate;
+  foot.slower = landings_[std::min(swings_to, steps_) + 1].slower;
 }
 
 // State of the foot whose last placing is `placing`.
@@ -173,6 +174,7 @@ std::array<FootState, 2> Footsteps::atStance(const FootPlacement& placement, con
     } else {
       const double since = placement.half_support + (side == stance.leading ? 0.0 : 1.0);
       foot.at = since / (1.0 + 2.0 * placement.half_support);
+      foot.slower = placement.slower;
     }
   }
   return feet;

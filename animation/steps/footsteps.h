@@ -30,6 +30,7 @@ struct FootPlacement {
   double walk_toe_out = 0.0;
   double stand_toe_out = 0.0;                     ///< the same while standing [rad]
   double half_support = 0.1;                      ///< half of a double support [steps, 0 to 0.5]
+  double slower = 0.0;                            ///< FootState::slower at a walking stance [m/s]
   std::array<EndSwing, 2> first = {}, last = {};  ///< of starts and of stops, by Side of the foot
   SwingKind swings = SwingKind::kWalk;            ///< all but those
 
@@ -72,9 +73,11 @@ class Footsteps {
     double strike_roll = 1.0;  ///< FootState::strike_roll [-1, 1]
     /// FootState::turn_rate; 0 of the first and the last two: a stance is that of a straight walk.
     double turn_rate = 0.0;
+    double slower = 0.0;  ///< FootState::slower; of stances' placings theirs [m/s, >= 0]
   };
   /// Of all placings, -1 first; nothing swings to placings -1 and 0.
   std::vector<Landing>& landings() { return landings_; }
+  const std::vector<Landing>& landings() const { return landings_; }
 
   int steps() const { return steps_; }
   Side side(int placing) const;  ///< of placing -1, 0, 1, ... n

@@ -36,7 +36,7 @@ namespace {
 
 // Steps of a walking stance are those of its own and its slope's speed.
 FootPlacement placementAt(const StepSettings& settings, const FootholdFinder& holds,
-                          const Stance& stance) {
+                          const SwingCycles& cycles, const Stance& stance) {
   FootPlacement placement = settings.placement;
   if (stance.standing) return placement;
   const double pace = stance.pace * slopePace(slopeUnder(settings, holds, stance));
@@ -44,6 +44,11 @@ FootPlacement placementAt(const StepSettings& settings, const FootholdFinder& ho
     const double speed = settings.limits.speed * pace;
     placement.step_length = settings.limits.law.stepLength(speed);
     placement.half_support = 0.5 * settings.limits.law.doubleSupport(speed);
+    placement.slower = cycles.departures.slowerBy(speed);
+    const PrintPlace left = cycles.print(kLeft, placement.print(kLeft), placement.slower, 0.0);
+    placement.walk_width = 2.0 * left.left;
+    placement.stagger = left.forward;
+    placement.walk_toe_out = left.toe_out;
   }
   return placement;
 }
@@ -51,9 +56,9 @@ FootPlacement placementAt(const StepSettings& settings, const FootholdFinder& ho
 }  // namespace
 
 StanceFeet findStanceFeet(const StepSettings& settings, const FootholdFinder& holds,
-                          const Stance& stance) {
+                          const SwingCycles& cycles, const Stance& stance) {
   StanceFeet result;
-  result.placement = placementAt(settings, holds, stance);
+  result.placement = placementAt(settings, holds, cycles, stance);
   const auto places = Footsteps::atStance(result.placement, stance);
   result.height = stance.position.z();
   for (const Side side : {kLeft, kRight}) {

@@ -103,6 +103,32 @@ std::vector<double> halfSupports(const WalkSteps& walk, const StepSettings& sett
   return halves;
 }
 
+// Mean speed of the i-th step [m/s].
+double speedOf(const SpeedProfile& profile, int step) {
+  return profile.speedAt(0.5 * (profile.arcAtStep(step - 1) + profile.arcAtStep(step)));
+}
+
+// How much slower than the plan's walk each step is; at stances these say. Steps that are asked for
+// are edited ones of the plan's walk, however short.
+void slowSteps(const WalkDepartures& departures, const GaitWishes& wishes, WalkSteps& walk) {
+  std::vector<Footsteps::Landing>& landings = walk.feet->landings();
+  for (int i = 1; i <= walk.steps && !wishes.stride; ++i) {
+    const double speed = walk.timing ? walk.timing->stepSpeed(i) : speedOf(*walk.profile, i);
+    landings[i + 1].slower = departures.slowerBy(speed);
+  }
+  if (!walk.from.standing)
+    for (const int i : {0, 1, 2}) landings[i].slower = walk.from_feet.placement.slower;
+  if (!walk.end.standing)
+    for (const int i : {walk.steps, walk.steps + 1})
+      landings[i].slower = walk.end_feet.placement.slower;
+}
+
+bool isSlower(const WalkSteps& walk) {
+  return std::ranges::any_of(walk.feet->landings(), [](const Footsteps::Landing& landing) {
+    return landing.slower > 0.0;
+  });
+}
+
 // The root path's height over progress: at each node midway between the two feet.
 CubicSpline rootHeight(const WalkSteps& walk) {
   const std::vector<FootPlace>& places = walk.feet->places();
@@ -191,7 +217,8 @@ WalkSteps StepPlacer::plan(const WalkRequest& request) const {
     adapted(walk, request, limits);
   }
   if (walk.refused != WalkRule::kNone) return walk;
-  if (limits.pace || limits.stride || walk.timing) walk.feet->setSupports(halfSupports(walk, s_));
+  if (limits.pace || limits.stride || walk.timing || isSlower(walk))
+    walk.feet->setSupports(halfSupports(walk, s_));
   walk.level = isLevel(walk);
   if (!walk.level) walk.height = rootHeight(walk);
   return walk;
@@ -213,11 +240,14 @@ bool StepPlacer::natural(WalkSteps& walk, const WalkRequest& request) const {
   const double length = request.path.length();
   std::vector<double> rates(walk.steps + 1, 0.0);
   for (int i = 1; i <= walk.steps; ++i) rates[i] = turnRateOf(profile, request.path, i);
+  slowSteps(swings_.cycles.departures, request.wishes, walk);
+  const std::vector<Footsteps::Landing>& landings = walk.feet->landings();
   walk.feet->place([&](int i) {
     const double s = printArc(walk, s_.placement, length, i) + s_.placement.forward;
     const Side side = walk.feet->side(i);
-    return footBeside(pathPoint(request.path, s, walk.from.position.z()),
-                      swings_.cycles.print(side, s_.placement.print(side), rates[i + 1]));
+    return footBeside(
+        pathPoint(request.path, s, walk.from.position.z()),
+        swings_.cycles.print(side, s_.placement.print(side), landings[i + 2].slower, rates[i + 1]));
   });
   for (int i = 2; i + 1 < walk.steps; ++i) walk.feet->landings()[i + 1].turn_rate = rates[i];
   walk.feet->setStances(walk.from_feet.feet, walk.end_feet.feet);
@@ -284,6 +314,7 @@ void StepPlacer::adapted(WalkSteps& walk, const WalkRequest& request,
   walk.feet->setStances(walk.from_feet.feet, walk.end_feet.feet);
   for (int i = 1; i + 1 < walk.steps; ++i) walk.feet->places()[i + 1] = plan.places[i + 1];
   walk.timing.emplace(timeSteps(walk, plan, request.path, limits, s_.placement.forward, s_.scale));
+  slowSteps(swings_.cycles.departures, request.wishes, walk);
   swing(walk, request);
 }
 

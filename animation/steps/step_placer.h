@@ -67,7 +67,9 @@ class StepPlacer {
              const SwingCycles& cycles, const StepSettings& settings);
 
   const FootPlacement& placement() const { return s_.placement; }
-  StanceFeet stanceFeet(const Stance& stance) const { return findStanceFeet(s_, holds_, stance); }
+  StanceFeet stanceFeet(const Stance& stance) const {
+    return findStanceFeet(s_, holds_, swings_.cycles, stance);
+  }
   WalkSteps plan(const WalkRequest& request) const;
   /// Puts feet on the ground from placing to placing. @return what refused
   WalkRule standOnGround(Footsteps& steps) const;

@@ -8,12 +8,18 @@
 
 namespace amble {
 
-double askedLift(const SwingFeet& feet, double lift, Side side) {
+double askedLift(const SwingFeet& feet, double lift, Side side, double slower) {
   constexpr double kNear = 0.1;  // of the captured lift: beyond, both feet are lifted alike [1]
   const double captured = 0.5 * (feet.captured_lift[kLeft] + feet.captured_lift[kRight]);
-  const double own = feet.captured_lift[side] / captured;
   const double keep = std::max(0.0, 1.0 - std::abs(lift / captured - 1.0) / kNear);
-  return lift * std::pow(own, keep);
+  if (keep == 0.0) return lift;
+  double own = feet.captured_lift[side];
+  if (slower > 0.0) {
+    FootState swing;
+    swing.slower = slower;
+    own = swingLift(swing, feet.cycles.of(side, swing), feet.shapes[side]);
+  }
+  return lift * std::pow(own / captured, keep);
 }
 
 namespace {
@@ -29,10 +35,10 @@ GaitParameters gaitOf(const FootPlace& from, const FootPlace& to, double lift) {
 // The lift of a swing on the level depends on how it rolls and is shaped, not on where it goes.
 bool isCaptured(const FootState& swing) {
   const SwingShape own;
-  return swing.kind == SwingKind::kWalk && swing.turn_rate == 0.0 && isLevelSwing(swing) &&
-         swing.strike_roll == 1.0 && swing.lift_roll == 1.0 && swing.swing.lift == own.lift &&
-         swing.swing.extra == own.extra && swing.swing.delay == own.delay &&
-         swing.swing.early == own.early;
+  return swing.kind == SwingKind::kWalk && swing.turn_rate == 0.0 && swing.slower == 0.0 &&
+         isLevelSwing(swing) && swing.strike_roll == 1.0 && swing.lift_roll == 1.0 &&
+         swing.swing.lift == own.lift && swing.swing.extra == own.extra &&
+         swing.swing.delay == own.delay && swing.swing.early == own.early;
 }
 
 }  // namespace
@@ -56,8 +62,8 @@ bool shapeSwings(const SwingFeet& body, const SwingClearance& clearance, const G
     const FootBlend cycle = body.cycles.of(side, swinging());
     if (wishes.lift) {
       const double lift = wishes.lift(length * (i - 0.5) / steps.steps());
-      landing.swing.lift =
-          liftFactor(askedLift(body, lift, side), swinging(), cycle, body.shapes[side]);
+      landing.swing.lift = liftFactor(askedLift(body, lift, side, landing.slower), swinging(),
+                                      cycle, body.shapes[side]);
     }
     if (!clearance.clear(places[i - 1], places[i + 1], side, cycle, landing.swing)) return false;
     const FootState swing = swinging();

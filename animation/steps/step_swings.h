@@ -21,9 +21,10 @@ struct SwingFeet {
   double scale = 1.0;                   ///< of the character to the captured subject [> 0]
 };
 
-/// What is asked of one foot [m]. Captured feet swing a little differently: near the captured lift
-/// they go on doing so, and the captured lift gives the captured walk back.
-double askedLift(const SwingFeet& feet, double lift, Side side);
+/// What is asked of one foot [m]. Captured feet swing a little differently, and in slower walks
+/// than the plan's otherwise: near the captured lift they go on doing so, and the captured lift
+/// gives the captured walk back. @param slower  FootState::slower [m/s, >= 0]
+double askedLift(const SwingFeet& feet, double lift, Side side, double slower = 0.0);
 
 /// Shapes every swing of `steps`, whose prints are on their ground, and says of every step what it
 /// is (`gait`, of placings 1 to the last).

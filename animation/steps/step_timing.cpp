@@ -21,9 +21,11 @@ StepTiming::StepTiming(const TimedSteps& steps)
   first_ = scale * steps.durations.front();
   last_ = scale * steps.durations.back();
   std::vector<double> times = {start_sway_ * first_}, nodes = {0.0};
-  for (const double duration : steps.durations) {
-    times.push_back(times.back() + scale * duration);
+  for (size_t i = 0; i < steps.durations.size(); ++i) {
+    const double duration = scale * steps.durations[i];
+    times.push_back(times.back() + duration);
     nodes.push_back(nodes.back() + 1.0);
+    speeds_.push_back((steps.arcs[i + 1] - steps.arcs[i]) / duration);
   }
   // Cadence at a walking stance is its speed over its step.
   const auto cadence = [](double speed, double length, double duration) {

@@ -31,10 +31,13 @@ class StepTiming {
 
   int frames() const { return frames_; }  ///< intervals; there is one frame more
   SpeedProfile::Sample at(int frame) const;
+  /// Mean over the i-th step [m/s]. @param step  [1 to the number of steps]
+  double stepSpeed(int step) const { return speeds_[step - 1]; }
 
  private:
   CubicSpline arc_, progress_;
   std::vector<double> lengths_;
+  std::vector<double> speeds_;  // by step [m/s]
   double frame_time_ = 0.0;
   double first_ = 0.0, last_ = 0.0;  // wanted steps' times beside standing, as they came out [s]
   double start_sway_ = 0.0, stop_sway_ = 0.0;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "animation/steps/turn_shares.h"
+#include "animation/steps/captured_shares.h"
 
 namespace amble {
 
@@ -31,7 +31,7 @@ void StrideLaw::addTurn(int way, const Turn& turn) {
 
 double StrideLaw::turnedShare(double rate) const {
   const std::vector<Turn>& turns = turns_[rate > 0.0 ? 0 : 1];
-  const TurnShares shares = turnShares(
+  const CapturedShares shares = capturedShares(
       turns.size(), [&](size_t i) { return turns[i].rate; }, std::abs(rate));
   double share = 1.0;
   if (shares.of_low > 0.0) share += shares.of_low * (turns[shares.low].share - 1.0);

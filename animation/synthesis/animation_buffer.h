@@ -29,6 +29,9 @@ struct FrameState {
   double turn_rate = 0.0;  ///< left positive [rad/s]
   /// Turn rate that the cycles are blended for: turn_rate without its jumps; 0 at stances [rad/s].
   double blended_turn_rate = 0.0;
+  /// By how much slower a walk the cycles are blended for than the plan's (WalkDepartures), without
+  /// jumps; a stance's own there [m/s, >= 0].
+  double slower = 0.0;
   double phase = 0.0;        ///< of the walk cycle [cycles, 0 <= . < 1]
   double step_length = 0.0;  ///< to which the cycles are warped here [m, >= 0]
   double standing = 0.0;     ///< rather than walking, 1 at standing stances [0, 1]

@@ -16,16 +16,16 @@ struct LanePace {
 
 /// What is blended at four frames.
 struct LaneBlend {
-  /// At each frame the straight walk and two turns at most.
-  static constexpr int kMostPaces = 9;
+  /// At each frame two straight walks, what these are otherwise than the plan's, and two turns.
+  static constexpr int kMostPaces = 24;
   struct Weighed {
     const LanePace* pace = nullptr;
     double weight[4] = {};
   };
   int count = 0;
-  Weighed paces[kMostPaces] = {};  ///< the first has the most harmonics
-  double phase[4];                 ///< [cycles]
-  double step_length[4];           ///< [m]
+  Weighed paces[kMostPaces] = {};
+  double phase[4];        ///< [cycles]
+  double step_length[4];  ///< [m]
 };
 
 /// Where the root is put at four frames: on the point of a path and its heading, then leant.

@@ -2,6 +2,8 @@
 /// (lanes.h).
 #pragma once
 
+#include <algorithm>
+
 #include "animation/library/harmonics.h"
 #include "animation/synthesis/cycle_lanes.h"
 #include "base/lanes.h"
@@ -47,7 +49,10 @@ inline void addPace(const LanePace& pace, int channels, const Lanes& weight, con
 
 inline void blendLanes(const LaneBlend& blend, int channels, double* values) {
   Lanes basis[2 * kMaxHarmonics];
-  basisOf(loaded(blend.phase), blend.paces[0].pace->harmonics, basis);
+  int harmonics = 0;
+  for (int i = 0; i < blend.count; ++i)
+    harmonics = std::max(harmonics, blend.paces[i].pace->harmonics);
+  basisOf(loaded(blend.phase), harmonics, basis);
   std::memset(values, 0, sizeof(double) * 4 * channels);
   const Lanes step = loaded(blend.step_length);
   for (int i = 0; i < blend.count; ++i) {

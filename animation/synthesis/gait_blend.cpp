@@ -6,7 +6,6 @@
 
 #include "animation/library/foot_cycle.h"
 #include "animation/steps/spot_step.h"
-#include "animation/steps/turn_shares.h"
 
 namespace amble {
 namespace {
@@ -79,6 +78,13 @@ void addWeight(LaneBlend& blend, const LanePace& pace, int frame, double weight)
   blend.paces[i].weight[frame] = weight;
 }
 
+// Harmonics in which turns are otherwise than straight walks: from there on none.
+void keepOfTurns(Eigen::MatrixXd& coefficients) {
+  const Eigen::Index kept =
+      std::min<Eigen::Index>(2 * GaitBlend::kTurnHarmonics + 2, coefficients.cols());
+  coefficients.rightCols(coefficients.cols() - kept).setZero();
+}
+
 // Amplitudes times `warp`.
 Eigen::MatrixXd warped(Eigen::MatrixXd coefficients, double warp) {
   const Eigen::Index amplitudes = coefficients.cols() - 2;
@@ -138,6 +144,7 @@ GaitBlend::GaitBlend(const MotionLibrary& library, double scale, double speed) {
   fitLaw(paces, scale * library.roles.legLength(library.skeleton, kLeft));
   takeOnset(library, scale);
   mixStraight(paces, groups, scale, speed);
+  addSlower(paces, groups, scale);
   for (const Cycles& side : turns) {
     addTurns(grouped(side, [](const WalkCycle& c) { return std::abs(c.turn_rate); }), harmonics,
              scale);
@@ -240,14 +247,43 @@ void GaitBlend::mixStraight(const std::vector<Pace>& paces, const std::vector<Cy
   feet_.spot = spotStep(scale);
 }
 
+// Captured paces below the plan's speed, their prints where the plan's are: around the path's
+// points.
+void GaitBlend::addSlower(const std::vector<Pace>& paces, const std::vector<Cycles>& cycles,
+                          double scale) {
+  std::vector<double> speeds;
+  for (const Pace& pace : paces) speeds.push_back(pace.speed);
+  feet_.departures.setPaces(speeds, straight_.speed);
+  for (size_t i = feet_.departures.slower.size(); i-- > 0;) {
+    Pace pace = paces[i];
+    pace.sources = {{cycles[i], 1.0}};
+    OtherFeet& feet = feet_.slower.emplace_back();
+    const PrintPlace left = meanPrint(cycles[i], kLeft, scale),
+                     right = meanPrint(cycles[i], kRight, scale);
+    pace.coefficients(0, 0) -= 0.5 * (left.forward + right.forward) - foot_forward_;
+    for (const Side side : {kLeft, kRight}) {
+      const double sign = side == kLeft ? 0.5 : -0.5;
+      feet.cycles[side] = meanFootOf(cycles[i], side, scale);
+      feet.prints[side] = {sign * (left.forward - right.forward), sign * (left.left - right.left),
+                           sign * (left.toe_out - right.toe_out)};
+    }
+    Pace replaced = straight_;
+    replaced.coefficients -= warped(pace.coefficients, straight_.step / pace.step);
+    keepOfTurns(replaced.coefficients);
+    slower_.push_back(std::move(pace));
+    replaced_.push_back(std::move(replaced));
+  }
+}
+
 // Captured starts and stops, joined to the straight walk at the speed that they lead to.
 void GaitBlend::joinTransitions(const MotionLibrary& library, double scale, double speed) {
   Eigen::VectorXd walk;
   const WalkAt walk_at = [&](double clock, Side side, bool start, std::span<double> channels) {
     const double phase = (side == kLeft ? 0.5 : 0.0) + 0.5 * (start ? clock + 1.0 : 1.0 - clock);
     const double fastest = start ? law_.onset().first_speed : law_.onset().last_speed;
-    const double step = law_.stepLength(std::min(speed, fastest));
-    evaluate(phase - std::floor(phase), 0.0, step, walk);
+    const double beside = std::min(speed, fastest);
+    evaluate(phase - std::floor(phase), 0.0, law_.stepLength(beside), walk,
+             feet_.departures.slowerBy(beside));
     std::copy(walk.begin(), walk.end(), channels.begin());
   };
   transitions_ = TransitionBlend(library, scale, speed, walk_at);
@@ -264,21 +300,18 @@ void GaitBlend::addTurns(const std::vector<Cycles>& turns, int harmonics, double
     Pace turn = meanPace(cycles, harmonics, scale);
     turn.sources = {{cycles, 1.0}};
     turn.coefficients -= warped(straight_.coefficients, turn.step / straight_.step);
-    const Eigen::Index kept =
-        std::min<Eigen::Index>(2 * kTurnHarmonics + 2, turn.coefficients.cols());
-    turn.coefficients.rightCols(turn.coefficients.cols() - kept).setZero();
+    keepOfTurns(turn.coefficients);
     const int way = turn.turn_rate > 0.0 ? 0 : 1;
     law_.addTurn(way, {std::abs(turn.turn_rate), turn.step / law_.stepLength(turn.speed)});
-    addTurnFeet(cycles, scale, std::abs(turn.turn_rate), feet_.turns[way]);
+    addTurnFeet(cycles, scale, std::abs(turn.turn_rate), way);
     turns_[way].push_back(std::move(turn));
   }
 }
 
 // How those turns put down their feet, and where.
-void GaitBlend::addTurnFeet(const Cycles& cycles, double scale, double rate,
-                            std::vector<TurnFeet>& turns) const {
-  TurnFeet& feet = turns.emplace_back();
-  feet.rate = rate;
+void GaitBlend::addTurnFeet(const Cycles& cycles, double scale, double rate, int way) {
+  feet_.departures.turns[way].push_back(rate);
+  OtherFeet& feet = feet_.turns[way].emplace_back();
   for (const Side side : {kLeft, kRight}) {
     feet.cycles[side] = meanFootOf(cycles, side, scale);
     feet.prints[side] = meanPrint(cycles, side, scale);
@@ -286,12 +319,18 @@ void GaitBlend::addTurnFeet(const Cycles& cycles, double scale, double rate,
   }
 }
 
+// Of which frames are blended: what is left of the straight walk, what turns add to it, slower
+// walks, and what turns add more to these.
+std::vector<const GaitBlend::Pace*> GaitBlend::allPaces() const {
+  std::vector<const Pace*> all = {&straight_};
+  for (const std::vector<Pace>* some : {&turns_[0], &turns_[1], &slower_, &replaced_})
+    for (const Pace& pace : *some) all.push_back(&pace);
+  return all;
+}
+
 // Harmonics that a pace has none of are left out.
 void GaitBlend::layOut() {
-  std::vector<const Pace*> all = {&straight_};
-  for (const std::vector<Pace>& side : turns_)
-    for (const Pace& turn : side) all.push_back(&turn);
-  for (const Pace* pace : all) {
+  for (const Pace* pace : allPaces()) {
     int harmonics = static_cast<int>(pace->coefficients.cols()) / 2 - 1;
     while (harmonics > 0 && pace != &straight_ &&
            pace->coefficients.middleCols(2 * harmonics, 2).isZero(0.0))
@@ -302,39 +341,46 @@ void GaitBlend::layOut() {
   }
 }
 
-// Of all paces at a turn rate.
-void GaitBlend::weigh(double turn_rate, int frame, LaneBlend& blend) const {
-  addWeight(blend, paces_[0], frame, 1.0);
-  const std::vector<Pace>& turns = turns_[turn_rate > 0.0 ? 0 : 1];
-  if (turns.empty() || turn_rate == 0.0) return;
-  const auto rateOf = [&](size_t i) { return std::abs(turns[i].turn_rate); };
-  const LanePace* paces = &paces_[1 + (turn_rate > 0.0 ? 0 : turns_[0].size())];
-  const TurnShares shares = turnShares(turns.size(), rateOf, std::abs(turn_rate));
-  addWeight(blend, paces[shares.low], frame, shares.of_low);
-  if (shares.of_next > 0.0) addWeight(blend, paces[shares.low + 1], frame, shares.of_next);
+// Of all paces, where a walk is so much slower than the plan's and turns at a rate.
+void GaitBlend::weigh(double slower, double turn_rate, int frame, LaneBlend& blend) const {
+  const WalkShares shares = feet_.departures.at(slower, turn_rate);
+  const LanePace* const turns = &paces_[1 + (shares.way == 0 ? 0 : turns_[0].size())];
+  const LanePace* const slow = &paces_[1] + turns_[0].size() + turns_[1].size();
+  const auto add = [&](const LanePace* paces, const CapturedShares& part, double of) {
+    if (of * part.of_low > 0.0) addWeight(blend, paces[part.low], frame, of * part.of_low);
+    if (of * part.of_next > 0.0) addWeight(blend, paces[part.low + 1], frame, of * part.of_next);
+  };
+  if (shares.plans > 0.0) addWeight(blend, paces_[0], frame, shares.plans);
+  add(turns, shares.turning, 1.0);
+  add(slow, shares.slower, 1.0);
+  add(slow + slower_.size(), shares.slower, shares.turning.of_low + shares.turning.of_next);
 }
 
-std::vector<GaitBlend::Share> GaitBlend::shares(const MotionLibrary& library,
+std::vector<GaitBlend::Share> GaitBlend::shares(const MotionLibrary& library, double slower,
                                                 double turn_rate) const {
-  LaneBlend blend;
-  weigh(turn_rate, 0, blend);
-  std::vector<double> weights(paces_.size(), 0.0);
-  for (int i = 0; i < blend.count; ++i)
-    weights[blend.paces[i].pace - paces_.data()] = blend.paces[i].weight[0];
-  // A turn is what it adds to the straight walk: so much less of that is left.
-  for (size_t i = 1; i < weights.size(); ++i) weights[0] -= weights[i];
-  std::vector<const Pace*> all = {&straight_};
-  for (const std::vector<Pace>& side : turns_)
-    for (const Pace& turn : side) all.push_back(&turn);
+  const WalkShares now = feet_.departures.at(slower, turn_rate);
   std::vector<Share> shares;
-  for (size_t i = 0; i < all.size(); ++i) {
-    for (const auto& [cycles, share] : all[i]->sources) {
-      shares.push_back({{}, weights[i] * share});
+  const auto add = [&](const Pace& pace, double weight) {
+    for (const auto& [cycles, share] : pace.sources) {
+      std::vector<std::string> names;
       for (const Motion& motion : library.motions)
         if (std::find(cycles.begin(), cycles.end(), &motion.cycle) != cycles.end())
-          shares.back().motions.push_back(motion.name);
+          names.push_back(motion.name);
+      const auto same = std::ranges::find(shares, names, &Share::motions);
+      Share& of = same != shares.end() ? *same : shares.emplace_back(Share{names, 0.0});
+      of.share += weight * share;
     }
-  }
+  };
+  const auto addAll = [&](const std::vector<Pace>& paces, const CapturedShares& part, double of) {
+    for (size_t i = 0; i < paces.size(); ++i) {
+      const double own = i == part.low ? part.of_low : i == part.low + 1 ? part.of_next : 0.0;
+      add(paces[i], of * own);
+    }
+  };
+  add(straight_, now.straight * now.plans);
+  addAll(slower_, now.slower, now.straight);
+  for (const int way : {0, 1})
+    addAll(turns_[way], way == now.way ? now.turning : CapturedShares{}, 1.0);
   return shares;
 }
 
@@ -343,17 +389,17 @@ void GaitBlend::evaluate(const Frames& frames, std::span<double> values) const {
   for (int frame = 0; frame < 4; ++frame) {
     blend.phase[frame] = frames.phase[frame];
     blend.step_length[frame] = frames.step_length[frame];
-    weigh(frames.turn_rate[frame], frame, blend);
+    weigh(frames.slower[frame], frames.turn_rate[frame], frame, blend);
   }
   cycleKernel().blend(blend, channels(), values.data());
 }
 
 void GaitBlend::evaluate(double phase, double turn_rate, double step_length,
-                         Eigen::VectorXd& channels) const {
+                         Eigen::VectorXd& channels, double slower) const {
   channels.resize(straight_.coefficients.rows());
   std::vector<double> values(4 * channels.size());
   const auto four = [](double value) { return std::array{value, value, value, value}; };
-  evaluate(Frames{four(phase), four(turn_rate), four(step_length)}, values);
+  evaluate(Frames{four(phase), four(turn_rate), four(step_length), four(slower)}, values);
   channels =
       Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<4>>(values.data(), channels.size());
 }

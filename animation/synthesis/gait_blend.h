@@ -2,10 +2,10 @@
 ///
 /// Walks that go alike are averaged into one captured pace: straight ones of the same speed, left
 /// and right turns of the same rate. The straight walk is mixed of the two paces next to the plan's
-/// speed, once: the walker keeps his carriage where he slows for a turn or a stop, and only the
-/// step is warped. A turn adds what the captured turns do otherwise than that walk at their step,
-/// in its mean and lowest harmonics, and brings its feet (SwingCycles). Which is which is told by
-/// each cycle's own measured turn rate. (The paper has left turns negative; ours are positive.)
+/// speed; where a walk slows, for a turn, a slope or a stop, slower paces take its place. A turn
+/// adds what the captured turns do otherwise than the straight walk there at their step, in its
+/// mean and lowest harmonics, and brings its feet (SwingCycles). Which is which is told by each
+/// cycle's own measured turn rate. (The paper has left turns negative; ours are positive.)
 /// Beyond the captured paces nothing is extrapolated but the step: the slowest and the fastest walk
 /// are warped, turns are held at the fastest captured rate, the speed drops instead.
 #pragma once
@@ -47,15 +47,16 @@ class GaitBlend {
   const SwingCycles& feet() const { return feet_; }
   const TransitionBlend& transitions() const { return transitions_; }
 
-  /// Channels of WalkCycle::series at a phase [cycles], blended for a turn rate [rad/s] and warped
-  /// to a step length [m]. Amplitudes are proportional to step length, means stay. (The root's
+  /// Channels of WalkCycle::series at a phase [cycles], blended for a turn rate [rad/s] and for so
+  /// much slower a walk than the plan's (WalkDepartures) [m/s], and warped to a step length [m].
+  /// Amplitudes are proportional to step length, means stay. (The root's
   /// height would go with its square, were it an inverted pendulum's; people's rises less.)
   /// Allocates nothing once `channels` has its size.
-  void evaluate(double phase, double turn_rate, double step_length,
-                Eigen::VectorXd& channels) const;
+  void evaluate(double phase, double turn_rate, double step_length, Eigen::VectorXd& channels,
+                double slower = 0.0) const;
   /// The same at four frames at once, into values[4 * channel + frame].
   struct Frames {
-    std::array<double, 4> phase, turn_rate, step_length;
+    std::array<double, 4> phase, turn_rate, step_length, slower = {};
   };
   void evaluate(const Frames& frames, std::span<double> values) const;
   /// Motions that are averaged into one, by name, and how much of them is in a frame [0 to 1].
@@ -63,10 +64,10 @@ class GaitBlend {
     std::vector<std::string> motions;
     double share = 0.0;
   };
-  /// Of what the walk is blended at a turn rate [rad/s]: the same motions in the same order
-  /// whatever it is, with shares that sum to 1. For who wants to know, not for who blends.
-  /// @pre the library is the one that it was made of
-  std::vector<Share> shares(const MotionLibrary& library, double turn_rate) const;
+  /// Of what the walk is blended where it is so much slower than the plan's [m/s] and at a turn
+  /// rate [rad/s]: the same motions in the same order whatever these are, with shares that sum to
+  /// 1. For who wants to know, not for who blends. @pre the library is the one that it was made of
+  std::vector<Share> shares(const MotionLibrary& library, double slower, double turn_rate) const;
   int channels() const { return static_cast<int>(straight_.coefficients.rows()); }
 
   /// Walks whose speeds, or turn rates, differ by less than this share are one pace: two captures
@@ -101,16 +102,20 @@ class GaitBlend {
   void mixStraight(const std::vector<Pace>& paces, const std::vector<Cycles>& cycles, double scale,
                    double speed);
   void joinTransitions(const MotionLibrary& library, double scale, double speed);
+  void addSlower(const std::vector<Pace>& paces, const std::vector<Cycles>& cycles, double scale);
   void addTurns(const std::vector<Cycles>& turns, int harmonics, double scale);
-  void addTurnFeet(const Cycles& cycles, double scale, double rate,
-                   std::vector<TurnFeet>& turns) const;
+  void addTurnFeet(const Cycles& cycles, double scale, double rate, int way);
+  std::vector<const Pace*> allPaces() const;
   void layOut();
-  void weigh(double turn_rate, int frame, LaneBlend& blend) const;
+  void weigh(double slower, double turn_rate, int frame, LaneBlend& blend) const;
 
   StrideLaw law_;
   Pace straight_;                           // at the plan's speed
   std::array<std::vector<Pace>, 2> turns_;  // left, right, by rate: what they add to the straight
-  std::vector<RowMajor> rows_;   // of the straight walk, then of the turns: as LanePace has them
+  std::vector<Pace> slower_;                // as WalkDepartures has them
+  // By as much is what a turn replaces of the straight walk more than of those.
+  std::vector<Pace> replaced_;
+  std::vector<RowMajor> rows_;   // of allPaces(), as LanePace has them
   std::vector<LanePace> paces_;  // the same
   double max_turn_rate_ = 0.0, step_width_ = 0.0, foot_forward_ = 0.0, stagger_ = 0.0,
          toe_out_ = 0.0;

@@ -13,7 +13,7 @@ MotionShares::MotionShares(const MotionLibrary& library, const WalkSynthesizer& 
     : library_(library),
       blend_(library, synthesizer.stature() / library.stature, synthesizer.settings().speed) {
   motions_.push_back({library.find("stand")});
-  for (const GaitBlend::Share& share : blend_.shares(library, 0.0)) {
+  for (const GaitBlend::Share& share : blend_.shares(library, 0.0, 0.0)) {
     motions_.emplace_back();
     for (const std::string& name : share.motions) motions_.back().push_back(library.find(name));
   }
@@ -29,7 +29,8 @@ MotionShares::MotionShares(const MotionLibrary& library, const WalkSynthesizer& 
 // As WalkController mixes them.
 std::vector<double> MotionShares::at(const FrameState& state) const {
   std::vector<double> shares = {state.posture};
-  for (const GaitBlend::Share& share : blend_.shares(library_, state.blended_turn_rate))
+  for (const GaitBlend::Share& share :
+       blend_.shares(library_, state.slower, state.blended_turn_rate))
     shares.push_back((1.0 - state.posture) * share.share);
   shares.resize(motions_.size(), 0.0);
   mix(0, state.start, shares);

@@ -61,6 +61,7 @@ bool WalkController::apply(AnimationBuffer& buffer) const {
       states[i] = &buffer.states[frames[i]];
       moments.phase[i] = states[i]->phase;
       moments.turn_rate[i] = states[i]->blended_turn_rate;
+      moments.slower[i] = states[i]->slower;
       moments.step_length[i] = states[i]->step_length;
     }
     blend_.evaluate(moments, channels);

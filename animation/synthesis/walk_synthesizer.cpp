@@ -113,6 +113,7 @@ struct WalkSynthesizer::Impl {
       state.step_length = stood.placement.step_length;
       state.lean = slopeLean(stood.rise / state.step_length);
     }
+    state.slower = stood.placement.slower;
     state.feet = Footsteps::atStance(stood.placement, stance);
     for (const Side side : {kLeft, kRight}) {
       FootState& foot = state.feet[side];
@@ -148,6 +149,7 @@ struct WalkSynthesizer::Impl {
     state.speed = at.speed;
     state.turn_rate = on.curvature * at.speed;
     state.blended_turn_rate = smoothstep(begin) * smoothstep(left) * state.turn_rate;
+    state.slower = slowerAt(steps, request.wishes, at);
     // Phase is that of the foot in front, 0 or 0.5 at every node: the first step lands `first`.
     state.phase = 0.5 * at.steps + (steps.first == kLeft ? 0.5 : 0.0);
     state.phase -= std::floor(state.phase);
@@ -156,6 +158,19 @@ struct WalkSynthesizer::Impl {
     standAtEnds(steps, request, at, state);
     state.feet = steps.feet->at(at.steps);
     return state;
+  }
+
+  // How much slower than the plan's; beside a walking stance as that is.
+  double slowerAt(const WalkSteps& steps, const GaitWishes& wishes,
+                  const SpeedProfile::Sample& at) const {
+    double slower = wishes.stride ? 0.0 : blend.feet().departures.slowerBy(at.speed);
+    const auto beside = [&](const Stance& stance, const StanceFeet& stood, double away) {
+      const double stances = stood.placement.slower;
+      if (!stance.standing) slower = stances + smoothstep(away) * (slower - stances);
+    };
+    beside(steps.from, steps.from_feet, at.steps);
+    beside(steps.end, steps.end_feet, steps.steps - at.steps);
+    return slower;
   }
 
   // What is left of standing at the ends, and which captured start and stop the frame is in.
@@ -241,16 +256,19 @@ double WalkSynthesizer::shortestWalk() const {
 namespace {
 
 // Where curves join and bend the other way the turn rate jumps; people lean into a turn over a
-// moment. The mean over that moment, which shrinks towards the ends: there it is 0 and stays so.
-void smoothBlending(std::vector<FrameState>& states, double frame_time) {
+// moment, and change their gait over one. The mean over that moment, which shrinks towards the
+// ends: there it is the stance's and stays so.
+void smoothBlending(double FrameState::*blended, double frame_time,
+                    std::vector<FrameState>& states) {
   const int n = static_cast<int>(states.size());
   const int widest = static_cast<int>(std::lround(GaitBlend::kBlendTime / frame_time));
   std::vector<double> sums(n + 1, 0.0);
   for (int pass = 0; pass < 2; ++pass) {  // a mean of means has no corners
-    for (int i = 0; i < n; ++i) sums[i + 1] = sums[i] + states[i].blended_turn_rate;
+    for (int i = 0; i < n; ++i) sums[i + 1] = sums[i] + states[i].*blended;
     for (int i = 0; i < n; ++i) {
       const int half = std::min({widest, i, n - 1 - i});
-      states[i].blended_turn_rate = (sums[i + half + 1] - sums[i - half]) / (2 * half + 1);
+      if (half == 0) continue;  // to the bit
+      states[i].*blended = (sums[i + half + 1] - sums[i - half]) / (2 * half + 1);
     }
   }
 }
@@ -278,7 +296,11 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
   out.states.push_back(m.stanceState(from, walk.from_feet, 0.0));
   for (int k = 1; k < walk.frames(); ++k) out.states.push_back(m.walkingState(walk, request, k));
   out.states.push_back(m.stanceState(walk.end, walk.end_feet, path.length()));
-  smoothBlending(out.states, m.settings.frame_time);
+  // Standing comes of as slow a walk as it leads to.
+  if (from.standing) out.states.front().slower = out.states[1].slower;
+  if (to.standing) out.states.back().slower = out.states[walk.frames() - 1].slower;
+  for (const auto blended : {&FrameState::blended_turn_rate, &FrameState::slower})
+    smoothBlending(blended, m.settings.frame_time, out.states);
   const WalkResult result = m.pose(out, walk.steps, walk.end.leading);
   if (result.refused == WalkRule::kNone) setGait(walk.gait, out);
   return result;

@@ -13,7 +13,8 @@ namespace {
 StanceFeet feetOn(const Ground& ground, const Stance& stance) {
   const StepCharacter& c = stepCharacter();
   const StepSettings settings = c.settings();
-  return findStanceFeet(settings, FootholdFinder(ground, c.feet, settings.footholds), stance);
+  return findStanceFeet(settings, FootholdFinder(ground, c.feet, settings.footholds),
+                        c.blend.feet(), stance);
 }
 
 TEST(StanceFeet, WithoutGroundOrOnASteepOneTheRuleIsSaid) {

@@ -1,4 +1,4 @@
-#include "animation/steps/turn_shares.h"
+#include "animation/steps/captured_shares.h"
 
 #include <gtest/gtest.h>
 
@@ -9,15 +9,15 @@
 namespace amble {
 namespace {
 
-TurnShares sharesOf(const std::vector<double>& rates, double rate) {
-  return turnShares(
+CapturedShares sharesOf(const std::vector<double>& rates, double rate) {
+  return capturedShares(
       rates.size(), [&](size_t i) { return rates[i]; }, rate);
 }
 
 /// What all turns have of a walk, by turn; the rest is the straight walk's.
 std::vector<double> byTurn(const std::vector<double>& rates, double rate) {
   std::vector<double> all(rates.size() + 1, 0.0);
-  const TurnShares shares = sharesOf(rates, rate);
+  const CapturedShares shares = sharesOf(rates, rate);
   all[shares.low] += shares.of_low;
   all[shares.low + 1] += shares.of_next;
   EXPECT_TRUE(shares.of_next == 0.0 || shares.low + 1 < rates.size());
@@ -31,13 +31,13 @@ std::vector<double> randomRates(Generator& generator) {
   return rates;
 }
 
-TEST(TurnShares, WithoutATurnOrOnTheStraightThereIsNone) {
+TEST(CapturedShares, WithoutATurnOrOnTheStraightThereIsNone) {
   EXPECT_EQ(sharesOf({}, 0.7).of_low, 0.0);
   EXPECT_EQ(sharesOf({0.5, 1.0}, 0.0).of_low, 0.0);
   EXPECT_EQ(sharesOf({0.5, 1.0}, 0.0).of_next, 0.0);
 }
 
-TEST(TurnShares, AtACapturedRateAreThatTurnsAlone) {
+TEST(CapturedShares, AtACapturedRateAreThatTurnsAlone) {
   Generator generator(1);
   for (int trial = 0; trial < 20; ++trial) {
     const std::vector<double> rates = randomRates(generator);
@@ -49,7 +49,7 @@ TEST(TurnShares, AtACapturedRateAreThatTurnsAlone) {
 }
 
 // Beyond the slowest turn nothing of the straight walk is left; before it, the more the slower.
-TEST(TurnShares, AddUpToOneFromTheSlowestTurnOn) {
+TEST(CapturedShares, AddUpToOneFromTheSlowestTurnOn) {
   Generator generator(2);
   for (int trial = 0; trial < 20; ++trial) {
     const std::vector<double> rates = randomRates(generator);
@@ -69,14 +69,14 @@ TEST(TurnShares, AddUpToOneFromTheSlowestTurnOn) {
   }
 }
 
-TEST(TurnShares, OfTheFastestAreHeld) {
-  const TurnShares shares = sharesOf({0.3, 0.6, 1.2}, 5.0);
+TEST(CapturedShares, OfTheFastestAreHeld) {
+  const CapturedShares shares = sharesOf({0.3, 0.6, 1.2}, 5.0);
   EXPECT_EQ(shares.low, 2u);
   EXPECT_EQ(shares.of_low, 1.0);
 }
 
 // Neither they nor their slopes jump where a curve begins or one turn takes over from another.
-TEST(TurnShares, GoOverWithoutAKink) {
+TEST(CapturedShares, GoOverWithoutAKink) {
   Generator generator(3);
   constexpr double kStep = 1e-4;
   for (int trial = 0; trial < 10; ++trial) {
