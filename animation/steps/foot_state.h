@@ -58,4 +58,9 @@ struct FootState {
   bool planted() const { return at <= 1.0; }
 };
 
+/// Whether both follow the same captured cycle (SwingCycles::of).
+inline bool followsSame(const FootState& a, const FootState& b) {
+  return a.kind == b.kind && a.turn_rate == b.turn_rate && a.slower == b.slower;
+}
+
 }  // namespace amble

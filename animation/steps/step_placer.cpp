@@ -86,15 +86,18 @@ TimedSteps timeSteps(const WalkSteps& walk, const FootstepPlan& plan, const Root
 // of a walk on the level, and their double support is that walk's.
 std::vector<double> halfSupports(const WalkSteps& walk, const StepSettings& settings) {
   const std::vector<FootPlace>& places = walk.feet->places();
+  const StrideLaw& law = settings.limits.law;
   std::vector<double> halves(walk.steps + 1, settings.placement.half_support);
-  for (int k = 1, node = 1; k < walk.frames() && node < walk.steps; ++k) {
+  for (int node = 1; node < walk.steps && !walk.timing; ++node)
+    halves[node] = 0.5 * law.doubleSupport(walk.profile->speedAt(walk.profile->arcAtStep(node)));
+  for (int k = 1, node = 1; walk.timing && k < walk.frames() && node < walk.steps; ++k) {
     const SpeedProfile::Sample at = walk.at(k), before = walk.at(k - 1);
     if (at.steps < node) continue;
     const double cadence = (at.steps - before.steps) / settings.limits.frame_time;
     const bool climbs = std::abs(stepHeight(places[node], places[node + 1])) > Unevenness::kNatural;
     const double speed =
         climbs ? std::max(at.speed, cadence * settings.placement.step_length) : at.speed;
-    halves[node++] = 0.5 * settings.limits.law.doubleSupport(speed);
+    halves[node++] = 0.5 * law.doubleSupport(speed);
   }
   if (!walk.from.standing) halves[0] = halves[1] = walk.from_feet.placement.half_support;
   if (!walk.end.standing) {

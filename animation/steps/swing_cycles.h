@@ -38,19 +38,19 @@ struct SwingCycles {
       case SwingKind::kWalk:
         break;
     }
+    if (state.slower == 0.0 && state.turn_rate == 0.0) return walk[side];
     FootBlend blend;
-    const auto add = [&](const std::vector<OtherFeet>& all, size_t i, double share) {
-      if (share > 0.0) blend.add(all[i].cycles[side], share);
+    const auto addOthers = [&](const std::vector<OtherFeet>& all, const CapturedShares& shares,
+                               double of) {
+      if (of * shares.of_low > 0.0) blend.add(all[shares.low].cycles[side], of * shares.of_low);
+      if (of * shares.of_next > 0.0)
+        blend.add(all[shares.low + 1].cycles[side], of * shares.of_next);
     };
     const WalkShares shares = departures.at(state.slower, state.turn_rate);
-    const double straight = shares.straight;
-    if (straight > 0.0) {
-      if (shares.plans > 0.0) blend.add(walk[side], straight * shares.plans);
-      add(slower, shares.slower.low, straight * shares.slower.of_low);
-      add(slower, shares.slower.low + 1, straight * shares.slower.of_next);
-    }
-    add(turns[shares.way], shares.turning.low, shares.turning.of_low);
-    add(turns[shares.way], shares.turning.low + 1, shares.turning.of_next);
+    const double plans = shares.straight * shares.plans;
+    if (plans > 0.0) blend.add(walk[side], plans);
+    addOthers(slower, shares.slower, shares.straight);
+    addOthers(turns[shares.way], shares.turning, 1.0);
     return blend;
   }
 

@@ -11,7 +11,8 @@
 
 namespace amble {
 
-/// Turns have their shares of a walk; of the straight rest, the plan's walk and slower paces theirs.
+/// Turns have their shares of a walk; of the straight rest, the plan's walk and slower paces
+/// theirs.
 struct WalkShares {
   CapturedShares turning;  ///< of WalkDepartures::turns[way]
   int way = 0;             ///< 0 to the left, 1 to the right

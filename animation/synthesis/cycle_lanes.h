@@ -19,13 +19,13 @@ struct LaneBlend {
   /// At each frame two straight walks, what these are otherwise than the plan's, and two turns.
   static constexpr int kMostPaces = 24;
   struct Weighed {
-    const LanePace* pace = nullptr;
-    double weight[4] = {};
+    const LanePace* pace;
+    double weight[4];
   };
   int count = 0;
-  Weighed paces[kMostPaces] = {};
-  double phase[4];        ///< [cycles]
-  double step_length[4];  ///< [m]
+  Weighed paces[kMostPaces];  ///< the first `count` of them
+  double phase[4];            ///< [cycles]
+  double step_length[4];      ///< [m]
 };
 
 /// Where the root is put at four frames: on the point of a path and its heading, then leant.

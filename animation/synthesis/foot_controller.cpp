@@ -161,9 +161,13 @@ void FootController::aim(const AnimationBuffer& buffer, const Four& frames,
   kernel.placeChain(view(), position, rotations, legs);
   for (const Side side : {kLeft, kRight}) {
     std::array<Sole, 4> soles;
-    for (int i = 0; i < 4; ++i)
-      soles[i] = soleOf(buffer.states[frames[i]].feet[side],
-                        blend_.feet().of(side, buffer.states[frames[i]].feet[side]), shapes_[side]);
+    FootBlend cycle;
+    for (int i = 0; i < 4; ++i) {
+      const FootState& foot = buffer.states[frames[i]].feet[side];
+      if (i == 0 || !followsSame(foot, buffer.states[frames[i - 1]].feet[side]))
+        cycle = blend_.feet().of(side, foot);
+      soles[i] = soleOf(foot, cycle, shapes_[side]);
+    }
     LaneSoles lanes = sideBySide(soles);
     kernel.aim(lanes_[side], lanes, legs);
     bool risen = false;

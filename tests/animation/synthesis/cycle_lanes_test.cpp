@@ -64,8 +64,8 @@ struct Moments {
   // Pettré's eq. 2 and 3, with the C library's cosines.
   double exact(int channel, int frame) const {
     double sum = 0.0;
-    for (const LaneBlend::Weighed& weighed : blend.paces) {
-      if (weighed.pace == nullptr) break;
+    for (int i = 0; i < blend.count; ++i) {
+      const LaneBlend::Weighed& weighed = blend.paces[i];
       const LanePace& pace = *weighed.pace;
       const double* c = pace.coefficients + channel * (2 * pace.harmonics + 1);
       const double warp = blend.step_length[frame] / pace.step;

@@ -114,6 +114,48 @@ TEST(GaitBlend, BetweenTwoPacesItIsContinuousInSpeed) {
   }
 }
 
+// Beside the prints, which are put down where the plan's walk has them.
+TEST(GaitBlend, WhoSlowsToACapturedPaceWalksAsItsWalks) {
+  const GaitBlend blend(defaultLibrary(), 1.0, 1.7);
+  const WalkDepartures& departures = blend.feet().departures;
+  ASSERT_EQ(departures.slower.size(), 3u);
+  for (const double slower : departures.slower) {
+    const double speed = departures.steady - slower;
+    const auto ofPace = [&](const Motion& m) {
+      return !m.turning && std::abs(m.cycle.speed / speed - 1.0) < 0.5 * GaitBlend::kSamePace;
+    };
+    const double moved = GaitBlend(defaultLibrary(), 1.0, speed).footForward();
+    for (double phase = 0.0; phase < 1.0; phase += 0.07) {
+      Eigen::VectorXd value;
+      blend.evaluate(phase, 0.0, stepOf(ofPace), value, slower);
+      value[0] += moved - blend.footForward();
+      EXPECT_LT((value - meanOf(phase, ofPace)).norm(), 1e-12) << speed;
+    }
+  }
+}
+
+TEST(GaitBlend, ATurnIsTheSameInItsLowHarmonicsHoweverSlowTheWalkThere) {
+  const GaitBlend blend(defaultLibrary(), 1.0, 1.7);
+  const double rate = 2.0 * blend.maxTurnRate(), step = blend.law().capturedStep();
+  const double slowest = blend.feet().departures.slower.back();
+  double high = 0.0;
+  for (int k = 0; k <= GaitBlend::kTurnHarmonics + 1; ++k) {
+    Eigen::VectorXd cosine = Eigen::VectorXd::Zero(blend.channels()), sine = cosine;
+    for (double phase = 0.0; phase < 1.0; phase += 1.0 / 32) {
+      Eigen::VectorXd fast, slow;
+      blend.evaluate(phase, rate, step, fast);
+      blend.evaluate(phase, rate, step, slow, slowest);
+      cosine += std::cos(2.0 * kPi * k * phase) * (slow - fast);
+      sine += std::sin(2.0 * kPi * k * phase) * (slow - fast);
+    }
+    if (k <= GaitBlend::kTurnHarmonics) {
+      EXPECT_LT(cosine.norm() + sine.norm(), 1e-10) << k;
+    }
+    high = cosine.norm() + sine.norm();
+  }
+  EXPECT_GT(high, 1e-3);  // these are the straight walks'
+}
+
 TEST(GaitBlend, HalfWayToTheSlowestTurnHalfOfItIsAdded) {
   const GaitBlend blend(defaultLibrary(), 1.0);
   const double step = blend.law().capturedStep();
