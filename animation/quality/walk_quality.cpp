@@ -123,12 +123,14 @@ Support supportAtPace(const AnimationBuffer& walk) {
 // What the pelvis misses of the path's turn while a walk at pace turns one way: between two moments
 // of one phase at which it turns as fast and goes as fast, whole strides apart and as far around as
 // there are such. In between it swings by up to 20 degrees to either side, the more the faster the
-// walk turns. 0 where there are none.
+// walk turns; moments that are nearly alike leave a degree of it, which of less than kEnough would
+// be more than kAchieved. 0 where there are none.
 double turnMiss(const Clip& clip, const JointRoles& roles, const AnimationBuffer& walk,
                 const Support& strides) {
   constexpr double kOneWay = 0.9;              // share of turning that is left [1]
   constexpr double kSameRate = 2.0 * kDegree;  // [rad/s]
   constexpr double kSameSpeed = 0.005;         // in what is blended [m/s]
+  constexpr double kEnough = 20.0 * kDegree;
   const double same_phase = 0.55 * strides.strides / strides.frames;  // half of a frame [cycles]
   const std::vector<double> headings = pelvisHeadings(clip, roles);
   std::vector<double> path = {0.0}, either_way = {0.0};  // turned since the first frame
@@ -137,7 +139,7 @@ double turnMiss(const Clip& clip, const JointRoles& roles, const AnimationBuffer
     path.push_back(path.back() + turn);
     either_way.push_back(either_way.back() + std::abs(turn));
   }
-  double farthest = 0.0, miss = 0.0;
+  double farthest = kEnough, miss = 0.0;
   for (int i = 0; i <= strides.frames; ++i) {
     for (int k = i + 1; k <= strides.frames; ++k) {
       const FrameState &from = walk.states[strides.first + i], &to = walk.states[strides.first + k];
