@@ -20,17 +20,20 @@ struct Way {
 };
 using Ways = std::array<std::vector<Way>, 2>;  // by Side, as the trials
 
-// In plan, from rear to front.
-double stanceStep(const std::array<FootPlace, 2>& feet) {
+// In plan, from rear to front, if the front foot were not staggered against the other.
+double stanceStep(const FootstepRequest& r, const std::array<FootPlace, 2>& feet, Side front) {
   const Eigen::Vector2d d = (feet[kLeft].position - feet[kRight].position).head<2>();
   const double heading = 0.5 * (feet[kLeft].heading + feet[kRight].heading);
-  return std::abs(d.dot(Eigen::Vector2d(std::cos(heading), std::sin(heading))));
+  const double stagger = r.placement.print(front).forward - r.placement.print(other(front)).forward;
+  return std::abs(d.dot(Eigen::Vector2d(std::cos(heading), std::sin(heading)))) - stagger;
 }
 
 TrialRequest trialsOf(const FootstepRequest& r) {
   const double forward = r.placement.forward;
-  return {r.path, r.placement, forward + (r.from.standing ? 0.0 : 0.5 * stanceStep(r.from_feet)),
-          r.path.length() + forward - (r.to.standing ? 0.0 : 0.5 * stanceStep(r.to_feet)),
+  return {r.path, r.print,
+          forward + (r.from.standing ? 0.0 : 0.5 * stanceStep(r, r.from_feet, r.from.leading)),
+          r.path.length() + forward -
+              (r.to.standing ? 0.0 : 0.5 * stanceStep(r, r.to_feet, r.to.leading)),
           r.from.position.z()};
 }
 
@@ -176,7 +179,8 @@ FootstepPlan traced(const FootstepRequest& r, const TrialRequest& along, const F
     plan.arcs.push_back(arc);
     plan.places.push_back(place);
   };
-  add(along.begin - (r.from.standing ? 0.0 : stanceStep(r.from_feet)), r.from_feet[first]);
+  add(along.begin - (r.from.standing ? 0.0 : stanceStep(r, r.from_feet, r.from.leading)),
+      r.from_feet[first]);
   add(along.begin, r.from_feet[other(first)]);
   for (size_t i = 0; i < chain.size(); ++i) {
     const FootTrial& trial = trials.lines[sideOf(plan, static_cast<int>(i))][chain[i]];
@@ -184,7 +188,7 @@ FootstepPlan traced(const FootstepRequest& r, const TrialRequest& along, const F
   }
   const auto& feet = endFeet(r, side);
   add(along.end, feet[side]);
-  add(r.to.standing ? along.end : along.end + stanceStep(feet), feet[other(side)]);
+  add(r.to.standing ? along.end : along.end + stanceStep(r, feet, other(side)), feet[other(side)]);
   return plan;
 }
 

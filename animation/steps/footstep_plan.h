@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "animation/steps/foothold.h"
+#include "animation/steps/footstep_trials.h"
 #include "animation/steps/footsteps.h"
 #include "animation/steps/root_path.h"
 #include "animation/steps/walk_rule.h"
@@ -48,7 +49,8 @@ struct FootstepRequest {
   /// The same at the end with the other foot leading, where either may; else as to_feet.
   std::array<FootPlace, 2> to_other_feet;
   bool any_leading = false;
-  Side preferred = kLeft;                 ///< to step first, from standing
+  Side preferred = kLeft;  ///< to step first, from standing
+  PrintAlong print;
   std::function<double(double)> wanted;   ///< step length at an arc, on the level [m]
   double shortest = 0.15, longest = 0.9;  ///< steps [m]
 };
@@ -57,7 +59,8 @@ struct FootstepPlan {
   WalkRule refused = WalkRule::kNone;
   int steps = 0;
   Side first = kLeft;
-  std::vector<double> arcs;       ///< of placings -1, 0, ... steps, along the path [m]
+  /// Of placings -1, 0, ... steps, along the path, if no foot were staggered (PrintPlace) [m].
+  std::vector<double> arcs;
   std::vector<FootPlace> places;  ///< the same
 };
 

@@ -9,10 +9,7 @@ namespace amble {
 namespace {
 
 // Where a foot is tried, so far outwards of its line.
-FootPlace placeBeside(const TrialRequest& request, const GroundPoint& point, Side side,
-                      double aside) {
-  PrintPlace print = request.placement.print(side);
-  print.forward = 0.0;  // arcs along the line are tried themselves
+FootPlace placeBeside(const GroundPoint& point, PrintPlace print, Side side, double aside) {
   print.left += side == kLeft ? aside : -aside;
   return footBeside(point, print);
 }
@@ -23,8 +20,9 @@ FootTrial tryPlace(const TrialRequest& request, const FootholdFinder& holds, Sid
   FootTrial trial;
   trial.arc = arc;
   const GroundPoint point = pathPoint(request.path, arc, z);
+  const PrintPlace print = request.print(side, arc);
   for (const double aside : TrialGrid::kAside) {
-    FootPlace place = placeBeside(request, point, side, aside);
+    FootPlace place = placeBeside(point, print, side, aside);
     place.position.z() = z;
     trial.hold = holds.at(place, side, reach);
     trial.aside = aside;
@@ -71,7 +69,7 @@ bool standsLike(const Foothold& hold, const Foothold& found) {
 Foothold holdAt(const TrialRequest& request, const FootholdFinder& holds, Side side,
                 const FootTrial& trial, double arc) {
   const GroundPoint point = pathPoint(request.path, arc, trial.hold.place.position.z());
-  return holds.at(placeBeside(request, point, side, trial.aside), side,
+  return holds.at(placeBeside(point, request.print(side, arc), side, trial.aside), side,
                   holds.limits().highestStep());
 }
 

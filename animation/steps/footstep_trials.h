@@ -35,10 +35,13 @@ struct FootTrial {
   bool stands() const { return hold.refusal == Foothold::Refusal::kNone; }
 };
 
+/// Where a foot is put down beside the path, at an arc at which even steps would have it [m].
+using PrintAlong = std::function<PrintPlace(Side side, double arc)>;
+
 /// Whose feet, along what.
 struct TrialRequest {
   const RootPath& path;
-  const FootPlacement& placement;
+  PrintAlong print;
   double begin = 0.0, end = 0.0;  ///< arcs between which places are tried [m]
   double from_height = 0.0;       ///< of the ground at the begin [m, World]
 };

@@ -5,6 +5,7 @@
 
 #include "animation/steps/path_pace.h"
 #include "animation/steps/slope_gait.h"
+#include "animation/steps/wanted_walk.h"
 #include "base/ease.h"
 #include "base/rotation.h"
 
@@ -30,28 +31,12 @@ double paceOf(const SpeedLimits& limits, double arc) {
   return limits.pace ? limits.pace(arc) : 1.0;
 }
 
-// Step length that is wanted at an arc: first and last steps from and to standing are short.
-double wantedStep(const WalkRequest& request, const SpeedLimits& limits, double arc) {
-  if (request.wishes.stride) return request.wishes.stride(arc);
-  const StrideLaw& law = limits.law;
-  const double step = law.stepLength(limits.speed * paceOf(limits, arc));
-  const bool starts = request.from.standing && arc < step;
-  const bool stops = request.to.standing && arc > request.path.length() - step;
-  if (!starts && !stops) return step;
-  const double fastest = starts ? law.onset().first_speed : law.onset().last_speed;
-  return std::min(step, law.stepLength(std::min(limits.speed, fastest)));
-}
-
 // Of step i, that turns within the library's rate and is slower up and down.
 double wantedDuration(const WalkSteps& walk, const RootPath& path, const SpeedLimits& limits,
-                      double scale, int i, const TimedSteps& timed) {
+                      const WantedWalk& wanted, double scale, int i, const TimedSteps& timed) {
   const std::vector<FootPlace>& places = walk.feet->places();
   const double middle = 0.5 * (timed.arcs[i - 1] + timed.arcs[i]);
-  double speed = limits.speed * paceOf(limits, middle);
-  const StrideLaw::Onset& onset = limits.law.onset();
-  if (i == 1 && walk.from.standing) speed = std::min(speed, onset.first_speed);
-  if (i == walk.steps && walk.end.standing) speed = std::min(speed, onset.last_speed);
-  double duration = limits.law.stepLength(speed) / speed;
+  double duration = wanted.step(middle) / wanted.speed(middle);
   duration *= climbTime(stepHeight(places[i], places[i + 1]), scale);
   const double turning = std::abs(path.at(middle).curvature) / limits.max_turn_rate;
   return std::max(duration, (timed.arcs[i] - timed.arcs[i - 1]) * turning);
@@ -59,7 +44,8 @@ double wantedDuration(const WalkSteps& walk, const RootPath& path, const SpeedLi
 
 // Nodes are midway between prints; steps up and down take longer than those on the level.
 TimedSteps timeSteps(const WalkSteps& walk, const FootstepPlan& plan, const RootPath& path,
-                     const SpeedLimits& limits, double forward, double scale) {
+                     const SpeedLimits& limits, const WantedWalk& wanted, double forward,
+                     double scale) {
   TimedSteps timed;
   timed.frame_time = limits.frame_time;
   if (walk.from.standing) timed.start_sway = limits.law.onset().start_sway;
@@ -77,7 +63,7 @@ TimedSteps timeSteps(const WalkSteps& walk, const FootstepPlan& plan, const Root
   timed.lengths.back() =
       walk.end.standing ? timed.lengths[walk.steps - 1] : walk.end_feet.placement.step_length;
   for (int i = 1; i <= walk.steps; ++i) {
-    timed.durations.push_back(wantedDuration(walk, path, limits, scale, i, timed));
+    timed.durations.push_back(wantedDuration(walk, path, limits, wanted, scale, i, timed));
   }
   return timed;
 }
@@ -124,6 +110,20 @@ void slowSteps(const WalkDepartures& departures, const GaitWishes& wishes, WalkS
   if (!walk.end.standing)
     for (const int i : {walk.steps, walk.steps + 1})
       landings[i].slower = walk.end_feet.placement.slower;
+}
+
+// How fast each step turns that is level; a stance is that of a straight walk.
+// @param arcs  of the nodes [m]
+void turnSteps(const RootPath& path, const std::vector<double>& arcs, WalkSteps& walk) {
+  const std::vector<FootPlace>& places = walk.feet->places();
+  for (int i = 2; i + 1 < walk.steps; ++i) {
+    const double highest = std::max(std::abs(stepHeight(places[i - 1], places[i + 1])),
+                                    std::abs(stepHeight(places[i], places[i + 1])));
+    if (highest > Unevenness::kNatural) continue;
+    const double turn = wrapAngle(path.at(arcs[i]).heading - path.at(arcs[i - 1]).heading);
+    walk.feet->landings()[i + 1].turn_rate =
+        turn / (arcs[i] - arcs[i - 1]) * walk.timing->stepSpeed(i);
+  }
 }
 
 bool isSlower(const WalkSteps& walk) {
@@ -290,6 +290,11 @@ void StepPlacer::adapted(WalkSteps& walk, const WalkRequest& request,
   Stance other_end = walk.end;
   other_end.leading = other(walk.end.leading);
   const StanceFeet other_feet = stanceFeet(other_end);
+  const double forward = s_.placement.forward;
+  const WantedWalk usual(request.path, walk.from, walk.end, limits, s_.placement.step_length);
+  const PrintAlong print = [&](Side side, double arc) {
+    return swings_.cycles.print(side, s_.placement.print(side), 0.0, usual.turnRate(arc - forward));
+  };
   const FootstepRequest wanted{
       .path = request.path,
       .placement = s_.placement,
@@ -300,7 +305,11 @@ void StepPlacer::adapted(WalkSteps& walk, const WalkRequest& request,
       .to_other_feet = other_feet.feet,
       .any_leading = request.any_leading && other_feet.refused == WalkRule::kNone,
       .preferred = firstFoot(request, 0, true),
-      .wanted = [&](double arc) { return wantedStep(request, limits, arc); },
+      .print = print,
+      .wanted =
+          [&](double arc) {
+            return request.wishes.stride ? request.wishes.stride(arc) : usual.step(arc);
+          },
       .shortest = StrideLaw::kShortestStep * limits.law.capturedStep(),
       .longest = StrideLaw::kLongestStep * limits.law.capturedStep(),
   };
@@ -316,8 +325,11 @@ void StepPlacer::adapted(WalkSteps& walk, const WalkRequest& request,
   walk.feet.emplace(s_.placement, walk.from, walk.end, walk.steps, walk.first);
   walk.feet->setStances(walk.from_feet.feet, walk.end_feet.feet);
   for (int i = 1; i + 1 < walk.steps; ++i) walk.feet->places()[i + 1] = plan.places[i + 1];
-  walk.timing.emplace(timeSteps(walk, plan, request.path, limits, s_.placement.forward, s_.scale));
+  const TimedSteps timed =
+      timeSteps(walk, plan, request.path, limits, usual, s_.placement.forward, s_.scale);
+  walk.timing.emplace(timed);
   slowSteps(swings_.cycles.departures, request.wishes, walk);
+  turnSteps(request.path, timed.arcs, walk);
   swing(walk, request);
 }
 

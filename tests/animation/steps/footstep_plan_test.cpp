@@ -39,6 +39,7 @@ FootstepPlan planOver(const Ground& ground, double length, GroundLimits limits =
                         .to_feet = to_feet,
                         .to_other_feet = to_feet,
                         .any_leading = true,
+                        .print = [&](Side side, double) { return placement.print(side); },
                         .wanted = [](double) { return kStep; },
                         .shortest = 0.2,
                         .longest = 0.9},

@@ -15,7 +15,8 @@ struct Trials {
       : path(straightPath(length)),
         holds(ground, stepCharacter().feet, stepCharacter().settings().footholds),
         placement(stepCharacter().settings().placement),
-        request{path, placement, 0.0, length, 0.0},
+        request{path, [this](Side side, double) { return placement.print(side); }, 0.0, length,
+                0.0},
         trials(tryPlaces(request, holds)) {}
 
   RootPath path;

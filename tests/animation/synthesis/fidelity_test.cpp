@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "animation/preparation/mirror_cycle.h"
 #include "animation/preparation/motion_library_add.h"
@@ -39,8 +40,22 @@ Carried carriedIn(const std::vector<JointFrame>& joints, const JointRoles& roles
   return c;
 }
 
+/// The level, but for a pit.
+class Pit : public FlatGround {
+ public:
+  explicit Pit(const Eigen::Vector2d& middle) : middle_(middle) {}
+  std::optional<SurfacePoint> surface(double x, double y, double z, double reach) const override {
+    constexpr double kRadius = 0.05;  // [m]
+    if ((Eigen::Vector2d(x, y) - middle_).norm() < kRadius) return std::nullopt;
+    return FlatGround::surface(x, y, z, reach);
+  }
+
+ private:
+  Eigen::Vector2d middle_;
+};
+
 /// A library of one walk, or of a straight walk and a turn; the walk that is made of it at its own
-/// speed and turn rate, and the captured cycle.
+/// speed and turn rate, and the captured cycle. Over a pit, if it is asked for, steps are chosen.
 struct Compared {
   MotionLibrary library;
   std::string compared = "walk";
@@ -48,8 +63,8 @@ struct Compared {
   double period = 0.0;                     // made [s]
   std::array<double, 2> strike, lift_off;  // made, by Side [cycles]
 
-  explicit Compared(const std::string& clip, const std::string& stand,
-                    const std::string& turn = "") {
+  explicit Compared(const std::string& clip, const std::string& stand, const std::string& turn = "",
+                    bool pit = false) {
     if (!stand.empty()) add(MotionKind::kPosture, "stand", stand);
     add(MotionKind::kWalk, "walk", clip);
     if (!turn.empty()) {
@@ -61,7 +76,7 @@ struct Compared {
       library.motions.push_back(other);
     }
     takeCaptured((sharedFolder() / "mocap") / (turn.empty() ? clip : turn));
-    walk();
+    walk(pit);
   }
 
   void add(MotionKind kind, const std::string& name, const std::string& clip) {
@@ -93,17 +108,18 @@ struct Compared {
     }
   }
 
-  void walk() {
+  void walk(bool pit) {
     constexpr int kSteps = 12;  // four of them on either side are left out
-    const FlatGround ground;
     CharacterSettings settings;
     settings.speed = cycle().speed;
     settings.frame_time = 1.0 / 240.0;
-    const WalkSynthesizer walker(library, ground, settings);
     const double length = kSteps * cycle().stepLength(), rate = cycle().turn_rate;
     const RootPath path = rate == 0.0
                               ? straightPath(length)
                               : circlePath(cycle().speed / rate, length * rate / cycle().speed);
+    std::unique_ptr<const Ground> ground = std::make_unique<FlatGround>();
+    if (pit) ground = std::make_unique<Pit>(toesOf(*ground, settings, path));
+    const WalkSynthesizer walker(library, *ground, settings);
     AnimationBuffer buffer;
     ASSERT_EQ(
         walker.walk(stanceAt(path, false, false), stanceAt(path, true, false), path, false, buffer)
@@ -134,6 +150,18 @@ struct Compared {
       forwardKinematics(library.skeleton, buffer.poses[static_cast<int>(frame)], joints);
       made.push_back(carriedIn(joints, library.roles, buffer.states[frame].heading));
     }
+  }
+
+  /// Where the toes of the third step are put down.
+  Eigen::Vector2d toesOf(const Ground& ground, const CharacterSettings& settings,
+                         const RootPath& path) const {
+    const WalkSynthesizer walker(library, ground, settings);
+    AnimationBuffer buffer;
+    walker.walk(stanceAt(path, false, false), stanceAt(path, true, false), path, false, buffer);
+    const Footprint& print = buffer.footprints.at(4);
+    const double ahead = 0.5 * kFootLengthOfStature * walker.stature();
+    return print.position.head<2>() +
+           ahead * Eigen::Vector2d(std::cos(print.heading), std::sin(print.heading));
   }
 
   double rms(std::array<double, 2> Carried::*angle, Side side) const {
@@ -197,6 +225,21 @@ TEST(Fidelity, AtItsOwnRateATurnIsTheCapturedOne) {
       EXPECT_LT(walk.rms(&Carried::hip, side), 2.5) << side;
       EXPECT_LT(walk.rms(&Carried::knee, side), 3.0) << side;
     }
+  }
+}
+
+// Steps beside a pit are chosen, and so are all others of the walk: they turn as they would
+// without.
+TEST(Fidelity, WhereStepsAreChosenForTheGroundATurnIsTheCapturedOneToo) {
+  AMBLE_NEEDS_CAPTURES();
+  const std::string person = "accad_female1/Female1_";
+  const std::string walk = person + "B03_Walk1.bvh", stand = person + "A01_Stand.bvh",
+                    turn = person + "B10_WalkTurnLeft45.bvh";
+  const Compared natural(walk, stand, turn), chosen(walk, stand, turn, true);
+  EXPECT_NEAR(chosen.period, natural.period, 0.03 * natural.period);
+  for (const Side side : {kLeft, kRight}) {
+    EXPECT_NEAR(chosen.rms(&Carried::hip, side), natural.rms(&Carried::hip, side), 0.5) << side;
+    EXPECT_NEAR(chosen.rms(&Carried::knee, side), natural.rms(&Carried::knee, side), 0.5) << side;
   }
 }
 
