@@ -22,8 +22,9 @@ WantedWalk::WantedWalk(const RootPath& path, const Stance& from, const Stance& t
     const double curvature = (path.at(end).heading - path.at(begin).heading) / (end - begin);
     double speed = limits.pace ? limits.speed * limits.pace(arc) : limits.speed;
     if (speed != of_speed) own_step = law.stepLength(of_speed = speed);
-    if (from.standing && arc < own_step) speed = std::min(speed, law.onset().first_speed);
-    if (to.standing && arc > length - own_step) speed = std::min(speed, law.onset().last_speed);
+    const double beside = 0.5 * own_step;
+    if (from.standing && arc < beside) speed = std::min(speed, law.onset().first_speed);
+    if (to.standing && arc > length - beside) speed = std::min(speed, law.onset().last_speed);
     speed = std::min(speed, limits.max_turn_rate / std::max(std::abs(curvature), 1e-9));
     if (speed != of_speed) own_step = law.stepLength(of_speed = speed);
     const double rate = curvature * speed;

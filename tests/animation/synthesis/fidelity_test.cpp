@@ -228,8 +228,7 @@ TEST(Fidelity, AtItsOwnRateATurnIsTheCapturedOne) {
   }
 }
 
-// Steps beside a pit are chosen, and so are all others of the walk: they turn as they would
-// without.
+// Where one step has to be chosen all of the walk are: they turn as they would without.
 TEST(Fidelity, WhereStepsAreChosenForTheGroundATurnIsTheCapturedOneToo) {
   AMBLE_NEEDS_CAPTURES();
   const std::string person = "accad_female1/Female1_";
