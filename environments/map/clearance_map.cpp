@@ -235,9 +235,27 @@ void ClearanceMap::markColumn(const Eigen::Vector2i& at, double low, double high
   });
 }
 
+// Waiting for memory is most of what a large map costs: the queue says what is needed next.
+void ClearanceMap::fetchAhead(size_t next) const {
+  constexpr size_t kFar = 24, kMiddle = 16, kNear = 8;  // places of the queue; by trial
+  if (next + kFar >= queue_.size()) return;
+  const int far = queue_[next + kFar];
+  __builtin_prefetch(&cell_of_[far]);
+  __builtin_prefetch(&places_[far]);
+  __builtin_prefetch(&source_[far]);
+  const int middle = cell_of_[queue_[next + kMiddle]], near = cell_of_[queue_[next + kNear]];
+  for (const int row : {-count_.x(), 0, count_.x()}) {
+    __builtin_prefetch(&start_[middle + row]);
+    const int place = start_[near + row];  // or the end of all
+    __builtin_prefetch(places_.data() + place);
+    __builtin_prefetch(source_.data() + place);
+  }
+}
+
 bool ClearanceMap::spread(const std::function<bool()>& stopped) {
   for (size_t next = 0; next < queue_.size(); ++next) {
     if (next % kStopEvery == 0 && stopped()) return false;
+    fetchAhead(next);
     const int place = queue_[next];
     source_[place].waits = false;
     const Source source = source_[place];

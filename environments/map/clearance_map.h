@@ -90,6 +90,7 @@ class ClearanceMap {
                  const std::function<bool()>& stopped);
   bool markObstacles(const SceneGround& ground, const std::function<bool()>& stopped);
   bool spread(const std::function<bool()>& stopped);
+  void fetchAhead(size_t next) const;
   void markEdges();
   void markTriangle(const Triangle3& t);
   bool isNewsTo(const Eigen::Vector2i& cell, double low, double high) const;
