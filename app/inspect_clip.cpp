@@ -138,6 +138,21 @@ std::string describeTransition(const Motion& motion, nlohmann::ordered_json& ent
                      transition.speed, side, order, sequence.sway * sequence.step_time);
 }
 
+std::string describeTurn(const Motion& motion, nlohmann::ordered_json& entry) {
+  const TurnSequence& turn = motion.turn;
+  const char* side = turn.first == kLeft ? "left" : "right";
+  entry["angle"] = turn.angle / kDegree;
+  entry["duration"] = turn.duration;
+  entry["foot"] = side;
+  entry["steps"] = turn.steps;
+  entry["twist"] = turn.twist / kDegree;
+  return fmt::format(
+      "turn on the spot, {:+.0f} degrees in {:.2f} s and {} steps, {} foot first, feet turned by "
+      "up "
+      "to {:.0f} degrees against the pelvis; ",
+      turn.angle / kDegree, turn.duration, turn.steps, side, turn.twist / kDegree);
+}
+
 // Whether walks begin and end as captured, whichever foot steps beside standing.
 void addOnsets(const MotionLibrary& library, Findings& out) {
   std::vector<std::string> formulas;
@@ -152,6 +167,16 @@ void addOnsets(const MotionLibrary& library, Findings& out) {
       formulas.push_back(std::string(kind == MotionKind::kStart ? "starts" : "stops") +
                          " with the " + (side == kLeft ? "left" : "right") + " foot");
     }
+  }
+  for (const Side side : {kLeft, kRight}) {
+    const bool captured =
+        std::any_of(library.motions.begin(), library.motions.end(), [&](const Motion& motion) {
+          return motion.kind == MotionKind::kTurnOnSpot &&
+                 (motion.turn.angle > 0.0) == (side == kLeft);
+        });
+    if (!captured)
+      formulas.push_back(std::string("turns on the spot to the ") +
+                         (side == kLeft ? "left" : "right"));
   }
   out.data["by_formula"] = formulas;
   if (!formulas.empty()) out.facts.emplace_back("by formula", joined(formulas));
@@ -188,6 +213,7 @@ Findings inspectLibrary(const std::filesystem::path& file) {
       entry["closure"] = cycle.closure;
     }
     if (isTransition(motion.kind)) text = describeTransition(motion, entry);
+    if (motion.kind == MotionKind::kTurnOnSpot) text = describeTurn(motion, entry);
     entry["source"] = {{"clip", source.clip},
                        {"frames", {source.frames[0], source.frames[1]}},
                        {"mirrored", source.mirrored},

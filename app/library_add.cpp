@@ -49,6 +49,16 @@ LibraryAddition additionOf(const LibraryAddArguments& options) {
 
 void sayAdded(const Motion& motion) {
   const std::string& kind = motionKindNames()[static_cast<size_t>(motion.kind)];
+  if (motion.kind == MotionKind::kTurnOnSpot) {
+    const TurnSequence& turn = motion.turn;
+    say(stderr,
+        "  {}: {}, {:+.0f} degrees in {:.2f} s and {} steps, the {} foot first, feet turn by up to "
+        "{:.0f} degrees against the pelvis, frames {} to {}\n",
+        motion.name, kind, turn.angle / kDegree, turn.duration, turn.steps,
+        turn.first == kLeft ? "left" : "right", turn.twist / kDegree, motion.source.frames[0],
+        motion.source.frames[1]);
+    return;
+  }
   if (motion.kind != MotionKind::kWalk) {
     say(stderr, "  {}: {}, frames {} to {}\n", motion.name, kind, motion.source.frames[0],
         motion.source.frames[1]);
@@ -69,9 +79,9 @@ void requireStyle(const LibraryAddArguments& options) {
     throw InputError("amble library add: --mirror", 0, "is of walks in a style",
                      "--style NAME; walks without one have a mirror image anyway");
   }
-  if (options.kind == "walk" || options.kind == "start" || options.kind == "stop") return;
+  if (hasStyle(additionOf(options).kind)) return;
   throw InputError("amble library add: --style", 0, "is of no " + options.kind,
-                   "--kind walk, start or stop");
+                   "--kind walk, start, stop or turn_on_spot");
 }
 
 int run(const LibraryAddArguments& options) {
@@ -157,8 +167,10 @@ void addLibraryAdd(CLI::App& library, Command& chosen) {
                    "In whose manner it walks: a person's name, or old-man; it is blended with none "
                    "but its like")
       ->type_name("NAME");
-  command->add_flag("--mirror", options->mirror, "Add the mirror image of a walk in a style too");
-  command->add_flag("--no-mirror", options->no_mirror, "Leave out a walk's mirror image");
+  command->add_flag("--mirror", options->mirror,
+                    "Add the mirror image of a walk or turn on the spot in a style too");
+  command->add_flag("--no-mirror", options->no_mirror,
+                    "Leave out the mirror image of a walk or turn on the spot");
   command->add_option("--licence", options->licence, "Of the capture")->capture_default_str();
   command->add_option("--credit", options->credit, "Of the capture")->capture_default_str();
   addReadOptions(*command, options->read);

@@ -22,7 +22,9 @@ std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
   request.frames = how.frames;
   std::vector<MotionRequest> requests = {request};
   // A manner is its walker's own, lame on the left and not on the right.
-  if (request.kind == MotionKind::kWalk && how.mirror.value_or(how.style.empty())) {
+  const bool to_both_sides =
+      request.kind == MotionKind::kWalk || request.kind == MotionKind::kTurnOnSpot;
+  if (to_both_sides && how.mirror.value_or(how.style.empty())) {
     request.name += "-mirrored";
     request.source.mirrored = true;
     requests.push_back(request);

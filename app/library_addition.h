@@ -19,13 +19,14 @@ struct LibraryAddition {
   std::string style;
   std::vector<std::string> chains;            ///< that a movement or posture moves; none: all
   std::optional<std::pair<int, int>> frames;  ///< of the file: look only there
-  /// Whether a walk's mirror image is added too; none: where it has no style.
+  /// Whether the mirror image of a walk or of a turn on the spot is added too; none: where it has
+  /// no style.
   std::optional<bool> mirror;
   std::string licence = "unknown", credit = "unknown";
   MotionReadOptions read;
 };
 
-/// What is made of one clip: the motion, and the walk's mirror image.
+/// What is made of one clip: the motion, and the mirror image of a walk or a turn on the spot.
 std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
                                       const LibraryAddition& how);
 

@@ -30,7 +30,8 @@ MotionRequest requestOf(const Motion& motion, const std::filesystem::path& captu
   request.valid = motion.valid;
   request.source = motion.source;
   request.file = captures / motion.source.clip;
-  if (motion.kind == MotionKind::kPosture || motion.kind == MotionKind::kBlocking) {
+  if (motion.kind == MotionKind::kPosture || motion.kind == MotionKind::kBlocking ||
+      motion.kind == MotionKind::kTurnOnSpot) {
     request.frames = {motion.source.frames[0], motion.source.frames[1]};
   }
   return request;
@@ -68,9 +69,17 @@ std::string difference(const Motion& says, const Motion& is) {
     return fmt::format("period {:.4f}, measured {:.4f}", a.period, b.period);
   if (off(says.posture.root_height, is.posture.root_height)) return "another posture";
   if (off(says.transition.acceleration, is.transition.acceleration)) return "another transition";
-  const Eigen::MatrixXd &c = says.transition.sequence.spline, &d = is.transition.sequence.spline;
-  if (c.cols() != d.cols() || (c.size() > 0 && (c - d).cwiseAbs().maxCoeff() > kSame))
+  const auto differs = [](const Eigen::MatrixXd& c, const Eigen::MatrixXd& d) {
+    return c.cols() != d.cols() || (c.size() > 0 && (c - d).cwiseAbs().maxCoeff() > kSame);
+  };
+  if (differs(says.transition.sequence.spline, is.transition.sequence.spline))
     return "another sequence of the transition";
+  if (off(says.turn.angle, is.turn.angle)) {
+    return fmt::format("turns by {:.1f}, measured {:.1f} degrees", says.turn.angle / kDegree,
+                       is.turn.angle / kDegree);
+  }
+  if (differs(says.turn.spline, is.turn.spline) || differs(says.turn.turned, is.turn.turned))
+    return "another sequence of the turn";
   return "";
 }
 
@@ -109,7 +118,7 @@ int run(const LibraryCheckArguments& options) {
     const std::string problem =
         options.captures.empty() ? "" : problemOf(library, motion, options.captures);
     if (!problem.empty()) ++wrong;
-    say(stdout, "{:<6} {:<26} {:<9} {}\n", problem.empty() ? "ok" : "WRONG", motion.name,
+    say(stdout, "{:<6} {:<26} {:<12} {}\n", problem.empty() ? "ok" : "WRONG", motion.name,
         motionKindNames()[static_cast<size_t>(motion.kind)],
         problem.empty() ? facts(motion) : problem);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace amble {
@@ -20,12 +21,13 @@ MotionLibrary inStyle(MotionLibrary library, const std::string& style) {
       return motion.kind == kind && motion.style == style;
     });
   };
-  const bool own_start = hasOwn(MotionKind::kStart), own_stop = hasOwn(MotionKind::kStop);
+  std::map<MotionKind, bool> own;
+  for (const MotionKind kind : {MotionKind::kStart, MotionKind::kStop, MotionKind::kTurnOnSpot})
+    own[kind] = hasOwn(kind);
   std::erase_if(library.motions, [&](const Motion& motion) {
     if (motion.kind == MotionKind::kWalk) return motion.style != style;
-    if (!isTransition(motion.kind)) return false;
-    const bool own = motion.kind == MotionKind::kStart ? own_start : own_stop;
-    return motion.style != (own ? style : "");
+    const auto kind = own.find(motion.kind);
+    return kind != own.end() && motion.style != (kind->second ? style : "");
   });
   return library;
 }

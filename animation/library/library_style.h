@@ -16,8 +16,9 @@ namespace amble {
 std::vector<std::string> stylesOf(const MotionLibrary& library);
 
 /// The library for somebody who walks so: of walks those of this style, "" being the ones without
-/// any; of starts and stops the style's own, or those without one; all that is no walk's. Turns are
-/// the style's own, or none: a turn of somebody else's would take the manner out of every curve.
+/// any; of starts, of stops and of turns on the spot the style's own, or those without one;
+/// all that is no walk's. Turns of the walk are the style's own, or none: a turn of somebody else's
+/// would take the manner out of every curve.
 MotionLibrary inStyle(MotionLibrary library, const std::string& style);
 
 /// Mean speed of the straight walks as they were captured, for somebody of such a height (0: the

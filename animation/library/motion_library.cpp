@@ -5,8 +5,8 @@
 namespace amble {
 
 const std::vector<std::string>& motionKindNames() {
-  static const std::vector<std::string> kNames = {"walk",  "movement", "posture",
-                                                  "start", "stop",     "blocking"};
+  static const std::vector<std::string> kNames = {"walk", "movement", "posture",     "start",
+                                                  "stop", "blocking", "turn_on_spot"};
   return kNames;
 }
 

@@ -14,6 +14,7 @@
 #include "animation/body/joint_roles.h"
 #include "animation/body/skeleton.h"
 #include "animation/library/transition.h"
+#include "animation/library/turn_sequence.h"
 #include "animation/library/walk_cycle.h"
 
 namespace amble {
@@ -21,17 +22,23 @@ namespace amble {
 struct FootShape;  // foot_shape.h
 
 enum class MotionKind {
-  kWalk,      ///< a cycle of the whole body
-  kMovement,  ///< what chains of joints do while walking, as a cycle that goes with the steps
-  kPosture,   ///< a pose to hold, of the whole body or of chains of joints
-  kStart,     ///< how walking begins
-  kStop,      ///< how it ends
-  kBlocking,  ///< a pose for which the walker stops
+  kWalk,        ///< a cycle of the whole body
+  kMovement,    ///< what chains of joints do while walking, as a cycle that goes with the steps
+  kPosture,     ///< a pose to hold, of the whole body or of chains of joints
+  kStart,       ///< how walking begins
+  kStop,        ///< how it ends
+  kBlocking,    ///< a pose for which the walker stops
+  kTurnOnSpot,  ///< how somebody who stands turns about
 };
 const std::vector<std::string>& motionKindNames();  ///< as files have them, by MotionKind
 
 inline bool isTransition(MotionKind kind) {
   return kind == MotionKind::kStart || kind == MotionKind::kStop;
+}
+
+/// Whether motions of a kind have a `style:` (library_style.h): what the legs do.
+inline bool hasStyle(MotionKind kind) {
+  return kind == MotionKind::kWalk || isTransition(kind) || kind == MotionKind::kTurnOnSpot;
 }
 
 /// When a motion may be used (Pettré §4.1, "chronological validity").
@@ -50,8 +57,8 @@ struct MotionSource {
   std::string credit;
 };
 
-/// Walks and movements have a cycle, postures a pose, starts and stops a transition; checked when
-/// read and when built.
+/// Walks and movements have a cycle, postures a pose, starts and stops a transition, turns on the
+/// spot a turn; checked when read and when built.
 struct Motion {
   std::string name;
   MotionKind kind = MotionKind::kWalk;
@@ -62,6 +69,7 @@ struct Motion {
   WalkCycle cycle;                  ///< of a walk or a movement
   Posture posture;                  ///< of a posture or a blocking motion
   Transition transition;            ///< of a start or a stop
+  TurnSequence turn;                ///< of a turn on the spot
   MotionSource source;
 };
 

@@ -89,6 +89,11 @@ WalkCycle readCycle(const YamlNode& node, int joints) {
   return cycle;
 }
 
+// A sequence begins as the posture `stand`, which must have been read.
+void requireStand(const YamlNode& node, const Motion* stand) {
+  if (stand == nullptr) node.fail("a sequence from a posture that is not there", "`stand` before");
+}
+
 // Channels that a library keeps: all columns but those that are the posture `stand`.
 Eigen::MatrixXd readSpline(const YamlNode& node, int joints, double standing_height) {
   constexpr int kStanding = TransitionSequence::kStanding;
@@ -103,7 +108,7 @@ Eigen::MatrixXd readSpline(const YamlNode& node, int joints, double standing_hei
 
 TransitionSequence readSequence(const YamlNode& node, int joints, const Motion* stand) {
   node.requireKeys({"side", "sway", "step_time", "advance", "swing", "spline"});
-  if (stand == nullptr) node.fail("a sequence from a posture that is not there", "`stand` before");
+  requireStand(node, stand);
   TransitionSequence sequence;
   sequence.side = node.at("side").asEnum<Side>({{"left", kLeft}, {"right", kRight}});
   sequence.sway = node.at("sway").asDouble(0.0, 5.0, "sway [steps]");
@@ -125,6 +130,31 @@ Transition readTransition(const YamlNode& node, int joints, const Motion* stand)
   return transition;
 }
 
+// The same of a turn, which ends as `stand` too; `turned` says how many columns there are.
+TurnSequence readTurn(const YamlNode& node, int joints, const Motion* stand) {
+  constexpr int kStanding = TurnSequence::kStanding;
+  node.requireKeys({"angle", "duration", "first", "steps", "twist", "turned", "spline"});
+  requireStand(node, stand);
+  TurnSequence turn;
+  turn.angle = node.at("angle").asDouble(-720.0, 720.0, "angle [degrees]") * kDegree;
+  if (turn.angle == 0.0) node.at("angle").fail("a turn by nothing", "an angle, left positive");
+  turn.duration = node.at("duration").asDouble(0.2, 20.0, "duration [s]");
+  turn.first = node.at("first").asEnum<Side>({{"left", kLeft}, {"right", kRight}});
+  turn.steps = node.at("steps").asInt(1, 100, "steps");
+  turn.twist = node.at("twist").asDouble(0.0, 180.0, "yaw [degrees]") * kDegree;
+  const int inner = std::max(1, static_cast<int>(node.at("turned").items().size()));
+  const int rows = 3 + 3 * joints, columns = inner + 2 * kStanding;
+  turn.turned = Eigen::MatrixXd::Zero(1, columns);
+  turn.turned.rightCols(kStanding).setOnes();
+  turn.turned.middleCols(kStanding, inner) =
+      node.at("turned").asVec(inner, "shares of the angle", -2.0, 3.0).transpose();
+  turn.spline = Eigen::MatrixXd::Zero(rows, columns);
+  turn.spline.row(2).setConstant(stand->posture.root_height);
+  turn.spline.middleCols(kStanding, inner) =
+      readMatrix(node.at("spline"), rows, inner, "three of the root and three a joint");
+  return turn;
+}
+
 void readTurning(const YamlNode& node, Motion& motion) {
   motion.turning = node.at("turning").asEnum<bool>({{"straight", false}, {"turn", true}});
   const double rate = std::abs(motion.cycle.turn_rate);
@@ -136,7 +166,7 @@ void readTurning(const YamlNode& node, Motion& motion) {
 
 Motion readLibraryMotion(const YamlNode& node, int joints, const Motion* stand) {
   node.requireKeys({"name", "kind", "turning", "style", "valid", "joints", "cycle", "posture",
-                    "transition", "source"});
+                    "transition", "turn", "source"});
   Motion motion;
   motion.name = node.at("name").asString();
   motion.kind = static_cast<MotionKind>(node.at("kind").indexIn(motionKindNames()));
@@ -157,6 +187,9 @@ Motion readLibraryMotion(const YamlNode& node, int joints, const Motion* stand) 
     case MotionKind::kStart:
     case MotionKind::kStop:
       motion.transition = readTransition(node.at("transition"), joints, stand);
+      break;
+    case MotionKind::kTurnOnSpot:
+      motion.turn = readTurn(node.at("turn"), joints, stand);
       break;
   }
   return motion;
@@ -190,8 +223,9 @@ Validity readValidity(const YamlNode& node, MotionKind kind) {
 std::string readStyle(const YamlNode& node, MotionKind kind) {
   const std::string style = node.asString();
   if (style.empty()) node.fail("an empty style", "a name, or no style");
-  if (kind != MotionKind::kWalk && kind != MotionKind::kStart && kind != MotionKind::kStop) {
-    node.fail("a style of what nobody walks by", "one of a walk, a start or a stop");
+  if (!hasStyle(kind)) {
+    node.fail("a style of what nobody walks by",
+              "one of a walk, a start, a stop or a turn on the spot");
   }
   return style;
 }

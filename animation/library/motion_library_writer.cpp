@@ -86,6 +86,21 @@ void putTransition(YAML::Emitter& out, const Transition& transition) {
   out << EndMap;
 }
 
+void putTurn(YAML::Emitter& out, const TurnSequence& turn) {
+  constexpr int kStanding = TurnSequence::kStanding;
+  const Eigen::Index inner = turn.spline.cols() - 2 * kStanding;
+  out << Key << "turn" << Value << BeginMap;
+  put(out, "angle", turn.angle / kDegree);
+  put(out, "duration", turn.duration);
+  out << Key << "first" << Value << (turn.first == kLeft ? "left" : "right");
+  out << Key << "steps" << Value << turn.steps;
+  put(out, "twist", turn.twist / kDegree);
+  const Eigen::VectorXd turned = turn.turned.row(0).segment(kStanding, inner);
+  putList(out, "turned", {turned.data(), static_cast<size_t>(inner)});
+  putMatrix(out, "spline", turn.spline.middleCols(kStanding, inner));
+  out << EndMap;
+}
+
 void putValidity(YAML::Emitter& out, const Validity& valid) {
   using When = Validity::When;
   out << Key << "valid" << Value;
@@ -135,6 +150,9 @@ void putMotion(YAML::Emitter& out, const Motion& motion) {
     case MotionKind::kStart:
     case MotionKind::kStop:
       putTransition(out, motion.transition);
+      break;
+    case MotionKind::kTurnOnSpot:
+      putTurn(out, motion.turn);
       break;
   }
   out << EndMap;

@@ -52,6 +52,9 @@ struct SplineWeights {
 };
 SplineWeights splineWeights(int pieces, double x);
 
+/// Such a spline at x. Rows: channels; columns: coefficients. @param channels  as many as rows
+void splineAt(const Eigen::MatrixXd& spline, double x, std::span<double> channels);
+
 /// The channels at a moment of the clock, held at its ends. @param channels  as many as rows
 void transitionAt(const TransitionSequence& sequence, double clock, std::span<double> channels);
 

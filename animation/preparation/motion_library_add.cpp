@@ -16,6 +16,7 @@
 #include "animation/preparation/mirror_cycle.h"
 #include "animation/preparation/transition_fit.h"
 #include "animation/preparation/transition_sequence_fit.h"
+#include "animation/preparation/turn_sequence_fit.h"
 #include "animation/preparation/walk_cycle_fit.h"
 #include "base/error.h"
 #include "base/rotation.h"
@@ -237,6 +238,12 @@ void prepareTransition(const MotionLibrary& library, const MotionRequest& reques
   if (sequence) motion.transition.sequence = *sequence;
 }
 
+void prepareTurn(const MotionLibrary& library, const MotionRequest& request, const Clip& clip,
+                 Motion& motion) {
+  const SpotTurnFit how{library.feet(), &library.stand(), request.file.string(), request.frames};
+  motion.turn = fitTurnOnSpot(clip, library.roles, how, motion.source.frames);
+}
+
 }  // namespace
 
 LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadOptions& read) {
@@ -292,6 +299,9 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
     case MotionKind::kStart:
     case MotionKind::kStop:
       prepareTransition(library, request, clip, motion);
+      break;
+    case MotionKind::kTurnOnSpot:
+      prepareTurn(library, request, clip, motion);
       break;
   }
   for (int& frame : motion.source.frames) frame += capture.first_frame;

@@ -17,7 +17,7 @@ struct MotionRequest {
   std::string name;
   MotionKind kind = MotionKind::kWalk;
   std::optional<bool> turning;  ///< of a walk; none: a turn if the clip ends facing elsewhere
-  std::string style;            ///< of a walk, a start or a stop (library_style.h), or ""
+  std::string style;            ///< of what has one (hasStyle), or ""
   Validity valid;
   std::vector<std::string> chains;  ///< of a movement or a posture; empty: all
   std::filesystem::path file;       ///< the capture

@@ -19,6 +19,12 @@ struct TransitionMoment {
   double clock = 0.0;  ///< TransitionSequence's [steps]
 };
 
+/// That a frame is in a captured turn on the spot (CapturedTurns).
+struct SpotTurnMoment {
+  int turn = -1;       ///< which; -1: none
+  double clock = 0.0;  ///< TurnSequence's [0 to 1]
+};
+
 /// What is known of a frame beside its pose.
 struct FrameState {
   /// Of the root path, on the ground [m, World].
@@ -41,6 +47,7 @@ struct FrameState {
   double lean = 0.0;  ///< of pelvis and trunk, forwards, beside the cycle's [rad]
   double sway = 0.0;  ///< weight shift to the left beside that of the walk cycle [m]
   TransitionMoment start, stop;
+  SpotTurnMoment spot;
   std::array<FootState, 2> feet;               ///< by Side
   std::array<bool, 2> planted = {true, true};  ///< by Side: the foot's sole is on the ground
 };

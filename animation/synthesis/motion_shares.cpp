@@ -1,5 +1,7 @@
 #include "animation/synthesis/motion_shares.h"
 
+#include <algorithm>
+
 namespace amble {
 namespace {
 
@@ -11,7 +13,8 @@ const TransitionBlend::Joined* transitionOf(const TransitionBlend& blend, int st
 
 MotionShares::MotionShares(const MotionLibrary& library, const WalkSynthesizer& synthesizer)
     : library_(library),
-      blend_(library, synthesizer.stature() / library.stature, synthesizer.settings().speed) {
+      blend_(library, synthesizer.stature() / library.stature, synthesizer.settings().speed),
+      turns_(library, synthesizer.stature() / library.stature) {
   motions_.push_back({library.find("stand")});
   for (const GaitBlend::Share& share : blend_.shares(library, 0.0, 0.0)) {
     motions_.emplace_back();
@@ -24,6 +27,7 @@ MotionShares::MotionShares(const MotionLibrary& library, const WalkSynthesizer& 
         motions_.push_back({joined->motion});
     }
   }
+  for (int i = 0; i < turns_.size(); ++i) motions_.push_back({&turns_.motion(i)});
 }
 
 // As WalkController mixes them.
@@ -35,6 +39,10 @@ std::vector<double> MotionShares::at(const FrameState& state) const {
   shares.resize(motions_.size(), 0.0);
   mix(0, state.start, shares);
   mix(1, state.stop, shares);
+  if (state.spot.turn >= 0) {
+    std::fill(shares.begin(), shares.end(), 0.0);
+    shares[shares.size() - turns_.size() + state.spot.turn] = 1.0;
+  }
   return shares;
 }
 

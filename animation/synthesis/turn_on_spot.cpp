@@ -9,21 +9,131 @@
 
 namespace amble {
 
-SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, double scale,
-                      double frame_time, const Eigen::Vector3d& shift) {
-  SpotTurn turn;
-  const int pairs = partsOf(std::abs(angle), SpotTurnGait::kPair);
-  turn.steps = 2 * pairs;
-  turn.step_time = SpotTurnGait::kStepTime * std::sqrt(scale);
+namespace {
+
+constexpr int kPartsOfStep = 8;  // of one time, in which the captured clock is told
+// A foot that is about to land is ahead of the pelvis by so much more, and the pelvis sways.
+constexpr double kSlack = 4.0 * kDegree;
+
+// By formula: steps of one time, over which the pelvis turns evenly.
+void timeByFormula(const SpotTurnRequest& request, SpotTurn& turn) {
   turn.frames =
-      std::max(2, static_cast<int>(std::lround(turn.steps * turn.step_time / frame_time)));
+      std::max(2, static_cast<int>(std::lround(turn.steps * turn.step_time / request.frame_time)));
+  std::vector<double> nodes, done;
+  for (int i = 0; i <= turn.steps; ++i) {
+    nodes.push_back(i);
+    done.push_back(static_cast<double>(i) / turn.steps);
+  }
+  turn.done = CubicSpline(std::move(nodes), std::move(done), 0.0, 0.0);
+}
+
+// The first moment at which so much is done.
+double momentOf(const CubicSpline& done, double share) {
+  constexpr int kLooks = 200, kHalvings = 40;
+  double before = 0.0, after = 1.0;
+  for (int i = 1; i < kLooks; ++i) {
+    const double clock = static_cast<double>(i) / kLooks;
+    if (done.at(clock) < share) continue;
+    after = clock;
+    break;
+  }
+  before = std::max(0.0, after - 1.0 / kLooks);
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (before + after);
+    (done.at(middle) < share ? before : after) = middle;
+  }
+  return after;
+}
+
+// The most that a pair of steps turns where the pelvis goes its captured way. One foot is put down
+// half of a pair and its toe out ahead of it, a little early, as the other, which is as far behind,
+// has still to leave.
+double pairOfCaptured(const FootPlacement& placement) {
+  const double toe_out = std::abs(placement.stand_toe_out);
+  return std::min(SpotTurnGait::kPair,
+                  2.0 * (SpotTurnGait::kTwist - toe_out - kSlack) / (1.0 + placement.half_support));
+}
+
+// As captured: a foot is put down whenever the pelvis has turned by a step's share of the angle.
+// Beside the steps, and where they are quick enough, time is the captured one; that of a larger
+// angle is longer, as its accelerations ask.
+void timeAsCaptured(const SpotTurnRequest& request, SpotTurn& turn) {
+  const TurnSequence& sequence = *request.sequence;
+  const double larger = std::max(1.0, request.angle / sequence.angle);
+  const double pace = 1.0 / (std::sqrt(larger) * sequence.duration);  // of the clock [1/s]
+  const double quick = SpotTurnGait::kQuickStep * std::sqrt(request.scale) / kPartsOfStep;
+  turn.done = shareTurned(sequence);
+  CapturedTurnTime& captured = turn.captured.emplace();
+  captured.turn = request.captured;
+  captured.frame_time = request.frame_time;
+  const int parts = kPartsOfStep * turn.steps;
+  std::vector<double> clocks = {0.0}, times = {0.0};
+  for (int i = 1; i <= parts; ++i) {
+    clocks.push_back(i == parts ? 1.0 : momentOf(turn.done, static_cast<double>(i) / parts));
+    times.push_back(times.back() + std::max((clocks[i] - clocks[i - 1]) / pace, quick));
+  }
+  turn.frames = static_cast<int>(std::ceil(times.back() / request.frame_time - 1e-9));
+  times.back() = turn.frames * request.frame_time;
+  for (int i = 0; i <= turn.steps; ++i) captured.nodes.push_back(times[kPartsOfStep * i]);
+  captured.nodes.front() = std::max(0.0, captured.nodes[1] - turn.step_time);
+  captured.nodes.back() = std::min(times.back(), captured.nodes[turn.steps - 1] + turn.step_time);
+  captured.clock = CubicSpline(std::move(times), std::move(clocks), pace, pace);
+  captured.clock.keepRising();
+}
+
+// Steps made at a time of a captured turn; both feet stand at whole ones, where their pace changes.
+double progressAt(const std::vector<double>& nodes, double time) {
+  if (time <= nodes.front()) return 0.0;
+  if (time >= nodes.back()) return static_cast<double>(nodes.size() - 1);
+  const auto next = std::upper_bound(nodes.begin(), nodes.end(), time);
+  const double whole = static_cast<double>(next - nodes.begin() - 1);
+  return whole + (time - *(next - 1)) / (*next - *(next - 1));
+}
+
+// How far a turn is.
+struct SpotTurnPlace {
+  double progress = 0.0;  // [steps]
+  double done = 0.0;      // share of the angle
+  double rate = 0.0;      // of that [1/s]
+  SpotTurnMoment moment;
+};
+
+SpotTurnPlace placeAt(const SpotTurn& turn, int frame) {
+  if (!turn.captured) {
+    const double progress = turn.steps * (static_cast<double>(frame) / turn.frames);
+    return {progress, turn.done.at(progress), turn.done.slope(progress), {}};
+  }
+  const CapturedTurnTime& captured = *turn.captured;
+  const double time = frame * captured.frame_time, clock = captured.clock.at(time);
+  return {progressAt(captured.nodes, time),
+          turn.done.at(clock),
+          turn.done.slope(clock) * captured.clock.slope(time),
+          {captured.turn, clock}};
+}
+
+}  // namespace
+
+SpotTurn planSpotTurn(const StepPlacer& placer, const SpotTurnRequest& request) {
+  const Stance& at = request.at;
+  const double angle = request.angle;
+  SpotTurn turn;
+  const double pair =
+      request.sequence != nullptr ? pairOfCaptured(placer.placement()) : SpotTurnGait::kPair;
+  const int pairs = partsOf(std::abs(angle), pair);
+  turn.steps = 2 * pairs;
+  turn.step_time = SpotTurnGait::kStepTime * std::sqrt(request.scale);
   turn.first = angle > 0.0 ? kLeft : kRight;
   turn.angle = angle;
-  turn.scale = scale;
+  turn.scale = request.scale;
   turn.from = turn.end = at;
-  turn.shift = shift;
-  turn.end.position += shift;
-  turn.end.heading = at.heading + angle;
+  turn.shift = request.shift;
+  turn.end.position += request.shift;
+  turn.end.heading = request.end_heading;
+  if (request.sequence != nullptr) {
+    timeAsCaptured(request, turn);
+  } else {
+    timeByFormula(request, turn);
+  }
   turn.from_feet = placer.stanceFeet(at);
   turn.end_feet = placer.stanceFeet(turn.end);
   for (const StanceFeet* feet : {&turn.from_feet, &turn.end_feet}) {
@@ -33,17 +143,11 @@ SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, 
   FootPlacement placement = placer.placement();
   placement.first = placement.last = {};  // captured starts and stops are those of walks
   placement.swings = SwingKind::kSpot;
-  std::vector<double> nodes, done;
-  for (int i = 0; i <= turn.steps; ++i) {
-    nodes.push_back(i);
-    done.push_back(static_cast<double>(i) / turn.steps);
-  }
-  turn.done = CubicSpline(std::move(nodes), std::move(done), 0.0, 0.0);
   turn.feet.emplace(placement, at, turn.end, turn.steps, turn.first);
   for (int i = 1; i <= turn.steps; ++i) {
     Stance turned = at;
     turned.heading = at.heading + angle * ((i + 1) / 2) / pairs;
-    turned.position += shift * ((i + 1) / 2) / pairs;
+    turned.position += request.shift * ((i + 1) / 2) / pairs;
     const Side side = i % 2 != 0 ? turn.first : other(turn.first);
     turn.feet->places()[i + 1] = Footsteps::atStance(placement, turned)[side].from;
   }
@@ -53,14 +157,17 @@ SpotTurn planSpotTurn(const StepPlacer& placer, const Stance& at, double angle, 
 }
 
 FrameState spotTurnState(const SpotTurn& turn, const FrameState& standing, int frame) {
-  const double share = static_cast<double>(frame) / turn.frames, progress = turn.steps * share;
+  const double share = static_cast<double>(frame) / turn.frames;
+  const SpotTurnPlace place = placeAt(turn, frame);
+  const double progress = place.progress;
   FrameState state = standing;
-  const double done = turn.done.at(progress);
-  state.position.head<2>() += done * turn.shift.head<2>();
+  state.spot = place.moment;
+  state.position.head<2>() += place.done * turn.shift.head<2>();
   state.position.z() += smoothstep(share) * (turn.end_feet.height - turn.from_feet.height);
-  state.arc = done * turn.shift.head<2>().norm();
-  state.heading = turn.from.heading + turn.angle * done;
-  state.turn_rate = turn.angle * turn.done.slope(progress) / turn.step_time;
+  state.arc = place.done * turn.shift.head<2>().norm();
+  state.heading = turn.from.heading + turn.angle * place.done;
+  state.turn_rate = turn.angle * place.rate;
+  if (!turn.captured) state.turn_rate /= turn.step_time;
   state.feet = turn.feet->at(progress);
   for (FootState& foot : state.feet) foot.strike_roll = foot.lift_roll = 1.0;  // all of SpotStep's
   // Towards the foot that stands: to the right while the left one swings.

@@ -24,10 +24,10 @@ void projectChannels(std::span<const double> channels,
                         position.data(), rotations.data());
 }
 
-WalkController::WalkController(const GaitBlend& blend,
+WalkController::WalkController(const GaitBlend& blend, const CapturedTurns& turns,
                                const std::vector<Eigen::Quaterniond>& reference,
                                const Eigen::VectorXd& stand_channels, double lead)
-    : blend_(blend), reference_(reference), stand_(stand_channels), lead_(lead) {}
+    : blend_(blend), turns_(turns), reference_(reference), stand_(stand_channels), lead_(lead) {}
 
 // Of a frame beside three others: what walking and standing add to its cycle.
 void WalkController::carry(const FrameState& state, int frame, std::span<double> scratch,
@@ -46,6 +46,10 @@ void WalkController::carry(const FrameState& state, int frame, std::span<double>
   const TransitionBlend& transitions = blend_.transitions();
   if (state.start.there) mix(transitions.start(state.start.side), state.start);
   if (state.stop.there) mix(transitions.stop(state.stop.side), state.stop);
+  if (state.spot.turn >= 0) {
+    turnChannels(turns_.sequence(state.spot.turn), state.spot.clock, scratch);
+    for (Eigen::Index i = 0; i < stand_.size(); ++i) channel(i) = scratch[i];
+  }
   channel(1) += state.sway;
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "animation/synthesis/captured_turns.h"
 #include "animation/synthesis/gait_blend.h"
 #include "animation/synthesis/sub_controller.h"
 
@@ -20,7 +21,8 @@ class WalkController : public SubController {
  public:
   /// @param stand_channels  WalkCycle::series' channels of standing
   /// @param lead  so much farther forward than captured over the path's point the root walks [m]
-  WalkController(const GaitBlend& blend, const std::vector<Eigen::Quaterniond>& reference,
+  WalkController(const GaitBlend& blend, const CapturedTurns& turns,
+                 const std::vector<Eigen::Quaterniond>& reference,
                  const Eigen::VectorXd& stand_channels, double lead);
 
   /// Overwrites every pose. The share of the standing posture (FrameState::standing) is mixed in
@@ -33,6 +35,7 @@ class WalkController : public SubController {
              std::span<double> channels) const;
 
   const GaitBlend& blend_;
+  const CapturedTurns& turns_;
   const std::vector<Eigen::Quaterniond>& reference_;
   Eigen::VectorXd stand_;
   double lead_;

@@ -54,7 +54,8 @@ struct WalkSynthesizer::Impl {
         feet(skeleton, roles, shapes, blend,
              kneeAxes(roles, referenceOf(skeleton, roles, library.stand().rotations))),
         placement(placementOf(library.stand())),
-        walk(blend, reference, standChannels(library.stand().root_height * scale),
+        turns(library, scale),
+        walk(blend, turns, reference, standChannels(library.stand().root_height * scale),
              placement.forward - blend.footForward()),
         placer(ground, shapes, blend.feet(), stepSettings()) {}
 
@@ -173,6 +174,20 @@ struct WalkSynthesizer::Impl {
     return slower;
   }
 
+  // One turn on the spot, that ends at `to` [m, World] to the bit.
+  WalkResult turn(const SpotTurnRequest& request, const Eigen::Vector3d& to,
+                  AnimationBuffer& out) const {
+    SpotTurn turn = planSpotTurn(placer, request);
+    turn.end.position = to;
+    if (turn.refused != WalkRule::kNone) return {turn.refused, turn.steps, turn.first};
+    out.states.clear();
+    out.states.push_back(stanceState(request.at, turn.from_feet, 0.0));
+    for (int k = 1; k < turn.frames; ++k)
+      out.states.push_back(spotTurnState(turn, out.states.front(), k));
+    out.states.push_back(stanceState(turn.end, turn.end_feet, request.shift.head<2>().norm()));
+    return pose(out, turn.steps, turn.first);
+  }
+
   // What is left of standing at the ends, and which captured start and stop the frame is in.
   void standAtEnds(const WalkSteps& steps, const WalkRequest& request,
                    const SpeedProfile::Sample& at, FrameState& state) const {
@@ -215,6 +230,7 @@ struct WalkSynthesizer::Impl {
   GaitBlend blend;
   FootController feet;
   FootPlacement placement;
+  CapturedTurns turns;
   WalkController walk;
   StepPlacer placer;
   std::vector<std::unique_ptr<const SubController>> actions;
@@ -313,17 +329,27 @@ WalkResult WalkSynthesizer::turnOnSpot(const Stance& at, double angle, Animation
 WalkResult WalkSynthesizer::smallSteps(const Stance& at, const Eigen::Vector3d& to, double angle,
                                        AnimationBuffer& out) const {
   const Impl& m = *impl_;
-  const Eigen::Vector3d shift = to - at.position;
-  assert(shift.head<2>().norm() <= kSmallSteps);
-  SpotTurn turn = planSpotTurn(m.placer, at, angle, m.scale, m.settings.frame_time, shift);
-  turn.end.position = to;  // to the bit
-  if (turn.refused != WalkRule::kNone) return {turn.refused, turn.steps, turn.first};
-  out.states.clear();
-  out.states.push_back(m.stanceState(at, turn.from_feet, 0.0));
-  for (int k = 1; k < turn.frames; ++k)
-    out.states.push_back(spotTurnState(turn, out.states.front(), k));
-  out.states.push_back(m.stanceState(turn.end, turn.end_feet, shift.head<2>().norm()));
-  return m.pose(out, turn.steps, turn.first);
+  assert((to - at.position).head<2>().norm() <= kSmallSteps);
+  const CapturedTurns::Taken taken = m.turns.take(angle);
+  SpotTurnRequest request{at, angle / taken.times, 0.0, m.scale, m.settings.frame_time};
+  if (taken.turn >= 0) request.sequence = &m.turns.sequence(taken.turn);
+  request.captured = taken.turn;
+  request.shift = to - at.position;
+  WalkResult all{WalkRule::kNone, 0, angle > 0.0 ? kLeft : kRight};
+  AnimationBuffer part;
+  for (int i = 1; i <= taken.times; ++i) {
+    const bool last = i == taken.times;
+    request.end_heading = last ? at.heading + angle : request.at.heading + request.angle;
+    const WalkResult turn = m.turn(request, to, i == 1 ? out : part);
+    all.steps += turn.steps;
+    all.refused = turn.refused;
+    if (all.refused != WalkRule::kNone) break;
+    if (i > 1) out.append(part);
+    request.at.position = to;
+    request.at.heading = request.end_heading;
+    request.shift.setZero();
+  }
+  return all;
 }
 
 WalkResult WalkSynthesizer::stand(const Stance& at, AnimationBuffer& out) const {

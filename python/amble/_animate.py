@@ -124,15 +124,15 @@ class Library:
         """Adds motions of captures, as `amble library add` does; write() keeps them. All of the clips, or none.
 
         name:    of the motion; "": the clip's
-        kind:    "walk", "movement", "posture", "start", "stop" or "blocking"
+        kind:    "walk", "movement", "posture", "start", "stop", "blocking" or "turn_on_spot"
         turning: of a walk; None: as it is found
         style:   in whose manner it walks; it is blended with none but its like
         joints:  chains that a movement or a posture moves; none: all
         frames:  first and last to look at, as the file numbers them; None: all
-        mirror:  whether a walk's mirror image is added too; None: where it has no style
+        mirror:  whether the mirror image of a walk or a turn on the spot is added too; None: where it has no style
         """
-        if style and kind not in ("walk", "start", "stop"):
-            raise ValueError(f"style of a {kind}; expected a walk, a start or a stop")
+        if style and kind not in ("walk", "start", "stop", "turn_on_spot"):
+            raise ValueError(f"style of a {kind}; expected a walk, a start, a stop or a turn on the spot")
         for chain in joints:
             _check.one_of("joints", chain, _amble.chain_names())
         asked = _amble.AdditionAsked()

@@ -15,7 +15,8 @@ namespace {
 constexpr double kFrame = 1.0 / 60.0;
 
 SpotTurn turnOn(const Ground& ground, double angle, double scale = 1.0) {
-  return planSpotTurn(stepCharacter().placer(ground), {{0.0, 0.0, 0.0}, 0.3}, angle, scale, kFrame);
+  return planSpotTurn(stepCharacter().placer(ground),
+                      {{{0.0, 0.0, 0.0}, 0.3}, angle, 0.3 + angle, scale, kFrame});
 }
 
 TEST(TurnOnSpot, OverAnEdgeOrNothingItIsRefused) {

@@ -25,9 +25,10 @@ Eigen::VectorXd standChannels() {
 
 const WalkController& controllerOf(double lead = 0.0) {
   static const Eigen::VectorXd kStand = standChannels();
+  static const CapturedTurns kNoTurns;
   static std::map<double, WalkController> controllers;
-  return controllers.try_emplace(lead, blend(), defaultLibrary().stand().rotations, kStand, lead)
-      .first->second;
+  const auto& reference = defaultLibrary().stand().rotations;
+  return controllers.try_emplace(lead, blend(), kNoTurns, reference, kStand, lead).first->second;
 }
 
 /// One frame, posed.
