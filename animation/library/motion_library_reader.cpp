@@ -137,7 +137,8 @@ TurnSequence readTurn(const YamlNode& node, int joints, const Motion* stand) {
   requireStand(node, stand);
   TurnSequence turn;
   turn.angle = node.at("angle").asDouble(-720.0, 720.0, "angle [degrees]") * kDegree;
-  if (turn.angle == 0.0) node.at("angle").fail("a turn by nothing", "an angle, left positive");
+  if (std::abs(turn.angle) < TurnSequence::kLeastAngle)
+    node.at("angle").fail("hardly a turn", "10 to 720 degrees to the left, or negative");
   turn.duration = node.at("duration").asDouble(0.2, 20.0, "duration [s]");
   turn.first = node.at("first").asEnum<Side>({{"left", kLeft}, {"right", kRight}});
   turn.steps = node.at("steps").asInt(1, 100, "steps");

@@ -8,6 +8,7 @@
 
 #include "animation/body/joint_roles.h"
 #include "base/cubic_spline.h"
+#include "base/rotation.h"
 
 namespace amble {
 
@@ -17,7 +18,9 @@ struct TurnSequence {
   static constexpr int kStanding = 3;
   static constexpr double kKnot = 0.1;  ///< of a piece of the splines, nearly [s]
 
-  double angle = 0.0;     ///< that the pelvis is turned by [rad, left positive]
+  static constexpr double kLeastAngle = 10.0 * kDegree;
+
+  double angle = 0.0;     ///< that the pelvis is turned by [rad, left positive, |.| >= kLeastAngle]
   double duration = 0.0;  ///< [s, 0.2 to 20]
   Side first = kLeft;     ///< the foot that steps first
   int steps = 0;          ///< of both feet [1 to 100]

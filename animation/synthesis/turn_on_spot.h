@@ -26,7 +26,7 @@ struct SpotTurnGait {
   static constexpr double kStepTime = 0.45;
   /// The quickest step of a captured turn, scaling as that; people swing a foot in 0.2 to 0.25 s
   /// and stand on both for a moment after [s].
-  static constexpr double kQuickStep = 0.25;
+  static constexpr double kQuickStep = 0.3;
   /// Most that a foot is turned against the pelvis in a captured turn [rad].
   static constexpr double kTwist = 30.0 * kDegree;
   /// Of the root towards the standing foot; by trial: without it, the swinging foot is lifted off

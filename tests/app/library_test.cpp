@@ -219,6 +219,64 @@ TEST_F(Library, LegsAreNoChainsOfMovements) {
   expectRefused("library build in/it.recipe.yaml", {"it.recipe.yaml:6: ", "leg"});
 }
 
+TEST_F(Library, TurnsOnTheSpotAreAddedToBothSidesShownCheckedAndTurnedBy) {
+  const std::string about = kCaptures + "accad_female1/Female1_B15_WalkTurnAround180.bvh";
+  add("in/mine.yaml " + kWalk);
+  const Ran formula = run("library show in/mine.yaml");
+  EXPECT_NE(formula.out.find("turns on the spot to the left, turns on the spot to the right"),
+            std::string::npos)
+      << formula.out;
+  const Ran added =
+      run("library add in/mine.yaml '" + about + "' --kind turn_on_spot --name about");
+  ASSERT_EQ(added.status, 0) << added.err;
+  EXPECT_NE(added.err.find("about: turn_on_spot, +17"), std::string::npos) << added.err;
+  EXPECT_NE(added.err.find("about-mirrored: turn_on_spot, -17"), std::string::npos) << added.err;
+  const json shown = json::parse(run("library show --json in/mine.yaml").out)[0];
+  for (const json& motion : shown["motions"]) {
+    if (motion["kind"] != "turn_on_spot") continue;
+    const bool mirrored = motion["source"]["mirrored"];
+    EXPECT_NEAR(motion["angle"].get<double>(), mirrored ? -171.0 : 171.0, 3.0);
+    EXPECT_EQ(motion["foot"], mirrored ? "left" : "right");
+    EXPECT_GT(motion["twist"], 30.0);
+  }
+  for (const json& formula_only : shown["by_formula"])
+    EXPECT_EQ(formula_only.get<std::string>().find("turns"), std::string::npos) << formula_only;
+  const std::string folder = fs::path(about).parent_path().string();
+  const Ran checked = run("library check in/mine.yaml --captures '" + folder + "'");
+  EXPECT_EQ(checked.status, 0) << checked.out;
+  write("in/turn.yaml",
+        "scene: floor.yaml\ncharacter: {library: mine.yaml}\n"
+        "start: {at: [2, 2], heading: 0}\ngoal: {at: [2, 2], heading: 180}\n");
+  EXPECT_EQ(run("plan in/turn.yaml -o out --formats bvh,json").status, 0);
+}
+
+TEST_F(Library, ATurnOnTheSpotIsAddedToOneSideWhereThatIsAsked) {
+  const std::string about = kCaptures + "accad_female1/Female1_B15_WalkTurnAround180.bvh";
+  const auto countWith = [&](const std::string& options) {
+    fs::remove(folder_ / "mine.yaml");
+    add("mine.yaml '" + about + "' --kind turn_on_spot " + options);
+    return json::parse(run("library show --json mine.yaml").out)[0]["motions"].size();
+  };
+  EXPECT_EQ(countWith(""), 3u);  // with a `stand`
+  EXPECT_EQ(countWith("--no-mirror"), 2u);
+  EXPECT_EQ(countWith("--style old-man"), 2u);
+  EXPECT_EQ(countWith("--style old-man --mirror"), 3u);
+}
+
+TEST_F(Library, WhereNobodyTurnsOnTheSpotThatIsSaid) {
+  expectRefused("library add mine.yaml " + kWalk + " --kind turn_on_spot",
+                {"B03_Walk1.bvh: nobody in it turns on the spot", "30 degrees"});
+  expectRefused("library add mine.yaml " + kWalk + " --kind turn_on_spot --frames 50 60",
+                {"B03_Walk1.bvh: in these frames nobody turns on the spot"});
+  write("in/it.recipe.yaml",
+        "skeleton: it.bvh\ncaptures: " + kCaptures +
+            "\nlicence: none\ncredit: none\nmotions:\n"
+            "  - {name: about, kind: turn_on_spot, mirror: both, clip: "
+            "accad_female1/Female1_B15_WalkTurnAround180.bvh, frames: [130, 230]}\n");
+  EXPECT_EQ(run("library build in/it.recipe.yaml -o it.yaml").status, 0);
+  EXPECT_EQ(json::parse(run("library show --json it.yaml").out)[0]["motions"].size(), 3u);
+}
+
 TEST_F(Library, APostureIsOfFramesInWhichItIsHeld) {
   expectRefused("library add mine.yaml " + kWalk + " --kind posture --name freeze",
                 {"does not hold still", "degrees"});

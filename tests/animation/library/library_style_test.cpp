@@ -109,6 +109,26 @@ TEST(LibraryStyle, OwnSpeedIsTheCapturesAndGrowsWithTheRootOfHeight) {
   EXPECT_NEAR(ownSpeed(library, 0.81 * library.stature), 0.9 * speed, 1e-12);
 }
 
+TEST(LibraryStyle, TurnsOnTheSpotAreTheStylesOwnOrThoseWithoutOne) {
+  MotionLibrary library;
+  for (const char* const style : {"", "old-man", "happy"}) {
+    Motion motion;
+    motion.style = style;
+    motion.name = std::string("walk of ") + style;
+    library.motions.push_back(motion);
+    if (std::string(style) == "happy") continue;
+    motion.name = std::string("turn of ") + style;
+    motion.kind = MotionKind::kTurnOnSpot;
+    library.motions.push_back(motion);
+  }
+  for (const auto& [style, turn] :
+       {std::pair("", "turn of "), {"old-man", "turn of old-man"}, {"happy", "turn of "}}) {
+    const MotionLibrary own = inStyle(library, style);
+    ASSERT_EQ(own.motions.size(), 2u) << style;
+    EXPECT_NE(own.find(turn), nullptr) << style;
+  }
+}
+
 class StyledFile : public testing::Test {
  protected:
   void SetUp() override {

@@ -170,5 +170,48 @@ TEST(MotionLibrary, ALibraryIsFoundRelativeToWhereItIsNamed) {
   EXPECT_THROW(openMotionLibrary("nothing.yaml", kMotions), InputError);
 }
 
+/// A turn on the spot of three inner coefficients, in place of the last motion.
+class TurnInALibrary : public MotionLibraryFile {
+ protected:
+  void SetUp() override {
+    MotionLibraryFile::SetUp();
+    text_.resize(text_.rfind("  - name:"));
+    text_ +=
+        "  - name: about\n    kind: turn_on_spot\n    valid: always\n    joints: all\n"
+        "    source: {clip: a, frames: [0, 9], licence: b, credit: c}\n    turn:\n"
+        "      angle: 170\n      duration: 2\n      first: left\n      steps: 3\n"
+        "      twist: 40\n      turned: [0.2, 0.5, 0.8]\n      spline:\n";
+    for (int i = 0; i < 69; ++i) text_ += "        - [0, 0, 0]\n";
+  }
+};
+
+TEST_F(TurnInALibrary, IsRead) { EXPECT_EQ(error().file(), "none"); }
+
+TEST_F(TurnInALibrary, RefusesWhatIsOutOfItsRangeWithItsLine) {
+  const std::pair<const char*, const char*> kWrong[] = {
+      {"angle: 170", "angle: 721"},     {"angle: 170", "angle: -9"},
+      {"duration: 2", "duration: 0.1"}, {"first: left", "first: both"},
+      {"steps: 3", "steps: 0"},         {"steps: 3", "steps: 2.5"},
+      {"twist: 40", "twist: 181"},      {"turned: [0.2, 0.5, 0.8]", "turned: [0.2, 4, 0.8]"},
+      {"twist: 40", "twisted: 40"},     {"        - [0, 0, 0]\n", "        - [0, 0]\n"},
+  };
+  for (const auto& [right, wrong] : kWrong) {
+    SetUp();
+    replace(right, wrong, "kind: turn_on_spot");
+    EXPECT_EQ(error().line(), line_) << wrong << ": " << error().what();
+  }
+}
+
+TEST_F(TurnInALibrary, RefusesWhatIsMissing) {
+  replace("        - [0, 0, 0]\n", "", "kind: turn_on_spot");
+  EXPECT_NE(std::string(error().what()).find("68 channels"), std::string::npos) << error().what();
+  SetUp();
+  replace("      duration: 2\n", "");
+  EXPECT_NE(std::string(error().what()).find("duration"), std::string::npos) << error().what();
+  SetUp();
+  replace("name: stand\n", "name: stood\n");
+  EXPECT_NE(std::string(error().what()).find("`stand` before"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace amble

