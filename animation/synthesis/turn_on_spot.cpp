@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPartsOfStep = 8;  // of one time, in which the captured clock is told
 // A foot that is about to land is ahead of the pelvis by so much more, and the pelvis sways.
-constexpr double kSlack = 4.0 * kDegree;
+constexpr double kSlack = 3.5 * kDegree;
 
 // By formula: steps of one time, over which the pelvis turns evenly.
 void timeByFormula(const SpotTurnRequest& request, SpotTurn& turn) {
@@ -149,6 +149,7 @@ SpotTurn planSpotTurn(const StepPlacer& placer, const SpotTurnRequest& request) 
     turned.heading = at.heading + angle * ((i + 1) / 2) / pairs;
     turned.position += request.shift * ((i + 1) / 2) / pairs;
     const Side side = i % 2 != 0 ? turn.first : other(turn.first);
+    if (turn.captured) turn.feet->landings()[i + 1].swing.lift = SpotTurnGait::kQuickLift;
     turn.feet->places()[i + 1] = Footsteps::atStance(placement, turned)[side].from;
   }
   turn.feet->setStances(turn.from_feet.feet, turn.end_feet.feet);

@@ -24,9 +24,11 @@ struct SpotTurnGait {
   /// Of a step, for a captured subject; grows with the root of scale (Froude). A pair's time keeps
   /// the peak turn rate near the 84 degrees/s that people reach (QUALITY.md) [s].
   static constexpr double kStepTime = 0.45;
-  /// The quickest step of a captured turn, scaling as that; people swing a foot in 0.2 to 0.25 s
-  /// and stand on both for a moment after [s].
-  static constexpr double kQuickStep = 0.3;
+  /// The quickest step of a captured turn, scaling as that [s], and how much higher a foot is
+  /// lifted in those than SpotStep has it [1]. By trial: quicker ones jerk knees more than walks
+  /// do, and in lower ones who looks for planted feet sees a foot of a small person hardly leave
+  /// the ground.
+  static constexpr double kQuickStep = 0.33, kQuickLift = 1.15;
   /// Most that a foot is turned against the pelvis in a captured turn [rad].
   static constexpr double kTwist = 30.0 * kDegree;
   /// Of the root towards the standing foot; by trial: without it, the swinging foot is lifted off
