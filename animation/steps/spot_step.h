@@ -1,5 +1,5 @@
-/// The small step in which people turn where they stand, for libraries in which none is captured:
-/// the heel rises first, the foot goes up and down once and is put down flat.
+/// The small step in which people turn where they stand. Of captured turns the feet are not taken:
+/// they pivot. Here the heel rises first, the foot goes up and down once and is put down flat.
 #pragma once
 
 #include "animation/library/foot_cycle.h"

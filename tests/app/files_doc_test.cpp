@@ -157,13 +157,24 @@ TEST_F(FilesPage, ItSaysWhatIsMeasuredOfAWalk) {
   }
 }
 
+// One more motion of the default library, whose skeleton has 22 joints.
+std::string turnOnSpot() {
+  std::string text =
+      "  - name: about\n    kind: turn_on_spot\n    valid: always\n    joints: all\n"
+      "    source:\n      clip: a\n      frames: [0, 9]\n      licence: b\n      credit: c\n"
+      "    turn:\n      angle: 170\n      duration: 2\n      first: left\n      steps: 3\n"
+      "      twist: 40\n      turned: [0.5]\n      spline:\n";
+  for (int row = 0; row < 3 + 3 * 22; ++row) text += "        - [0]\n";
+  return text;
+}
+
 TEST_F(FilesPage, ItHasTheKeysThatTheReadersKnow) {
   EXPECT_EQ(leavesOf(documentedKeys("Scene")), leavesOf(knownKeys("room.yaml")));
   Keys scenario = knownKeys("walk.yaml");
   scenario.merge(knownKeys("walks.yaml"));
   EXPECT_EQ(leavesOf(documentedKeys("Scenario")), leavesOf(scenario));
   Keys library = knownKeys("mine.yaml");
-  write("default.yaml", read("animation/motions/default.yaml"));  // with cycles
+  write("default.yaml", read("animation/motions/default.yaml") + turnOnSpot());  // with cycles
   write("default.bvh", read("animation/motions/default.bvh"));
   library.merge(knownKeys("default.yaml"));
   const Keys documented = leavesOf(documentedKeys("Motion library")), known = leavesOf(library);
