@@ -293,7 +293,11 @@ void StepPlacer::adapted(WalkSteps& walk, const WalkRequest& request,
   const double forward = s_.placement.forward;
   const WantedWalk usual(request.path, walk.from, walk.end, limits, s_.placement.step_length);
   const PrintAlong print = [&](Side side, double arc) {
-    return swings_.cycles.print(side, s_.placement.print(side), 0.0, usual.turnRate(arc - forward));
+    const WalkDepartures& departures = swings_.cycles.departures;
+    const double slower =
+        request.wishes.stride ? 0.0 : departures.slowerBy(usual.speed(arc - forward));
+    return swings_.cycles.print(side, s_.placement.print(side), slower,
+                                usual.turnRate(arc - forward));
   };
   const FootstepRequest wanted{
       .path = request.path,

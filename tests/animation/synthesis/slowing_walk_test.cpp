@@ -65,7 +65,7 @@ Flexions capturedFlexions(const std::string& walk, double phase) {
 /// Straight on at the pace of `walk-fast`, then around a bend that is walked at that of
 /// `walk-slow`, and straight on again.
 struct FastAndSlow {
-  static constexpr double kStraight = 6.0;  // [m]
+  static constexpr double kStraight = 12.0;  // long, so that whole steps stretch little [m]
   double fast = straightLibrary().find("walk-fast")->cycle.speed;
   double slow = straightLibrary().find("walk-slow")->cycle.speed;
   double radius = slow / GaitBlend::kNoTurns, bend = kPi * radius;  // [m]
