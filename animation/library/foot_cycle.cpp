@@ -71,9 +71,16 @@ double toeRoll(const FootCycle& foot, double x) {
   const double u = x * FootCycle::kStanceSamples - FootCycle::kToesFrom;
   if (u <= -2.0 || u >= FootCycle::kToeSplines + 1) return 0.0;
   double roll = 0.0;
-  const int first = std::max(0, static_cast<int>(std::ceil(u)) - 2);
-  for (int k = first; k < std::min(first + 4, FootCycle::kToeSplines); ++k)
-    roll += foot.toes[k] * toeSpline(k, x);
+  const int before = static_cast<int>(std::floor(u));
+  const double t = u - before, rest = 1.0 - t;
+  // Of the four splines that reach here, as toeSpline has them.
+  const std::array<double, 4> splines = {
+      rest * rest * rest / 6.0, 2.0 / 3.0 - t * t * (1.0 - 0.5 * t),
+      2.0 / 3.0 - rest * rest * (1.0 - 0.5 * rest), t * t * t / 6.0};
+  for (int i = 0; i < 4; ++i) {
+    const int k = before - 1 + i;
+    if (k >= 0 && k < FootCycle::kToeSplines) roll += foot.toes[k] * splines[i];
+  }
   return roll;
 }
 

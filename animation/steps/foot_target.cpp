@@ -26,6 +26,10 @@ SwingRoll swingRoll(const FootState& state, const FootBlend& cycle) {
 }
 
 double toesOf(const FootState& state, const FootBlend& cycle) {
+  constexpr double kSamples = FootCycle::kStanceSamples;
+  constexpr double kFrom = (FootCycle::kToesFrom - 2) / kSamples,
+                   kUntil = (FootCycle::kToesFrom + FootCycle::kToeSplines + 1) / kSamples;
+  if (state.at <= kFrom || state.at >= kUntil) return 0.0;
   return state.lift_roll > 0.0 ? state.lift_roll * cycle.toeRoll(state.at) : 0.0;
 }
 
@@ -95,8 +99,12 @@ Sole soleOf(const FootState& state, const FootBlend& cycle, const FootShape& sha
   }
   sole.toes = toesOf(state, cycle);
   if (sole.toes > 0.0) {
-    sole.place.position +=
-        soleFrame(sole.place.heading, sole.place.normal) * rolledBall(shape, sole.toes);
+    const Eigen::Vector3d ball = rolledBall(shape, sole.toes);
+    const FootPlace& place = sole.place;
+    const bool level = place.normal.x() == 0.0 && place.normal.y() == 0.0;
+    const double ahead = std::cos(place.heading), left = std::sin(place.heading);
+    sole.place.position += level ? Eigen::Vector3d(ahead * ball.x(), left * ball.x(), ball.z())
+                                 : soleFrame(place.heading, place.normal) * ball;
   }
   return sole;
 }
