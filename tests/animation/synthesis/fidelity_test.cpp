@@ -223,7 +223,7 @@ TEST(Fidelity, AtItsOwnRateATurnIsTheCapturedOne) {
     EXPECT_NEAR(walk.period, walk.cycle().period, 0.01 * walk.cycle().period);
     for (const Side side : {kLeft, kRight}) {
       EXPECT_LT(walk.rms(&Carried::hip, side), 2.5) << side;
-      EXPECT_LT(walk.rms(&Carried::knee, side), 3.0) << side;
+      EXPECT_LT(walk.rms(&Carried::knee, side), 2.5) << side;
     }
   }
 }
