@@ -197,16 +197,16 @@ TEST_F(TurnInALibrary, RefusesWhatIsOutOfItsRangeWithItsLine) {
   };
   for (const auto& [right, wrong] : kWrong) {
     SetUp();
-    replace(right, wrong, "kind: turn_on_spot");
+    replace(right, wrong, "name: about");
     EXPECT_EQ(error().line(), line_) << wrong << ": " << error().what();
   }
 }
 
 TEST_F(TurnInALibrary, RefusesWhatIsMissing) {
-  replace("        - [0, 0, 0]\n", "", "kind: turn_on_spot");
+  replace("        - [0, 0, 0]\n", "", "name: about");
   EXPECT_NE(std::string(error().what()).find("68 channels"), std::string::npos) << error().what();
   SetUp();
-  replace("      duration: 2\n", "");
+  replace("      duration: 2\n", "", "name: about");
   EXPECT_NE(std::string(error().what()).find("duration"), std::string::npos) << error().what();
   SetUp();
   replace("name: stand\n", "name: stood\n");
