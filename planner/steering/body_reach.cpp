@@ -7,16 +7,17 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <queue>
 #include <utility>
 
 #include "base/parallel.h"
 #include "planner/steering/ground_range.h"
+#include "planner/steering/open_way.h"
 
 namespace amble {
 namespace {
 
 constexpr double kMostSquares = 1e8;       // of a flood; larger ones are not begun
+constexpr double kMostFinest = 2e6;        // the same of the second one
 constexpr size_t kMostOfReport = 4000000;  // of a part that is flooded to be told of only
 // Of a ball's radius, half a square's diagonal.
 constexpr double kOfRadius = 0.4;
@@ -25,10 +26,11 @@ constexpr double kOfLegs = 0.5;
 constexpr double kLowestHips = 0.4;  // of stature
 // The feet of who has a ball at a place are no farther from there, of stature.
 constexpr double kFeet = 0.5;
-constexpr double kLevels = 0.04;  // between heights at which a ball is tried where ground is uneven
-constexpr double kSmallest = 0.01;   // a smaller ball is none [m]
+constexpr double kLevels = 0.03;     // between heights at which a ball is tried
+constexpr int kFinerLevels = 4;      // so many between two of them
 constexpr int kStopEvery = 1 << 10;  // squares between looks at the clock
-constexpr double kOpenSquare = 0.2;  // of the flood over what all balls pass [m]
+// Of the floods over what all balls pass, and what one passes that is asked about finely [m].
+constexpr double kOpenSquare = 0.2, kFinerOpenSquare = 0.04;
 
 // The axis of a part over a walk: heights over the ground, and how far it is from the path.
 struct PartWay {
@@ -68,82 +70,43 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
     const double low = way.middle.min()[0] - kDip, high = way.middle.max()[0] + kRise;
     const double aside = way.aside + kDip;
     if (part == body.head) {
-      balls_.push_back(
-          {high, std::max(high, body.upright - own.radius), HUGE_VAL, own.radius, aside, part});
+      const double top = std::max(high, body.upright - own.radius);
+      balls_.push_back({high, high, top, HUGE_VAL, own.radius, aside, part});
     } else if (own.joint == roles.hips || own.name == "chest") {
-      const double middle = 0.5 * (low + high), radius = own.radius - 0.5 * (high - low);
-      if (radius > kSmallest) balls_.push_back({middle, middle, HUGE_VAL, radius, aside, part});
+      balls_.push_back({low, high, high, HUGE_VAL, own.radius, aside, part});
     } else if (own.joint == roles.legs[kLeft].leg || own.joint == roles.legs[kRight].leg) {
       // The leg, from the hip to the ankle, crosses this height once, with the thigh or the shank.
       const double height = highest_step + kAnkle * stature;
       if (height < kLowestHips * stature)
         balls_.push_back(
-            {height, height, kLowestHips * stature - height, own.radius, kOfLegs, part});
+            {height, height, height, kLowestHips * stature - height, own.radius, kOfLegs, part});
     }
   }
   std::stable_sort(balls_.begin(), balls_.end(),
                    [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
 }
 
-// Whether all balls pass from one end to the other for sure, by squares in which none of them would
-// touch anything, whatever of the ground around they are carried over; the nearest to the other end
-// first. No says nothing.
-bool BodyReach::isOpen(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                       const CollisionWorld& world, const SceneGround& ground,
-                       CollisionScratch& scratch, const std::function<bool()>& stopped) const {
-  const Eigen::AlignedBox2d region = ground.extent();
-  const Eigen::Array2d squares = region.sizes().array() / kOpenSquare;
-  if (balls_.empty() || squares.prod() > kMostSquares) return false;
-  const GroundRange range(ground, kFeet * stature_ + kOpenSquare);  // around all of a square
-  const Eigen::Vector2i count = squares.cast<int>();
-  double low = HUGE_VAL, high = 0.0, aside = HUGE_VAL;
-  for (const Ball& ball : balls_) {
-    low = std::min(low, ball.height);
-    high = std::max({high, ball.height, ball.top});
-    aside = std::min(aside, ball.aside);
+// What holds balls, all of them, wherever they are carried.
+UprightPost BodyReach::postAround(std::span<const Ball> balls) const {
+  UprightPost post{HUGE_VAL, 0.0, kFeet * stature_, 0.0, HUGE_VAL};
+  for (const Ball& ball : balls) {
+    post.low = std::min(post.low, ball.height);
+    post.high = std::max({post.high, ball.highest, ball.top});
+    post.radius = std::max(post.radius, ball.radius);
+    post.aside = std::min(post.aside, ball.aside);
   }
-  const double radius = balls_.front().radius + std::sqrt(0.5) * kOpenSquare;
-  const auto middle = [&](int x, int y) -> Eigen::Vector2d {
-    return region.min() + kOpenSquare * Eigen::Vector2d(x + 0.5, y + 0.5);
-  };
-  std::vector<bool> known(static_cast<size_t>(count.x()) * count.y());
-  using Open = std::pair<double, int>;
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
-  const auto reach = [&](int x, int y) {
-    if (x < 0 || y < 0 || x >= count.x() || y >= count.y() || known[y * count.x() + x]) return;
-    known[y * count.x() + x] = true;
-    const Eigen::Vector2d p = middle(x, y);
-    const Eigen::AlignedBox1d z = range.around(p);
-    if (z.isEmpty() || world.touched({p.x(), p.y(), z.min()[0] + low},
-                                     {p.x(), p.y(), z.max()[0] + high}, radius, scratch) < 0)
-      open.emplace((p - to.head<2>()).norm(), y * count.x() + x);
-  };
-  const int far = static_cast<int>(std::ceil(aside / kOpenSquare));
-  const Eigen::Vector2i at = ((from.head<2>() - region.min()) / kOpenSquare).cast<int>();
-  for (int y = at.y() - far; y <= at.y() + far; ++y) {
-    for (int x = at.x() - far; x <= at.x() + far; ++x)
-      if ((middle(x, y) - from.head<2>()).norm() <= aside) reach(x, y);
-  }
-  for (long long i = 1; !open.empty(); ++i) {
-    const auto [distance, square] = open.top();
-    if (distance <= aside) return true;
-    if (i % kStopEvery == 0 && stopped()) return false;
-    open.pop();
-    const int x = square % count.x(), y = square / count.x();
-    for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) reach(x + dx, y + dy);
-  }
-  return false;
+  return post;
 }
 
 // Of one ball, from both ends in turn.
 class BodyReach::Flood {
  public:
-  Flood(const Ball& ball, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+  Flood(const Ball& ball, double square, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
         const CollisionWorld& world, const SceneGround& ground, const GroundRange& range,
         double beyond, CollisionScratch& scratch)
       : ball_(ball),
         range_(range),
-        square_(std::min(kLargest, kOfRadius * std::sqrt(2.0) * ball.radius)),
+        square_(square),
         from_(from),
         to_(to),
         world_(world),
@@ -174,6 +137,7 @@ class BodyReach::Flood {
   int touched(const Eigen::Vector2d& p, double low, double high, double radius) const {
     return world_.touched({p.x(), p.y(), low}, {p.x(), p.y(), high}, radius, scratch_);
   }
+  int touchedAtAll(const Eigen::Vector2d& p, double low, double high, double radius) const;
   int object(const Eigen::Vector2d& p) const;
   Barrier between(const std::vector<int>& before, int last) const;
   bool begin(const Eigen::Vector3d& end, int side);
@@ -194,28 +158,46 @@ class BodyReach::Flood {
   std::array<size_t, 2> next_ = {0, 0};      // of them whose neighbours are to be looked at
 };
 
+// What a ball touches there at every height between: all of one that is smaller by the distance of
+// their middles is in it. One in the middle tells it of most places, few of most others, and many
+// of those that are hardly touched.
+int BodyReach::Flood::touchedAtAll(const Eigen::Vector2d& p, double low, double high,
+                                   double radius) const {
+  const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
+  if (radius > half) {
+    const int there = touched(p, middle, middle, radius - half);
+    if (there >= 0) return there;
+  }
+  const int first = touched(p, middle, middle, radius);
+  if (first < 0) return -1;
+  const auto everywhere = [&](int count) {
+    const double step = (high - low) / count;
+    if (radius <= 0.5 * step) return false;
+    for (int i = 0; i < count; ++i) {
+      const double z = low + (i + 0.5) * step;
+      if (touched(p, z, z, radius - 0.5 * step) < 0) return false;
+    }
+    return true;
+  };
+  const int few = 1 + static_cast<int>((high - low) / kLevels);
+  return everywhere(few) || everywhere(kFinerLevels * few) ? first : -1;
+}
+
 // What the ball touches wherever in the square it is, and whatever of the ground around the feet
 // stand on; -1: perhaps nothing.
 int BodyReach::Flood::object(const Eigen::Vector2d& p) const {
   const Eigen::AlignedBox1d ground = range_.around(p);
   if (ground.isEmpty()) return -1;
   const double rise = ground.sizes()[0], radius = ball_.radius - std::sqrt(0.5) * square_;
-  const double low = ground.min()[0] + ball_.height, high = ground.max()[0] + ball_.height;
-  if (rise <= SceneGround::kLevel)
-    return touched(p, high, ground.min()[0] + std::max(ball_.top, ball_.height), radius);
+  const double low = ground.min()[0] + ball_.height, high = ground.max()[0] + ball_.highest;
+  if (ball_.highest > ball_.height) return touchedAtAll(p, low, high, radius);
+  if (rise <= SceneGround::kLevel) return touched(p, high, ground.min()[0] + ball_.top, radius);
   if (ball_.most_rise < HUGE_VAL)
     return rise > ball_.most_rise ? -1 : touched(p, high, high, radius);
   if (ball_.top > ball_.height)
     return rise > ball_.top - ball_.height ? -1
                                            : touched(p, high, ground.min()[0] + ball_.top, radius);
-  const int first = touched(p, low, low, radius);
-  if (first < 0 || touched(p, high, high, radius) < 0) return -1;
-  const int count = static_cast<int>(std::ceil(rise / kLevels));
-  for (int i = 0; i <= count; ++i) {
-    const double height = low + rise * i / count;
-    if (touched(p, height, height, radius - 0.5 * kLevels) < 0) return -1;
-  }
-  return first;
+  return touchedAtAll(p, low, high, radius);
 }
 
 // @return whether the other side has been there
@@ -324,25 +306,39 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
     const SceneGround& ground, const std::vector<CollisionScratch*>& scratches,
     const std::function<bool()>& stopped, double beyond) const {
   const GroundRange range(ground, kFeet * stature_);
-  if (!range.isKnown() || isOpen(from, to, world, ground, *scratches.front(), stopped))
-    return std::nullopt;
-  const int count = static_cast<int>(balls_.size());
-  std::vector<std::unique_ptr<Flood>> floods(balls_.size());
-  std::atomic<int> shut{count};  // one that is known to be
-  const int first = firstOf(count, static_cast<int>(scratches.size()), [&](int i, int thread) {
-    // A leg's flood is that of the other.
-    if (std::any_of(balls_.begin(), balls_.begin() + i,
-                    [&](const Ball& ball) { return ball.isAsWide(balls_[i]); }))
-      return false;
-    auto flood = std::make_unique<Flood>(balls_[i], from, to, world, ground, range, beyond,
-                                         *scratches[thread]);
-    if (!flood->isShut([&] { return shut < i || stopped(); })) return false;
-    shut = i;
-    floods[i] = std::move(flood);
-    return true;
-  });
-  if (first == count) return std::nullopt;
-  return floods[first]->barrier();
+  const auto is_open = [&](std::span<const Ball> balls, double square) {
+    return isOpenWay(from, to, postAround(balls), square, world, ground, *scratches.front(),
+                     stopped);
+  };
+  if (!range.isKnown() || is_open(balls_, kOpenSquare)) return std::nullopt;
+  using Asked = std::pair<const Ball*, double>;  // by squares of that side
+  const auto first_shut = [&](const std::vector<Asked>& asked) -> std::optional<Barrier> {
+    const int count = static_cast<int>(asked.size());
+    std::vector<std::unique_ptr<Flood>> floods(asked.size());
+    std::atomic<int> shut{count};  // one that is known to be
+    const int first = firstOf(count, static_cast<int>(scratches.size()), [&](int i, int thread) {
+      auto flood = std::make_unique<Flood>(*asked[i].first, asked[i].second, from, to, world,
+                                           ground, range, beyond, *scratches[thread]);
+      if (!flood->isShut([&] { return shut < i || stopped(); })) return false;
+      shut = i;
+      floods[i] = std::move(flood);
+      return true;
+    });
+    if (first == count) return std::nullopt;
+    return floods[first]->barrier();
+  };
+  std::vector<Asked> coarse, fine;
+  for (size_t i = 0; i < balls_.size(); ++i) {
+    const Ball& ball = balls_[i];
+    if (i > 0 && ball.isAsWide(balls_[i - 1])) continue;  // the other leg
+    coarse.emplace_back(&ball, std::min(kLargest, kOfRadius * std::sqrt(2.0) * ball.radius));
+  }
+  if (auto found = first_shut(coarse)) return found;
+  if (ground.extent().sizes().prod() > kMostFinest * kFinest * kFinest) return std::nullopt;
+  for (const Ball& ball : balls_)
+    if (ball.highest > ball.height && !is_open({&ball, 1}, kFinerOpenSquare))
+      fine.emplace_back(&ball, kFinest);
+  return first_shut(fine);
 }
 
 }  // namespace amble

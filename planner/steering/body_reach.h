@@ -9,13 +9,13 @@
 ///
 /// A flood over squares decides it. A square is shut where a ball at its middle touches something
 /// with its radius less half the square's diagonal: then it does wherever in the square it is. All
-/// doubts are decided for the walker: the balls are those that a straight walk from standing to
-/// standing holds at every frame, and would hold kRise higher or kDip lower, as who turns, bends or
-/// steps over things is; squares are left across their corners too; ends count as all squares as
-/// far from them as a ball is from the path at most, and kDip more; and the flood may leave the
-/// ground by kBeyond. Where the ground around is uneven the body may be carried as over the lowest
-/// of it or as over the highest, or anyhow between: a ball is kept off by what it would touch at
-/// each of these heights. Ground in several layers it says nothing of.
+/// doubts are decided for the walker: balls are at the heights at which a straight walk from
+/// standing to standing has them, or up to kRise higher or kDip lower, as who turns, bends or steps
+/// over things is, and are kept off by what they would touch at each of these; squares are left
+/// across their corners too; ends count as all squares as far from them as a ball is from the path
+/// at most, and kDip more; and the flood may leave the ground by kBeyond. Where the ground around
+/// is uneven the body may be carried as over the lowest of it or as over the highest, or anyhow
+/// between. Ground in several layers it says nothing of.
 ///
 /// At open edges bodies lean out farther than kBeyond, to .23 m, over feet that stand within. Who
 /// gets by a thing there has ground beside it for his feet; and where there is ground beside a
@@ -31,9 +31,11 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "environments/collision/collision_world.h"
+#include "planner/steering/open_way.h"
 #include "planner/steering/straight_walk.h"
 
 namespace amble {
@@ -45,6 +47,9 @@ class BodyReach {
   /// Of stature: of ankles over the height that feet are lifted over, at most.
   static constexpr double kAnkle = 0.14;
   static constexpr double kLargest = 0.05;  ///< square [m]
+  /// Square of a second flood of pelvis and chest, which are broad enough to be told by it of gaps
+  /// as narrow as they are [m].
+  static constexpr double kFinest = 0.012;
 
   /// Of a body on a walk; knows nothing where the walk has no frames.
   /// @param highest_step  that feet are lifted over [m]
@@ -73,15 +78,16 @@ class BodyReach {
                                  double beyond = kBeyond) const;
 
   struct Ball {
-    double height = 0.0, top = 0.0;  ///< of its middle over the ground, and up to there [m]
-    double most_rise = 0.0;          ///< of ground around, over which it may be asked about [m]
-    double radius = 0.0;             ///< [m, > 0]
-    double aside = 0.0;              ///< from the path, at most [m]
-    int part = -1;                   ///< of the body
+    double height = 0.0, highest = 0.0;  ///< of its middle over the ground, between these [m]
+    double top = 0.0;                    ///< and all that is over it up to there [m]
+    double most_rise = 0.0;              ///< of ground around, over which it may be asked about [m]
+    double radius = 0.0;                 ///< [m, > 0]
+    double aside = 0.0;                  ///< from the path, at most [m]
+    int part = -1;                       ///< of the body
 
     bool isAsWide(const Ball& other) const {
-      return height == other.height && top == other.top && most_rise == other.most_rise &&
-             radius == other.radius && aside == other.aside;
+      return height == other.height && highest == other.highest && top == other.top &&
+             most_rise == other.most_rise && radius == other.radius && aside == other.aside;
     }
   };
   /// The largest first: they are flooded by the largest squares.
@@ -89,9 +95,7 @@ class BodyReach {
 
  private:
   class Flood;
-  bool isOpen(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const CollisionWorld& world,
-              const SceneGround& ground, CollisionScratch& scratch,
-              const std::function<bool()>& stopped) const;
+  UprightPost postAround(std::span<const Ball> balls) const;
   double stature_;
   std::vector<Ball> balls_;
 };

@@ -107,11 +107,15 @@ bool ballPasses(const Crowded& crowded, const BodyReach::Ball& ball, const Eigen
   const auto middle = [](int i, int j) -> Eigen::Vector2d {
     return {kApart * (i + 0.5), kApart * (j + 0.5)};
   };
+  // At some height at least of those at which it may be, with all that is over it.
   const auto isFree = [&](int i, int j) {
-    Eigen::Vector3d low, high;
-    low << middle(i, j), ball.height;
-    high << middle(i, j), ball.top;
-    return crowded.world.touched(low, high, ball.radius, scratch) < 0;
+    for (int k = 0; k <= 8; ++k) {
+      Eigen::Vector3d low, high;
+      low << middle(i, j), ball.height + (ball.highest - ball.height) * k / 8;
+      high << middle(i, j), low.z() + ball.top - ball.highest;
+      if (crowded.world.touched(low, high, ball.radius, scratch) < 0) return true;
+    }
+    return false;
   };
   std::vector<char> seen(kColumns * kRows, 0);
   std::queue<std::pair<int, int>> open;

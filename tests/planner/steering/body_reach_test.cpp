@@ -155,7 +155,9 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
         if (ball.part == room.body.head) {
           ASSERT_LT(middle, ball.height);  // it begins in the head, or in what is over it
         } else if (part.name == "pelvis" || part.name == "chest") {
-          ASSERT_LT(std::abs(middle - ball.height), part.radius - ball.radius) << part.name;
+          ASSERT_EQ(ball.radius, part.radius) << part.name;
+          ASSERT_LT(ball.height, middle) << part.name;
+          ASSERT_LT(middle, ball.highest) << part.name;
         } else {
           for (const LegJoints& leg : room.synthesizer.roles().legs) {
             ASSERT_LT(joints[leg.foot].p_WJ.z(), ball.height);
@@ -266,9 +268,8 @@ TEST(BodyReach, NoWalkOverStepsWasShutOffAndTheirPosesHoldTheBalls) {
           const Eigen::Vector3d middle = 0.5 * (a[ball.part] + b[ball.part]);
           const auto ground = range.around(middle.head<2>());
           ASSERT_FALSE(ground.isEmpty());
-          const double spare = part.radius - ball.radius;
-          const double low = middle.z() - (ground.min()[0] + ball.height - spare);
-          const double high = ground.max()[0] + ball.height + spare - middle.z();
+          const double low = middle.z() - (ground.min()[0] + ball.height);
+          const double high = ground.max()[0] + ball.highest - middle.z();
           least = std::min({least, low, high});
           ASSERT_GT(low, 0.0) << part.name;
           ASSERT_GT(high, 0.0) << part.name;
