@@ -82,8 +82,10 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
             {height, height, height, kLowestHips * stature - height, own.radius, kOfLegs, part});
     }
   }
-  std::stable_sort(balls_.begin(), balls_.end(),
-                   [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
+  std::stable_sort(balls_.begin(), balls_.end(), [](const Ball& a, const Ball& b) {
+    if (a.isTrunk() != b.isTrunk()) return b.isTrunk();
+    return a.radius > b.radius;
+  });
 }
 
 // What holds balls, all of them, wherever they are carried.
@@ -190,7 +192,7 @@ int BodyReach::Flood::object(const Eigen::Vector2d& p) const {
   if (ground.isEmpty()) return -1;
   const double rise = ground.sizes()[0], radius = ball_.radius - std::sqrt(0.5) * square_;
   const double low = ground.min()[0] + ball_.height, high = ground.max()[0] + ball_.highest;
-  if (ball_.highest > ball_.height) return touchedAtAll(p, low, high, radius);
+  if (ball_.isTrunk()) return touchedAtAll(p, low, high, radius);
   if (rise <= SceneGround::kLevel) return touched(p, high, ground.min()[0] + ball_.top, radius);
   if (ball_.most_rise < HUGE_VAL)
     return rise > ball_.most_rise ? -1 : touched(p, high, high, radius);
@@ -336,8 +338,7 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
   if (auto found = first_shut(coarse)) return found;
   if (ground.extent().sizes().prod() > kMostFinest * kFinest * kFinest) return std::nullopt;
   for (const Ball& ball : balls_)
-    if (ball.highest > ball.height && !is_open({&ball, 1}, kFinerOpenSquare))
-      fine.emplace_back(&ball, kFinest);
+    if (ball.isTrunk() && !is_open({&ball, 1}, kFinerOpenSquare)) fine.emplace_back(&ball, kFinest);
   return first_shut(fine);
 }
 

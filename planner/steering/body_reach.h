@@ -85,12 +85,13 @@ class BodyReach {
     double aside = 0.0;                  ///< from the path, at most [m]
     int part = -1;                       ///< of the body
 
+    bool isTrunk() const { return highest > height; }
     bool isAsWide(const Ball& other) const {
       return height == other.height && highest == other.highest && top == other.top &&
              most_rise == other.most_rise && radius == other.radius && aside == other.aside;
     }
   };
-  /// The largest first: they are flooded by the largest squares.
+  /// Those at one height first, and the largest first: their squares are the quickest to ask.
   const std::vector<Ball>& balls() const { return balls_; }
 
  private:

@@ -181,5 +181,39 @@ TEST(BodyReachLaws, WhereEveryBallPassesByAFineFloodNothingIsShutOff) {
   EXPECT_GT(shut, 1);
 }
 
+// What holds every ball, wherever one of them is, between the heights given.
+UprightPost postAround(const std::vector<BodyReach::Ball>& balls) {
+  UprightPost post{HUGE_VAL, 0.0, 1.0, 0.0, HUGE_VAL};
+  for (const BodyReach::Ball& ball : balls) {
+    post.low = std::min(post.low, ball.height);
+    post.high = std::max(post.high, ball.top);
+    post.radius = std::max(post.radius, ball.radius);
+    post.aside = std::min(post.aside, ball.aside);
+  }
+  return post;
+}
+
+TEST(BodyReachLaws, WhereTheWayIsOpenEveryBallPassesByAFineFlood) {
+  int open = 0, closed = 0;
+  for (std::uint64_t seed = 31; seed <= 36; ++seed) {
+    const Crowded crowded(seed, 2);
+    const auto& balls = crowded.reach.balls();
+    ASSERT_FALSE(balls.empty());
+    for (const auto& [a, b] : kEnds) {
+      const bool is_open = isOpenWay(a, b, postAround(balls), 0.1, crowded.world, crowded.ground,
+                                     *crowded.scratch, [] { return false; });
+      (is_open ? open : closed) += 1;
+      if (!is_open) continue;
+      for (const BodyReach::Ball& ball : balls)
+        EXPECT_TRUE(ballPasses(crowded, ball, a, b, *crowded.scratch)) << seed;
+      EXPECT_FALSE(isOpenWay(a, b, postAround(balls), 0.1, crowded.world, crowded.ground,
+                             *crowded.scratch, [] { return true; }))
+          << "who is stopped knows nothing";
+    }
+  }
+  EXPECT_GT(open, 2);
+  EXPECT_GT(closed, 2);
+}
+
 }  // namespace
 }  // namespace amble
