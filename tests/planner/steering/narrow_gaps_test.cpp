@@ -49,7 +49,7 @@ struct Walker {
     return settings;
   }
   bool isShutOff(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
-    return steering.shutOff(from, to, goOn, *scratch).has_value();
+    return steering.shutOff(from, to, goOn, {&scratch, 1}).has_value();
   }
 
   const FurnishedRoom room;
