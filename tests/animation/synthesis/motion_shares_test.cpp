@@ -42,7 +42,10 @@ double shareOf(const MotionShares& shares, const FrameState& state, MotionKind k
 
 MotionLibrary withoutSequences() {
   MotionLibrary library = defaultLibrary();
-  for (Motion& motion : library.motions) motion.transition.sequence = {};
+  for (Motion& motion : library.motions) {
+    motion.transition.sequence = {};
+    motion.turn = {};
+  }
   return library;
 }
 
