@@ -45,10 +45,9 @@ double momentOf(const CubicSpline& done, double share) {
   return after;
 }
 
-// The most that a pair of steps turns where the pelvis goes its captured way. One foot is put down
-// half of a pair and its toe out ahead of it, a little early, as the other, which is as far behind,
-// has still to leave.
-double pairOfCaptured(const FootPlacement& placement) {
+// The most that a pair of steps turns. One foot is put down half of a pair and its toe out ahead of
+// the pelvis, a little early, as the other, which is as far behind, has still to leave.
+double mostOfPair(const FootPlacement& placement) {
   const double toe_out = std::abs(placement.stand_toe_out);
   return std::min(SpotTurnGait::kPair,
                   2.0 * (SpotTurnGait::kTwist - toe_out - kSlack) / (1.0 + placement.half_support));
@@ -117,11 +116,9 @@ SpotTurn planSpotTurn(const StepPlacer& placer, const SpotTurnRequest& request) 
   const Stance& at = request.at;
   const double angle = request.angle;
   SpotTurn turn;
-  const double pair =
-      request.sequence != nullptr ? pairOfCaptured(placer.placement()) : SpotTurnGait::kPair;
-  const int pairs = partsOf(std::abs(angle), pair);
+  const int pairs = partsOf(std::abs(angle), mostOfPair(placer.placement()));
   turn.steps = 2 * pairs;
-  turn.step_time = SpotTurnGait::kStepTime * std::sqrt(request.scale);
+  turn.step_time = SpotTurnGait::stepTime(std::abs(angle) / pairs) * std::sqrt(request.scale);
   turn.first = angle > 0.0 ? kLeft : kRight;
   turn.angle = angle;
   turn.scale = request.scale;

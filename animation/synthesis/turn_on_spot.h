@@ -6,6 +6,7 @@
 /// pelvis is halfway between them. The captured clock waits where steps cannot be so quick.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -24,12 +25,18 @@ struct SpotTurnGait {
   /// Of a step, for a captured subject; grows with the root of scale (Froude). A pair's time keeps
   /// the peak turn rate near the 84 degrees/s that people reach (QUALITY.md) [s].
   static constexpr double kStepTime = 0.45;
+  /// Pairs that turn less are quicker, down to this share [1].
+  static constexpr double kQuickest = 0.8;
+  /// Of a step, one pair of which turns by `pair` [rad, >= 0].
+  static double stepTime(double pair) {
+    return kStepTime * std::clamp(pair / kPair, kQuickest, 1.0);
+  }
   /// The quickest step of a captured turn, scaling as that [s], and how much higher a foot is
   /// lifted in those than SpotStep has it [1]. By trial: quicker ones jerk knees more than walks
   /// do, and in lower ones who looks for planted feet sees a foot of a small person hardly leave
   /// the ground.
   static constexpr double kQuickStep = 0.33, kQuickLift = 1.15;
-  /// Most that a foot is turned against the pelvis in a captured turn [rad].
+  /// Most that a foot is turned against the pelvis [rad].
   static constexpr double kTwist = 30.0 * kDegree;
   /// Of the root towards the standing foot; by trial: without it, the swinging foot is lifted off
   /// weight that it still carries [m].

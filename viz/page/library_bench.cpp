@@ -280,6 +280,13 @@ Json motionJson(const BenchMotion& bench, const NumbersText& numbers) {
                           {"first_speed", motion.transition.first_speed},
                           {"acceleration", motion.transition.acceleration}};
   }
+  if (motion.kind == MotionKind::kTurnOnSpot) {
+    json["turn"] = {{"angle", motion.turn.angle / kDegree},
+                    {"duration", motion.turn.duration},
+                    {"steps", motion.turn.steps},
+                    {"first", motion.turn.first == kLeft ? "left" : "right"},
+                    {"twist", motion.turn.twist / kDegree}};
+  }
   if (!bench.lacking.empty()) json["lacking"] = bench.lacking;
   return json;
 }

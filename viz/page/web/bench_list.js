@@ -23,6 +23,12 @@ function scaled(value, by) {
   return typeof value === 'number' ? value * by : value;
 }
 
+/** What is told in short of a motion that is played as it was captured; undefined of others. */
+function asCaptured({ kind, transition, turn }) {
+  if (turn) return `${number(turn.angle, 0, '°')} in ${turn.steps} steps`;
+  return transition && `${kind === 'stop' ? 'last' : 'first'} step ${number(transition.first_speed, 2, 'm/s')}, ${number(transition.acceleration, 2, 'm/s²')}`;
+}
+
 export class BenchList {
   constructor(bench) {
     this.bench = bench;
@@ -54,11 +60,11 @@ export class BenchList {
       this.rows, ...this.others(page.bench.library), notes);
   }
 
-  // Motions of a library that cannot be played: how walks begin and end, where the captures are not there.
+  // Motions of a library that cannot be played: how walks begin and end and who turns about, where the captures are not there.
   others(library) {
-    return (library?.motions ?? []).slice(this.clips.length).map(({ name, kind, transition: t, source }) => make('p', {
-      className: 'no-clip', title: `${source.clip}, frames ${source.frames.join(' to ')}. ${source.credit}`,
-    }, make('b', { textContent: name }), ` ${kind === 'stop' ? 'last' : 'first'} step ${number(t.first_speed, 2, 'm/s')}, ${number(t.acceleration, 2, 'm/s²')}`));
+    return (library?.motions ?? []).slice(this.clips.length).map((motion) => make('p', {
+      className: 'no-clip', title: `${motion.source.clip}, frames ${motion.source.frames.join(' to ')}. ${motion.source.credit}`,
+    }, make('b', { textContent: motion.name }), ` ${asCaptured(motion)}`));
   }
 
   columns() {
@@ -81,11 +87,12 @@ export class BenchList {
 
   summaryOf(clip) {
     if (clip.join) return `${number(1000 * clip.join.error, 0, 'mm')} · root ${clip.join.glide.toFixed(2)}`;
-    const parts = clip.motion && !clip.motion.transition ? [] : [number(clip.duration, 1, 's')];
+    const captured = clip.motion && asCaptured(clip.motion);
+    const parts = clip.motion && !captured ? [] : [number(clip.duration, 1, 's')];
     if (typeof clip.gait.speed === 'number') parts.push(number(clip.gait.speed, 2, 'm/s'));
     if (clip.motion?.turning) parts.push(`${clip.gait.turn_rate.toFixed(0)}°/s`);
     if (typeof clip.gait.step_length === 'number') parts.push(`step\u00a0${number(clip.gait.step_length, 2, 'm')}`);
-    if (clip.motion?.transition) parts.push(`${clip.motion.kind === 'stop' ? 'last' : 'first'} step ${number(clip.motion.transition.first_speed, 2, 'm/s')}`);
+    if (captured) parts.push(captured);
     else if (clip.motion && !clip.cycle) parts.push(clip.motion.chains.join(', ').replaceAll('_', ' ') || 'the whole body');
     return parts.join(' · ');
   }

@@ -93,6 +93,11 @@ function factsOf({ json, motion, join, page }) {
     );
   }
   if (motion.transition) facts.push(['played', 'as it was captured'], [motion.kind === 'stop' ? 'last step' : 'first step', `${motion.transition.first_speed.toFixed(2)} m/s, ${motion.transition.acceleration.toFixed(2)} m/s²`]);
+  if (motion.turn) {
+    const { angle, duration, steps, first, twist } = motion.turn;
+    facts.push(['played', 'as it was captured'], ['turn', `${angle.toFixed(0)}° in ${duration.toFixed(2)} s and ${steps} steps, ${first} foot first`],
+      ['feet', `turned by up to ${twist.toFixed(0)}° against the pelvis; made walks step more often`]);
+  }
   if (motion.kind === 'movement') facts.push(['played', 'over the walk of the nearest speed']);
   facts.push(['captured', `${source.clip}, frames ${source.frames.join(' to ')}${source.mirrored ? ', mirrored' : ''}`]);
   if (motion.lacking) facts.push(['not shown', motion.lacking]);
