@@ -147,6 +147,8 @@ std::vector<Eigen::Vector3d> wayOf(const AnimationBuffer& walk) {
     if (way.empty() || (state.position - way.back()).norm() >= kWaySpacing)
       way.push_back(state.position);
   }
+  if (!way.empty() && way.back() != walk.states.back().position)
+    way.push_back(walk.states.back().position);
   return way;
 }
 
