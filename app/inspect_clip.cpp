@@ -153,8 +153,9 @@ std::string describeTurn(const Motion& motion, nlohmann::ordered_json& entry) {
       turn.angle / kDegree, turn.duration, turn.steps, side, turn.twist / kDegree);
 }
 
-// Whether walks begin and end as captured, whichever foot steps beside standing.
-void addOnsets(const MotionLibrary& library, Findings& out) {
+// What goes as captured: starts and stops, whichever foot steps beside standing, and turns on the
+// spot.
+void addFormulas(const MotionLibrary& library, Findings& out) {
   std::vector<std::string> formulas;
   for (const MotionKind kind : {MotionKind::kStart, MotionKind::kStop}) {
     for (const Side side : {kLeft, kRight}) {
@@ -222,7 +223,7 @@ Findings inspectLibrary(const std::filesystem::path& file) {
     out.facts.emplace_back(motion.name, text + from);
     out.data["motions"].push_back(std::move(entry));
   }
-  addOnsets(library, out);
+  addFormulas(library, out);
   const std::vector<std::string> styles = stylesOf(library);
   out.data["styles"] = styles;
   if (!styles.empty()) out.facts.emplace_back("styles", joined(styles));

@@ -77,7 +77,7 @@ void requireStyle(const LibraryAddArguments& options) {
   if (options.style.empty()) {
     if (!options.mirror) return;
     throw InputError("amble library add: --mirror", 0, "is of walks in a style",
-                     "--style NAME; walks without one have a mirror image anyway");
+                     "--style NAME; walks and turns without one have a mirror image anyway");
   }
   if (hasStyle(additionOf(options).kind)) return;
   throw InputError("amble library add: --style", 0, "is of no " + options.kind,

@@ -52,11 +52,18 @@ int firstOf(int count, int threads, const std::function<bool(int i, int thread)>
       if (task(i, 0)) return i;
     return count;
   }
-  std::atomic<int> first{count};  // of those that said yes so far
+  std::atomic<int> first{count};  // of those that said yes, or failed, so far
+  std::vector<std::exception_ptr> failures(static_cast<size_t>(count));
   parallelFor(count, threads, [&](int i, int thread) {
-    if (i > first || !task(i, thread)) return;
+    if (i > first) return;
+    try {
+      if (!task(i, thread)) return;
+    } catch (...) {
+      failures[i] = std::current_exception();
+    }
     for (int known = first; i < known && !first.compare_exchange_weak(known, i);) continue;
   });
+  if (first < count && failures[first]) std::rethrow_exception(failures[first]);
   return first;
 }
 

@@ -23,7 +23,8 @@ void parallelFor(int count, int threads, const std::function<void(int i, int thr
 /// The smallest i in 0 .. count - 1 whose task(i, thread) says yes, or count where none does. Of
 /// those before it each was called once, of those after it perhaps a few that were begun meanwhile:
 /// the answer does not depend on the threads, and none goes on for long that is of no use. Calls as
-/// in parallelFor; with one thread none after it.
+/// in parallelFor; with one thread none after it. An exception before it is thrown again, one after
+/// it is as if it had not been.
 /// @param threads  [>= 1]
 int firstOf(int count, int threads, const std::function<bool(int i, int thread)>& task);
 

@@ -70,7 +70,8 @@ double heightOver(const SoleEnds& from, const SoleEnds& to, const SoleEnds& sole
 /// Where the ankle is over a sole whose frame lies at the origin and that is rolled by `pitch`
 /// [rad, toes down positive]: about heel or ball, in the sole frame [m].
 Eigen::Vector3d rolledAnkle(const FootShape& shape, double pitch);
-/// Where the ball goes, in the sole frame, when the toes roll over their tip by an angle [m].
+/// Where the ball goes, in the sole frame, when the toes roll over their tip by an angle
+/// [rad, >= 0] [m].
 Eigen::Vector3d rolledBall(const FootShape& shape, double toes);
 
 }  // namespace amble

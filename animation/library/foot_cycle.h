@@ -30,7 +30,7 @@ struct FootCycle {
   std::vector<double> pitch;
   /// How far the toes are rolled over their tips, which stay where they stand while the foot does:
   /// captured feet do so at last before they leave. Coefficients of cubic B-splines, a sample of
-  /// the pitch apart, the first around kToesFrom [rad, 0 to 1].
+  /// the pitch apart, the first around kToesFrom [rad, 0 to pi / 2].
   static constexpr int kToeSplines = 16;
   std::array<double, kToeSplines> toes = {};
 

@@ -139,9 +139,10 @@ TurnSequence readTurn(const YamlNode& node, int joints, const Motion* stand) {
   turn.angle = node.at("angle").asDouble(-720.0, 720.0, "angle [degrees]") * kDegree;
   if (std::abs(turn.angle) < TurnSequence::kLeastAngle)
     node.at("angle").fail("hardly a turn", "10 to 720 degrees to the left, or negative");
-  turn.duration = node.at("duration").asDouble(0.2, 20.0, "duration [s]");
+  turn.duration =
+      node.at("duration").asDouble(TurnSequence::kShortest, TurnSequence::kLongest, "duration [s]");
   turn.first = node.at("first").asEnum<Side>({{"left", kLeft}, {"right", kRight}});
-  turn.steps = node.at("steps").asInt(1, 100, "steps");
+  turn.steps = node.at("steps").asInt(1, TurnSequence::kMostSteps, "steps");
   turn.twist = node.at("twist").asDouble(0.0, 180.0, "yaw [degrees]") * kDegree;
   const int inner = std::max(1, static_cast<int>(node.at("turned").items().size()));
   const int rows = 3 + 3 * joints, columns = inner + 2 * kStanding;

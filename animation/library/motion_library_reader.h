@@ -30,7 +30,8 @@ std::filesystem::path motionLibraryFile(const std::string& name,
 /// their recipes; of a walk always, since every walk of a library is blended with the others.
 /// @throws InputError
 Validity readValidity(const YamlNode& node, MotionKind kind);
-/// `style:` a name, of libraries and their recipes; of walks, starts and stops. @throws InputError
+/// `style:` a name, of libraries and their recipes; of walks, starts, stops
+/// and turns on the spot. @throws InputError
 std::string readStyle(const YamlNode& node, MotionKind kind);
 /// `joints:` all, or a list of chains. @throws InputError for what is no chain, and for a leg: legs
 /// walk

@@ -228,7 +228,9 @@ FootCycle SpeedEngine::footAt(double speed, Side side) const {
   }
   const Eigen::MatrixXd& lines = data_.walk->feet[side];
   const double share = walkShare(speed) * (1.0 - runShare(speed));
-  return footOf(share * (lines.row(0) + walkSpeed(speed) * lines.row(1)));
+  FootCycle foot = footOf(share * (lines.row(0) + walkSpeed(speed) * lines.row(1)));
+  for (double& roll : foot.toes) roll = std::max(0.0, roll);  // of lines, which may cross 0
+  return foot;
 }
 
 WalkCycle SpeedEngine::walkCycleAt(double speed) const {

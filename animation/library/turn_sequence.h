@@ -18,7 +18,9 @@ struct TurnSequence {
   static constexpr int kStanding = 3;
   static constexpr double kKnot = 0.1;  ///< of a piece of the splines, nearly [s]
 
-  static constexpr double kLeastAngle = 10.0 * kDegree;
+  static constexpr double kLeastAngle = 10.0 * kDegree, kMostAngle = 720.0 * kDegree;
+  static constexpr double kShortest = 0.2, kLongest = 20.0;  ///< [s]
+  static constexpr int kMostSteps = 100;
 
   double angle = 0.0;     ///< that the pelvis is turned by [rad, left positive, |.| >= kLeastAngle]
   double duration = 0.0;  ///< [s, 0.2 to 20]

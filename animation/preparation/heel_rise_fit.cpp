@@ -36,7 +36,8 @@ struct Weight {
   static constexpr double kTooLow = 3000.0;  // of a sole that does not clear the ground, in metres
   // Of the pelvis against where it was, in metres: a wave a cycle, and how much more faster ones.
   static constexpr double kAlong = 4.0, kUp = 25.0, kWaves = 0.01;
-  static constexpr double kNone = 1e3;  // of what may not be less than 0 and would
+  static constexpr double kNone =
+      1e3;  // of what may not be less than 0 and would, and of waves that a series lacks
 };
 
 double weightOf(int sample) { return sample < kStance ? 0.6 / kStance : 0.4 / kSwing; }

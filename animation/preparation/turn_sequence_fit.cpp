@@ -62,6 +62,17 @@ bool keepsToOneSpot(const std::vector<Eigen::Vector3d>& path, const TurnFrames& 
   return (high - low).norm() <= 2.0 * kOnSpot;
 }
 
+// Who runs has both feet off the ground for longer than detectors of plants miss them.
+bool staysOnGround(const FootPlants& plants, const TurnFrames& stretch, double frame_time) {
+  constexpr double kMissed = 0.08;  // [s]
+  int off = 0;
+  for (int i = stretch.first; i <= stretch.last; ++i) {
+    off = plants.planted(kLeft, i) || plants.planted(kRight, i) ? 0 : off + 1;
+    if (off * frame_time > kMissed) return false;
+  }
+  return true;
+}
+
 // What the feet do in a stretch.
 struct TurningSteps {
   int count = 0;  // feet that are put down anew
@@ -89,6 +100,7 @@ class TurnFinder {
         path_(pelvisPath(level, roles)),
         plants_(detectPlants(level, roles)),
         how_(how),
+        frame_time_(level.frame_time),
         beside_(static_cast<int>(std::lround(kBeside / level.frame_time))) {
     const auto [first, last] = how.frames.value_or(std::pair{0, level.frames() - 1});
     if (first < 0 || last >= level.frames() || first >= last) {
@@ -120,6 +132,7 @@ class TurnFinder {
     stretch = {std::max(stretch.first - beside_, window_.first),
                std::min(stretch.last + beside_, window_.last)};
     if (stepsIn(plants_, stretch).count == 0) return;
+    if (!staysOnGround(plants_, stretch, frame_time_)) return;
     const double turned = std::abs(headings_[stretch.last] - headings_[stretch.first]);
     if (turned > most_) most_ = turned, best_ = stretch;
   }
@@ -128,7 +141,8 @@ class TurnFinder {
   std::vector<Eigen::Vector3d> path_;
   FootPlants plants_;
   const SpotTurnFit& how_;
-  int beside_;  // [frames]
+  double frame_time_;  // [s]
+  int beside_;         // [frames]
   TurnFrames window_{}, best_{};
   double most_ = 0.0;
 };
@@ -260,6 +274,14 @@ TurnSequence fitTurnOnSpot(const Clip& level, const JointRoles& roles, const Spo
   turn.first = steps.first;
   turn.steps = steps.count;
   turn.twist = largestTwist(track, finder, stretch);
+  if (std::abs(turn.angle) > TurnSequence::kMostAngle || turn.duration < TurnSequence::kShortest ||
+      turn.duration > TurnSequence::kLongest || turn.steps > TurnSequence::kMostSteps) {
+    throw InputError(how.file, 0,
+                     "turns by " + shortNumber(turn.angle / kDegree) + " degrees in " +
+                         shortNumber(turn.duration) + " s and " + std::to_string(turn.steps) +
+                         " steps",
+                     "720 degrees at most, in 0.2 to 20 s and 100 steps at most: frames of less");
+  }
   fitSplines(body, how.stand->root_height, turn);
   frames = {stretch.first, stretch.last};
   return turn;

@@ -36,7 +36,10 @@ double wantedDuration(const WalkSteps& walk, const RootPath& path, const SpeedLi
                       const WantedWalk& wanted, double scale, int i, const TimedSteps& timed) {
   const std::vector<FootPlace>& places = walk.feet->places();
   const double middle = 0.5 * (timed.arcs[i - 1] + timed.arcs[i]);
-  double duration = wanted.step(middle) / wanted.speed(middle);
+  double where = middle;  // steps beside standing are slow however long they are
+  if (i == 1 && walk.from.standing) where = 0.0;
+  if (i == walk.steps && walk.end.standing) where = path.length();
+  double duration = wanted.step(where) / wanted.speed(where);
   duration *= climbTime(stepHeight(places[i], places[i + 1]), scale);
   const double turning = std::abs(path.at(middle).curvature) / limits.max_turn_rate;
   return std::max(duration, (timed.arcs[i] - timed.arcs[i - 1]) * turning);

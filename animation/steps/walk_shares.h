@@ -24,7 +24,7 @@ struct WalkShares {
 /// How far the captured walks of a library depart from the straight walk at the plan's speed.
 struct WalkDepartures {
   /// Speeds that differ from the plan's by less than this share are the plan's: whole steps and
-  /// whole frames take as much [1].
+  /// whole frames take as much; half of the way to the next slower pace at most [1].
   static constexpr double kSteady = 0.02;
 
   double steady = 0.0;  ///< from so fast on the walk is the plan's [m/s]

@@ -16,6 +16,7 @@ class WantedWalk {
  public:
   static constexpr double kSpacing = 0.05;  ///< of the points; linear between them [m]
 
+  /// @pre the path is longer than 0
   /// @param step  of the plan's straight walk, over which turns are looked at [m, > 0]
   WantedWalk(const RootPath& path, const Stance& from, const Stance& to, const SpeedLimits& limits,
              double step);

@@ -344,8 +344,8 @@ void GaitBlend::layOut() {
 // Of all paces, where a walk is so much slower than the plan's and turns at a rate.
 void GaitBlend::weigh(double slower, double turn_rate, int frame, LaneBlend& blend) const {
   const WalkShares shares = feet_.departures.at(slower, turn_rate);
-  const LanePace* const turns = &paces_[1 + (shares.way == 0 ? 0 : turns_[0].size())];
-  const LanePace* const slow = &paces_[1] + turns_[0].size() + turns_[1].size();
+  const LanePace* const turns = paces_.data() + 1 + (shares.way == 0 ? 0 : turns_[0].size());
+  const LanePace* const slow = paces_.data() + 1 + turns_[0].size() + turns_[1].size();
   const auto add = [&](const LanePace* paces, const CapturedShares& part, double of) {
     if (of * part.of_low > 0.0) addWeight(blend, paces[part.low], frame, of * part.of_low);
     if (of * part.of_next > 0.0) addWeight(blend, paces[part.low + 1], frame, of * part.of_next);

@@ -51,7 +51,6 @@ class GaitBlend {
   /// much slower a walk than the plan's (WalkDepartures) [m/s], and warped to a step length [m].
   /// Amplitudes are proportional to step length, means stay. (The root's
   /// height would go with its square, were it an inverted pendulum's; people's rises less.)
-  /// Allocates nothing once `channels` has its size.
   void evaluate(double phase, double turn_rate, double step_length, Eigen::VectorXd& channels,
                 double slower = 0.0) const;
   /// The same at four frames at once, into values[4 * channel + frame].

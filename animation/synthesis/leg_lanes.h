@@ -37,7 +37,7 @@ struct LaneSoles {
   double position[12];  ///< x, y, z, four each [m, World]
   double heading[4];    ///< [rad]
   double normal[12];    ///< x, y, z, four each [unit]
-  double pitch[4], roll[4], toes[4];
+  double pitch[4], roll[4], toes[4];  ///< [rad]
 };
 
 inline constexpr int kLaneJoint = 28;

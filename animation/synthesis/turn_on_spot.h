@@ -22,6 +22,8 @@ struct SpotTurnGait {
   /// Most that one pair of steps turns: more, and the foot on the outside would swing through the
   /// other [rad].
   static constexpr double kPair = 45.0 * kDegree;
+  /// The same at least, of who stands with his toes far out: feet twist farther then [rad].
+  static constexpr double kLeastPair = 15.0 * kDegree;
   /// Of a step, for a captured subject; grows with the root of scale (Froude). A pair's time keeps
   /// the peak turn rate near the 84 degrees/s that people reach (QUALITY.md) [s].
   static constexpr double kStepTime = 0.45;

@@ -26,7 +26,7 @@ constexpr double kOfLegs = 0.5;
 constexpr double kLowestHips = 0.4;  // of stature
 // The feet of who has a ball at a place are no farther from there, of stature.
 constexpr double kFeet = 0.5;
-constexpr double kLevels = 0.03;     // between heights at which a ball is tried
+constexpr double kLevels = 0.03;     // between heights at which a ball is tried [m]
 constexpr int kFinerLevels = 4;      // so many between two of them
 constexpr int kStopEvery = 1 << 10;  // squares between looks at the clock
 // Of the floods over what all balls pass, and what one passes that is asked about finely [m].
@@ -312,7 +312,7 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
     return isOpenWay(from, to, postAround(balls), square, world, ground, *scratches.front(),
                      stopped);
   };
-  if (!range.isKnown() || is_open(balls_, kOpenSquare)) return std::nullopt;
+  if (balls_.empty() || !range.isKnown() || is_open(balls_, kOpenSquare)) return std::nullopt;
   using Asked = std::pair<const Ball*, double>;  // by squares of that side
   const auto first_shut = [&](const std::vector<Asked>& asked) -> std::optional<Barrier> {
     const int count = static_cast<int>(asked.size());
@@ -322,7 +322,7 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
       auto flood = std::make_unique<Flood>(*asked[i].first, asked[i].second, from, to, world,
                                            ground, range, beyond, *scratches[thread]);
       if (!flood->isShut([&] { return shut < i || stopped(); })) return false;
-      shut = i;
+      for (int known = shut; i < known && !shut.compare_exchange_weak(known, i);) continue;
       floods[i] = std::move(flood);
       return true;
     });

@@ -99,6 +99,19 @@ TEST(FirstOf, OfNoneIsNone) {
   }
 }
 
+TEST(FirstOf, AFailureAfterTheAnswerIsAsIfItHadNotBeen) {
+  for (int round = 0; round < 50; ++round) {
+    for (const int threads : {1, 2, 8}) {
+      EXPECT_EQ(firstOf(40, threads,
+                        [](int i, int) {
+                          if (i == 5) throw std::runtime_error("5");
+                          return i == 2;
+                        }),
+                2);
+    }
+  }
+}
+
 TEST(FirstOf, AFailureReachesTheCaller) {
   for (const int threads : {1, 2, 8}) {
     EXPECT_THROW(firstOf(40, threads,

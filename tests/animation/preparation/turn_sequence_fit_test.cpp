@@ -45,11 +45,12 @@ void expectNobodyTurns(const Clip& clip, std::optional<std::pair<int, int>> with
   }
 }
 
-TEST(TurnOnSpotFit, WhoWalksStandsOrTwistsOnFeetThatStayTurnsNot) {
+TEST(TurnOnSpotFit, WhoWalksRunsStandsOrTwistsOnFeetThatStayTurnsNot) {
   AMBLE_NEEDS_CAPTURES();
   for (const char* const name :
        {"accad_female1/Female1_A01_Stand.bvh", "accad_female1/Female1_B01_StandToWalk.bvh",
-        "accad_female1/Female1_B03_Walk1.bvh", "cmu_mb2/02_05.bvh"}) {
+        "accad_female1/Female1_B03_Walk1.bvh", "accad_female1/Female1_C11_RunTurnLeft90.bvh",
+        "cmu_mb2/02_05.bvh"}) {
     SCOPED_TRACE(name);
     expectNobodyTurns(clipOf(name));
   }
@@ -82,7 +83,6 @@ TEST(TurnOnSpotFit, TheAngleIsThePelvisBetweenItsFramesAndFeetStepThere) {
       for (const FootPlant& plant : side)
         landed += plant.first > frames[0] && plant.first <= frames[1] ? 1 : 0;
     EXPECT_EQ(turn.steps, landed) << name;
-    EXPECT_FALSE(plants.planted(turn.first, frames[0]) && landed == 0) << name;
     EXPECT_GT(turn.twist, 30.0 * kDegree) << name << ": people pivot";
   }
 }

@@ -39,6 +39,19 @@ TEST(TurnOnSpot, APairOfStepsTurnsNoFartherThanAPairMay) {
   }
 }
 
+// However far out somebody's toes stand, a turn is of a few pairs of steps.
+TEST(TurnOnSpot, WithToesFarOutNoPairIsIdleNorTurnsAllOfIt) {
+  const FlatGround floor;
+  for (const double toe_out : {0.0, 6.5, 20.0, 26.4, 26.5, 30.0, 60.0}) {
+    StepSettings settings = stepCharacter().settings();
+    settings.placement.stand_toe_out = toe_out * kDegree;
+    const StepPlacer placer(floor, stepCharacter().feet, stepCharacter().blend.feet(), settings);
+    const SpotTurn turn = planSpotTurn(placer, {{{0.0, 0.0, 0.0}, 0.0}, kPi, kPi, 1.0, kFrame});
+    EXPECT_GE(turn.steps, 8) << toe_out;
+    EXPECT_LE(turn.steps, 24) << toe_out;
+  }
+}
+
 TEST(TurnOnSpot, FeetEndBesideTheTurnedStance) {
   const FlatGround floor;
   const SpotTurn turn = turnOn(floor, -2.0);
