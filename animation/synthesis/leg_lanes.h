@@ -34,9 +34,9 @@ struct LaneLegs {
 
 /// A foot's soles at four frames (Sole).
 struct LaneSoles {
-  double position[12];  ///< x, y, z, four each [m, World]
-  double heading[4];    ///< [rad]
-  double normal[12];    ///< x, y, z, four each [unit]
+  double position[12];                ///< x, y, z, four each [m, World]
+  double heading[4];                  ///< [rad]
+  double normal[12];                  ///< x, y, z, four each [unit]
   double pitch[4], roll[4], toes[4];  ///< [rad]
 };
 
