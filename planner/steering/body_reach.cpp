@@ -60,8 +60,8 @@ std::vector<PartWay> waysOfParts(const StraightWalk& walk, const Skeleton& skele
 }  // namespace
 
 BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
-                     const Body& body, double stature, double highest_step)
-    : stature_(stature) {
+                     const Body& body, double stature, double highest_step, double longest_step)
+    : stature_(stature), longest_step_(longest_step) {
   if (walk.buffer.size() == 0) return;
   const std::vector<PartWay> ways = waysOfParts(walk, skeleton, body);
   for (int part = 0; part < static_cast<int>(body.parts.size()); ++part) {
@@ -307,10 +307,11 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
     const Eigen::Vector3d& from, const Eigen::Vector3d& to, const CollisionWorld& world,
     const SceneGround& ground, const std::vector<CollisionScratch*>& scratches,
     const std::function<bool()>& stopped, double beyond) const {
-  const GroundRange range(ground, kFeet * stature_);
+  const ReachedGround reached(ground, from, longest_step_);
+  const GroundRange range(ground, reached, kFeet * stature_);
   const auto is_open = [&](std::span<const Ball> balls, double square) {
-    return isOpenWay(from, to, postAround(balls), square, world, ground, *scratches.front(),
-                     stopped);
+    return isOpenWay(from, to, postAround(balls), square, world, ground, reached,
+                     *scratches.front(), stopped);
   };
   if (balls_.empty() || !range.isKnown() || is_open(balls_, kOpenSquare)) return std::nullopt;
   using Asked = std::pair<const Ball*, double>;  // by squares of that side

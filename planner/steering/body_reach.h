@@ -52,9 +52,10 @@ class BodyReach {
   static constexpr double kFinest = 0.012;
 
   /// Of a body on a walk; knows nothing where the walk has no frames.
-  /// @param highest_step  that feet are lifted over [m]
+  /// @param highest_step  that feet are lifted over [m]; @param longest_step  of the middles of two
+  /// feet [m, > 0]
   BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
-            const Body& body, double stature, double highest_step);
+            const Body& body, double stature, double highest_step, double longest_step);
 
   /// What shuts the body off, where least is missing.
   struct Barrier {
@@ -98,6 +99,7 @@ class BodyReach {
   class Flood;
   UprightPost postAround(std::span<const Ball> balls) const;
   double stature_;
+  double longest_step_;  // [m]
   std::vector<Ball> balls_;
 };
 

@@ -22,7 +22,7 @@ void widen(Ranges& all, size_t first, size_t stride, int count, int far) {
 
 }  // namespace
 
-GroundRange::GroundRange(const SceneGround& ground, double far)
+GroundRange::GroundRange(const SceneGround& ground, const ReachedGround& reached, double far)
     : cells_(ground.cells()), is_level_(ground.isLevel()), level_(ground.heights()) {
   if (is_level_ || cells_.layers() != 1) return;
   const int columns = cells_.columns(), rows = cells_.rows();
@@ -30,7 +30,7 @@ GroundRange::GroundRange(const SceneGround& ground, double far)
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       for (const GroundCells::Span& span : cells_.spans(column, row)) {
-        if (!span.ground) continue;
+        if (!span.ground || !reached.has(column, row, span)) continue;
         ranges_[static_cast<size_t>(row) * columns + column].extend(
             Eigen::AlignedBox1d::VectorType(span.height));
       }

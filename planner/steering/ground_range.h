@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "environments/ground/scene_ground.h"
+#include "planner/steering/ground_reach.h"
 
 namespace amble {
 
 class GroundRange {
  public:
-  /// Of ground in one layer; of others it knows nothing anywhere. @param far  to each side [m, >
-  /// 0]. Cost: linear in the squares of GroundCells; nothing where the ground is level.
-  GroundRange(const SceneGround& ground, double far);
+  /// Of ground in one layer that is reached; of others it knows nothing anywhere. @param far  to
+  /// each side [m, > 0]. Cost: linear in the squares of GroundCells; nothing where the ground is
+  /// level.
+  GroundRange(const SceneGround& ground, const ReachedGround& reached, double far);
 
   bool isKnown() const { return is_level_ || !ranges_.empty(); }
   /// Empty where there is no ground around, or none is known [m, World].

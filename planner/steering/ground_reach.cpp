@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "base/union_find.h"
@@ -39,6 +40,15 @@ class Reach {
   /// Floors that a step leads from one to another of become one set.
   void joinFloors();
   bool joins(const Spot& a, const Spot& b) { return setOf(a.floor) == setOf(b.floor); }
+  /// False of floors that have not been met.
+  bool isApart(const Spot& a, const Spot& b) {
+    return numbers_.contains(a.floor) && numbers_.contains(b.floor) && !joins(a, b);
+  }
+  Spot spotOf(const Eigen::Vector2i& square, const GroundCells::Span& span) const {
+    // Ground that no floor goes on to is one of its own.
+    const int own = -2 - (square.y() * cells_.columns() + square.x());
+    return {square, span.height, span.floor >= 0 ? span.floor : own};
+  }
   /// From where the ground that `from` is on ends to where that of `to` begins.
   GroundGap gap(const Spot& from, const Spot& to);
 
@@ -51,10 +61,7 @@ class Reach {
   template <typename Visit>
   void eachOver(const Eigen::Vector2i& square, Visit visit) const {
     for (const GroundCells::Span& span : cells_.spans(square.x(), square.y())) {
-      if (!span.ground) continue;
-      // Ground that no floor goes on to is one of its own.
-      const int own = -2 - (square.y() * cells_.columns() + square.x());
-      visit(Spot{square, span.height, span.floor >= 0 ? span.floor : own});
+      if (span.ground) visit(spotOf(square, span));
     }
   }
   bool isInner(const Spot& spot) const;
@@ -196,6 +203,22 @@ std::optional<GroundGap> findGap(const SceneGround& ground, const Eigen::Vector3
   reach.joinFloors();
   if (reach.joins(*begin, *end)) return std::nullopt;
   return reach.gap(*begin, *end);
+}
+
+ReachedGround::ReachedGround(const SceneGround& ground, const Eigen::Vector3d& from,
+                             double longest_step) {
+  if (ground.isLevel() || ground.cells().columns() == 0) return;
+  const auto reach = std::make_shared<Reach>(ground, longest_step);
+  const auto spot = reach->spotAt(from);
+  if (!spot) return;
+  reach->joinFloors();
+  is_apart_ = [reach, from = *spot](int column, int row, const GroundCells::Span& span) {
+    return reach->isApart(from, reach->spotOf({column, row}, span));
+  };
+}
+
+bool ReachedGround::has(int column, int row, const GroundCells::Span& span) const {
+  return !is_apart_ || !is_apart_(column, row, span);
 }
 
 }  // namespace amble

@@ -8,8 +8,10 @@
 /// to beams that are narrower than a square, and "it leads there" says little.
 #pragma once
 
+#include <functional>
 #include <optional>
 
+#include "environments/ground/ground_cells.h"
 #include "environments/ground/scene_ground.h"
 
 namespace amble {
@@ -27,5 +29,18 @@ struct GroundGap {
 /// to nothing where both are on one floor; else all squares at the edges of floors are looked at.
 std::optional<GroundGap> findGap(const SceneGround& ground, const Eigen::Vector3d& from,
                                  const Eigen::Vector3d& to, double longest_step);
+
+/// The ground on which feet may come down on a walk from a place, as findGap has it: tops of walls
+/// and of wardrobes are none of it. Cost: as findGap's between two floors.
+class ReachedGround {
+ public:
+  /// @param from  [m, World]; @param longest_step  [m, > 0]
+  ReachedGround(const SceneGround& ground, const Eigen::Vector3d& from, double longest_step);
+  /// Of a surface over a square; true of all where nothing is known.
+  bool has(int column, int row, const GroundCells::Span& span) const;
+
+ private:
+  std::function<bool(int column, int row, const GroundCells::Span& span)> is_apart_;
+};
 
 }  // namespace amble

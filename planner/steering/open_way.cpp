@@ -16,13 +16,14 @@ constexpr int kOpenPerLook = 1 << 10;     // squares between looks at the clock
 class OpenWay {
  public:
   OpenWay(const Eigen::Vector3d& to, const UprightPost& post, double square,
-          const CollisionWorld& world, const SceneGround& ground, CollisionScratch& scratch)
+          const CollisionWorld& world, const SceneGround& ground, const ReachedGround& reached,
+          CollisionScratch& scratch)
       : to_(to.head<2>()),
         post_(post),
         square_(square),
         region_(ground.extent()),
         world_(world),
-        range_(ground, post.around + square),  // around all of a square
+        range_(ground, reached, post.around + square),  // around all of a square
         scratch_(scratch) {
     const Eigen::Array2d squares = region_.sizes().array() / square;
     if (region_.isEmpty() || squares.prod() > kMostOpenSquares || !range_.isKnown()) return;
@@ -88,8 +89,9 @@ bool OpenWay::leads(const Eigen::Vector2d& from, const std::function<bool()>& st
 
 bool isOpenWay(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const UprightPost& post,
                double square, const CollisionWorld& world, const SceneGround& ground,
-               CollisionScratch& scratch, const std::function<bool()>& stopped) {
-  return OpenWay(to, post, square, world, ground, scratch).leads(from.head<2>(), stopped);
+               const ReachedGround& reached, CollisionScratch& scratch,
+               const std::function<bool()>& stopped) {
+  return OpenWay(to, post, square, world, ground, reached, scratch).leads(from.head<2>(), stopped);
 }
 
 }  // namespace amble

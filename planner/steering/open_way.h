@@ -8,6 +8,7 @@
 
 #include "environments/collision/collision_world.h"
 #include "environments/ground/scene_ground.h"
+#include "planner/steering/ground_reach.h"
 
 namespace amble {
 
@@ -24,6 +25,7 @@ struct UprightPost {
 /// @param stopped  asked now and then; where it says so the answer is no
 bool isOpenWay(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const UprightPost& post,
                double square, const CollisionWorld& world, const SceneGround& ground,
-               CollisionScratch& scratch, const std::function<bool()>& stopped);
+               const ReachedGround& reached, CollisionScratch& scratch,
+               const std::function<bool()>& stopped);
 
 }  // namespace amble

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "animation/steps/stride_law.h"
 #include "base/rotation.h"
 #include "environments/ground/ground_cells.h"
 #include "planner/steering/passages.h"
@@ -104,7 +105,8 @@ WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWo
       comfort_(comfort),
       core_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature()),
       reach_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature(),
-             ground.settings().limits.highestStep()) {
+             ground.settings().limits.highestStep(),
+             StrideLaw::kLongestStep * synthesizer.capturedStep()) {
   const Eigen::AlignedBox1d breadth = walkingBreadth(walk, synthesizer.skeleton(), world.body());
   if (breadth.isEmpty()) return;
   half_breadth_ = std::max(-breadth.min()[0], breadth.max()[0]);

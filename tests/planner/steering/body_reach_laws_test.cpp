@@ -62,12 +62,14 @@ struct Crowded {
   SceneGround ground{scene, 0.0};
   CollisionWorld world{scene, ground, home.synthesizer.skeleton(), home.body};
   CollisionScratchPtr scratch = world.makeScratch();
+  ReachedGround reached{ground, {0.6, 2.0, 0.0}, 1.0};
   BodyReach reach{straightWalk(home.synthesizer, home.ground),
                   home.synthesizer.skeleton(),
                   home.synthesizer.roles(),
                   home.body,
                   home.synthesizer.stature(),
-                  ground.settings().limits.highestStep()};
+                  ground.settings().limits.highestStep(),
+                  1.0};
 };
 
 TEST(BodyReachLaws, WhatIsShutOffIsSoBothWays) {
@@ -201,13 +203,13 @@ TEST(BodyReachLaws, WhereTheWayIsOpenEveryBallPassesByAFineFlood) {
     ASSERT_FALSE(balls.empty());
     for (const auto& [a, b] : kEnds) {
       const bool is_open = isOpenWay(a, b, postAround(balls), 0.1, crowded.world, crowded.ground,
-                                     *crowded.scratch, [] { return false; });
+                                     crowded.reached, *crowded.scratch, [] { return false; });
       (is_open ? open : closed) += 1;
       if (!is_open) continue;
       for (const BodyReach::Ball& ball : balls)
         EXPECT_TRUE(ballPasses(crowded, ball, a, b, *crowded.scratch)) << seed;
       EXPECT_FALSE(isOpenWay(a, b, postAround(balls), 0.1, crowded.world, crowded.ground,
-                             *crowded.scratch, [] { return true; }))
+                             crowded.reached, *crowded.scratch, [] { return true; }))
           << "who is stopped knows nothing";
     }
   }

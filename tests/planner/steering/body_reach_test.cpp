@@ -13,6 +13,7 @@
 namespace amble {
 namespace {
 
+constexpr double kLongestStep = 1.0;  // no step is longer [m]
 const Eigen::Vector3d kWest(0.8, 2, 0), kEast(5.2, 2, 0);
 bool never() { return false; }
 
@@ -125,6 +126,15 @@ TEST(BodyReach, NoWalkThatIsFoundWasShutOff) {
   EXPECT_GE(walked, 20);
 }
 
+// On top of which somebody could stand and walk: it is no ground that leads there.
+TEST(BodyReach, WallsThatAreThickShutOffAsThinOnesDo) {
+  for (const double thick : {0.1, 0.4, 0.5, 1.0, 2.0}) {
+    const auto named = shutOffBy({boxObject("wall", {thick, 12.0, 2.5}, {3, 2, 1.25})});
+    ASSERT_TRUE(named.has_value()) << thick;
+    EXPECT_EQ(named->object, "wall") << thick;
+  }
+}
+
 // Walks of all kinds, over things as high as may be stepped over: all balls are in the body.
 TEST(BodyReach, EveryPoseHoldsTheBalls) {
   const double highest = furnishedRoom().ground.settings().limits.highestStep();
@@ -133,7 +143,8 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
     logs.push_back(boxObject("log", {0.12, 4.0, highest - 0.01}, {x, 2, 0.5 * (highest - 0.01)}));
   const FurnishedRoom room(roomWith(logs));
   const BodyReach reach(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
-                        room.synthesizer.roles(), room.body, room.synthesizer.stature(), highest);
+                        room.synthesizer.roles(), room.body, room.synthesizer.stature(), highest,
+                        kLongestStep);
   const WalkSteering steering(room.synthesizer, room.world, room.ground);
   const auto scratch = steering.makeScratch();
   SampleStream stream(4, 0);
@@ -244,8 +255,9 @@ TEST(BodyReach, NoWalkOverStepsWasShutOffAndTheirPosesHoldTheBalls) {
     const double highest = room.ground.settings().limits.highestStep();
     const double stature = room.synthesizer.stature();
     const BodyReach reach(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
-                          room.synthesizer.roles(), room.body, stature, highest);
-    const GroundRange range(room.ground, 0.5 * stature);
+                          room.synthesizer.roles(), room.body, stature, highest, kLongestStep);
+    const GroundRange range(room.ground, ReachedGround(room.ground, {0.0, 0.0, 50.0}, kLongestStep),
+                            0.5 * stature);
     const auto scratch = steering.makeScratch();
     AnimationBuffer buffer;
     std::vector<JointFrame> joints(room.synthesizer.skeleton().size());

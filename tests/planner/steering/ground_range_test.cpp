@@ -18,7 +18,8 @@ TEST(GroundRange, HoldsWhatIsWithinReachAndNothingHigherThatIsMuchFarther) {
   const double height = 0.2, far = 0.8, slack = 0.3;  // squares of 0.1 m
   const Scene scene = platformScene(height);
   const SceneGround ground(scene);
-  const GroundRange range(ground, far);
+  const ReachedGround all(ground, {0.0, 0.0, 50.0}, 1.0);  // nobody stands there
+  const GroundRange range(ground, all, far);
   ASSERT_TRUE(range.isKnown());
   for (double x = -3.0; x < 3.5; x += 0.07) {
     const Eigen::AlignedBox1d around = range.around({x, 0.3});
@@ -41,7 +42,7 @@ TEST(GroundRange, OfGroundInSeveralLayersNothingIsKnown) {
   scene.objects.push_back(makeObject("gallery", Box{{8, 6, 0.1}}, {0, 0, 2.95}, Role::kGround));
   const SceneGround ground(scene);
   ASSERT_GE(ground.cells().layers(), 2);
-  EXPECT_FALSE(GroundRange(ground, 0.8).isKnown());
+  EXPECT_FALSE(GroundRange(ground, ReachedGround(ground, {0.0, 0.0, 50.0}, 1.0), 0.8).isKnown());
 }
 
 }  // namespace
