@@ -104,8 +104,11 @@ struct Stood {
   int last = 0;  // frame of the print
 
   SolePrint print() const { return {sole.middle, sole.ends}; }
+  // As soleFrame's: across a slope the sole's direction in plan is another, by up to a degree.
   double heading() const {
-    const Eigen::Vector3d ahead = sole.q_WS * Eigen::Vector3d::UnitX();
+    const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d ahead =
+        turnBetween(sole.q_WS * up, up) * sole.q_WS * Eigen::Vector3d::UnitX();
     return std::atan2(ahead.y(), ahead.x());
   }
 };

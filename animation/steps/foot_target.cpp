@@ -41,14 +41,17 @@ Sole swingingSole(const FootState& state, const FootBlend& cycle) {
   FootPlace& place = sole.place;
   place.position = state.from.position + swingAlong(shape, cycle, tau) * line;
   place.position.z() += swingHeight(shape, cycle, tau);
-  const double span = line.head<2>().norm();
-  if (span > 1e-9) {
-    const double sideways = cycle.polynomial(&FootCycle::sideways, tau) / span;
-    place.position += sideways * Eigen::Vector3d(-line.y(), line.x(), 0.0);
-  }
   place.heading = state.from.heading + ease * wrapAngle(state.to.heading - state.from.heading) +
                   cycle.polynomial(&FootCycle::yaw, tau);
   place.normal = state.from.normal + ease * (state.to.normal - state.from.normal);
+  const double span = line.head<2>().norm();
+  if (span > 1e-9) {
+    const double sideways = cycle.polynomial(&FootCycle::sideways, tau) / span;
+    const Eigen::Vector2d left(-line.y(), line.x());
+    place.position.head<2>() += sideways * left;
+    // As high over a hillside as beside the line.
+    place.position.z() += sideways * tiltAlong(place, left);
+  }
   const SwingRoll turned = swingRoll(state, cycle);
   sole.pitch = turned.pitch;
   sole.roll = turned.roll;

@@ -194,6 +194,29 @@ TEST(FootTarget, TheLiftOverLevelPrintsIsThatOverPrintsThatHardlyTilt) {
   }
 }
 
+// Whichever way a step goes over a plane, its foot is as high over that as it is over the level:
+// the way to the side goes along the hill, too.
+TEST(FootTarget, AFootSwingsAsHighOverAHillsideAsOverTheLevel) {
+  for (const double slope : {-0.27, 0.1, 0.27}) {
+    for (double way = -3.0; way < 3.2; way += 0.5) {
+      FootState hill = stateAt(1.5, 0.9 * Eigen::Vector3d(std::cos(way), std::sin(way), 0.0));
+      FootState level = hill;
+      for (FootPlace* place : {&hill.from, &hill.to}) {
+        place->heading = way;
+        place->position.z() = slope * place->position.x();
+        place->normal = Eigen::Vector3d(-slope, 0.0, 1.0).normalized();
+      }
+      level.from.heading = level.to.heading = way;
+      for (double at = 1.45; at < 2.0; at += 0.1) {  // toes have left
+        hill.at = level.at = at;
+        const Eigen::Vector3d p = soleOf(hill, foot().cycle, foot().shape).place.position;
+        const Eigen::Vector3d q = soleOf(level, foot().cycle, foot().shape).place.position;
+        EXPECT_NEAR(p.z() - slope * p.x(), q.z(), 1e-9) << slope << " " << way << " " << at;
+      }
+    }
+  }
+}
+
 TEST(FootTarget, TheLiftFactorGivesTheLiftThatIsAsked) {
   for (const double rise : {0.0, 0.17, -0.1}) {
     FootState state = stateAt(1.5, {0.9, 0.0, rise});

@@ -123,6 +123,23 @@ TEST(UnevenWalk, SlopesAreClimbedAndDescended) {
   }
 }
 
+TEST(UnevenWalk, TurnsOnSlopesHoldTheBarsOfStraightWalksThere) {
+  for (const double degrees : {-15.0, -10.0, 10.0, 15.0}) {
+    const SlopeGround ground(degrees * kDegree);
+    const WalkSynthesizer walker(ownLibrary(), ground, {});
+    for (const double radius : {-3.4, 1.7, 1.15}) {
+      const RootPath path = circlePath(radius, 3.5 / radius);
+      Stance from = stanceAt(path, false, true), to = stanceAt(path, true, true);
+      to.position.z() = ground.height(to.position.x());
+      Walked walked;
+      walked.result = walker.walk(from, to, path, true, walked.buffer);
+      ASSERT_EQ(walked.result.refused, WalkRule::kNone) << degrees << " " << radius;
+      expectGoodSteps(walker, ground, walked.buffer,
+                      "slope of " + std::to_string(degrees) + ", radius " + std::to_string(radius));
+    }
+  }
+}
+
 TEST(UnevenWalk, StairsAreTakenOneTreadAStepInTheMiddleOfEach) {
   for (const double rise : {0.12, 0.17, 0.19, -0.12, -0.17, -0.19}) {
     const Stairs flight{.rise = rise, .going = 0.29, .count = 10, .start = 1.25};
