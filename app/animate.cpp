@@ -212,7 +212,10 @@ void addAnimate(CLI::App& app, Command& chosen) {
   addExitStatus(*command, "the walk is there",
                 "there is none such, or a bar of --quality does not hold");
   command->callback([options, &chosen] {
-    chosen = [options] { return options->engine.empty() ? run(*options) : runEngine(*options); };
+    chosen = [options] {
+      options->out.requireFormat();
+      return options->engine.empty() ? run(*options) : runEngine(*options);
+    };
   });
 }
 

@@ -72,9 +72,7 @@ void write(const ConvertArguments& options, const Clip& clip, const JointRoles& 
 
 int run(const ConvertArguments& options) {
   const std::filesystem::path out = options.out.file;
-  if (out != "-" && out.extension() != ".bvh" && !options.out.isGlb()) {
-    throw InputError(out.string(), 0, "no format that is written", ".bvh or .glb");
-  }
+  options.out.requireFormat();
   keepInputs(out, options.read.filesOf(options.in));
   MotionReadOptions how = options.read.forReader();
   how.person = options.mirror;

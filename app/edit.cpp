@@ -73,9 +73,7 @@ void write(const MotionOutput& output, Clip clip, const JointRoles& roles) {
 
 int run(const EditArguments& options) {
   const std::filesystem::path out = options.out.file;
-  if (out != "-" && out.extension() != ".bvh" && !options.out.isGlb()) {
-    throw InputError(out.string(), 0, "no format that is written", ".bvh or .glb");
-  }
+  options.out.requireFormat();
   keepInputs(out, options.read.filesOf(options.in));
   CapturedMotion motion = readMotion(options.in, options.read.forReader());
   const CapturedWalk walk = captureWalk(motion, options.in);

@@ -78,9 +78,7 @@ void requireUse(const GraftArguments& options) {
   if (out == "-" && options.json) {
     throw InputError("amble graft: --json", 0, "prints where the motion goes", "-o FILE");
   }
-  if (out != "-" && out.extension() != ".bvh" && !options.out.isGlb()) {
-    throw InputError(out.string(), 0, "no format that is written", ".bvh or .glb");
-  }
+  options.out.requireFormat();
   if (options.base == "-" && options.upper == "-") {
     throw InputError("-", 0, "is given twice", "one clip on standard input");
   }

@@ -75,8 +75,7 @@ void report(const PlayOptions& options, const ClusterGraph& graph, const JoinedC
 int playRanges(const KeptGraph& kept, const PlayOptions& options,
                const std::vector<NamedRange>& ranges) {
   const std::filesystem::path out = options.out.file;
-  if (out != "-" && out.extension() != ".bvh" && !options.out.isGlb())
-    throw InputError(out.string(), 0, "no format that is written", ".bvh or .glb");
+  options.out.requireFormat();
   std::vector<std::filesystem::path> inputs = {options.graph};
   for (const auto& files : kept.inputs)
     for (const GraphInput& input : files) inputs.push_back(inputFile(options.graph, input));

@@ -10,6 +10,7 @@
 #include "app/command.h"
 #include "app/findings.h"
 #include "app/library_add.h"
+#include "app/library_addition.h"
 #include "app/library_check.h"
 #include "app/library_engine.h"
 #include "app/library_find.h"
@@ -51,6 +52,7 @@ void addBuild(CLI::App& library, Command& chosen) {
     chosen = [options] {
       const std::filesystem::path out = options->out.empty() ? besideRecipe(options->recipe)
                                                              : std::filesystem::path(options->out);
+      requireLibraryName(out);
       keepInputs(out, {options->recipe});
       const MotionLibrary built = buildMotionLibrary(options->recipe, options->captures);
       writeMotionLibrary(built, out);

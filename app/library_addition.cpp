@@ -22,9 +22,7 @@ std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
   request.frames = how.frames;
   std::vector<MotionRequest> requests = {request};
   // A manner is its walker's own, lame on the left and not on the right.
-  const bool to_both_sides =
-      request.kind == MotionKind::kWalk || request.kind == MotionKind::kTurnOnSpot;
-  if (to_both_sides && how.mirror.value_or(how.style.empty())) {
+  if (isForBothSides(request.kind) && how.mirror.value_or(how.style.empty())) {
     request.name += "-mirrored";
     request.source.mirrored = true;
     requests.push_back(request);
@@ -32,11 +30,14 @@ std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
   return requests;
 }
 
+void requireLibraryName(const std::filesystem::path& file) {
+  if (file.extension() != ".yaml" && file.extension() != ".yml")
+    throw InputError(file.string(), 0, "is no name of a library", "NAME.yaml");
+}
+
 MotionLibrary libraryAt(const std::filesystem::path& file) {
   if (std::filesystem::exists(file)) return readMotionLibrary(file);
-  if (file.extension() != ".yaml" && file.extension() != ".yml") {
-    throw InputError(file.string(), 0, "is no name of a library", "NAME.yaml");
-  }
+  requireLibraryName(file);
   std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   while (!std::filesystem::exists(folder)) folder = folder.parent_path();
   if (!std::filesystem::is_directory(folder)) {

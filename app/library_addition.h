@@ -30,6 +30,9 @@ struct LibraryAddition {
 std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
                                       const LibraryAddition& how);
 
+/// @throws InputError where a library cannot be called so
+void requireLibraryName(const std::filesystem::path& file);
+
 /// The library of a file, or where there is none an empty one that may be written there.
 /// @throws InputError
 MotionLibrary libraryAt(const std::filesystem::path& file);

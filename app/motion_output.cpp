@@ -2,8 +2,16 @@
 
 #include "animation/body/joint_names.h"
 #include "app/command.h"
+#include "base/error.h"
+#include "base/output_file.h"
 
 namespace amble {
+
+void MotionOutput::requireFormat() const {
+  if (file == "-" || isGlb() || std::filesystem::path(file).extension() == ".bvh") return;
+  if (isStream(file)) return;
+  throw InputError(file, 0, "no format that is written", ".bvh or .glb");
+}
 
 void addNamesOption(CLI::App& command, std::string& naming) {
   command

@@ -14,6 +14,8 @@ struct MotionOutput {
   std::string names;  ///< of jointNamings(), or "": the skeleton's own
 
   bool isGlb() const { return std::filesystem::path(file).extension() == ".glb"; }
+  /// Says which endings are known where `file` has another. @throws InputError
+  void requireFormat() const;
   double bvhUnit() const { return bvh_units == "cm" ? 0.01 : 1.0; }  ///< [m]
 };
 

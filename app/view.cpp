@@ -193,7 +193,14 @@ void refuseScene(const ViewArguments& options, const char* shown) {
     throw InputError("--scene", 0, fmt::format("with a {}", shown), "one walk");
 }
 
+void requirePageName(const std::filesystem::path& out) {
+  if (out.empty() || out == "-" || isStream(out)) return;
+  if (out.extension() == ".html" || out.extension() == ".htm") return;
+  throw InputError(out.string(), 0, "is no name of a page", "NAME.html");
+}
+
 int run(ViewArguments options) {
+  requirePageName(options.out);
   if (options.paths.size() == 1 && !isResultFolder(options.paths[0]))
     if (const auto only = onlyResultIn(options.paths[0])) options.paths[0] = only->string();
   if (options.json && options.out == "-")

@@ -218,6 +218,11 @@ std::unique_ptr<TemporaryFile> prepare(const fs::path& file,
 
 }  // namespace
 
+bool isStream(const std::filesystem::path& file) {
+  std::error_code unknown;
+  return std::filesystem::is_other(std::filesystem::status(file, unknown));
+}
+
 void writeFile(const fs::path& file, const std::function<void(std::ostream&)>& write) {
   if (const auto temporary = prepare(file, write)) temporary->giveName();
 }

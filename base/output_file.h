@@ -19,6 +19,9 @@ namespace amble {
 /// disk is full or nobody reads from the pipe; nothing is left behind then.
 void writeFile(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 
+/// Whether `file` is a pipe or a device, which has no ending that says what is in it.
+bool isStream(const std::filesystem::path& file);
+
 /// Programs that a shell starts together come up within that [s].
 inline constexpr int kReaderPatience = 3;
 

@@ -41,6 +41,17 @@ inline bool hasStyle(MotionKind kind) {
   return kind == MotionKind::kWalk || isTransition(kind) || kind == MotionKind::kTurnOnSpot;
 }
 
+/// Whether motions of a kind may be of some chains of joints only.
+inline bool hasChains(MotionKind kind) {
+  return kind == MotionKind::kMovement || kind == MotionKind::kPosture ||
+         kind == MotionKind::kBlocking;
+}
+
+/// Whether a motion of a kind has a left and a right: the mirror image of one is another.
+inline bool isForBothSides(MotionKind kind) {
+  return kind == MotionKind::kWalk || kind == MotionKind::kTurnOnSpot;
+}
+
 /// When a motion may be used (Pettré §4.1, "chronological validity").
 struct Validity {
   enum class When { kAlways, kAtStart, kAtEnd, kBetween, kClearanceAbove };

@@ -77,6 +77,14 @@ TEST_F(BadInput, AWrongCommandLineIsRefused) {
   expectRefused("plan in/scenario.yaml -o out --formats bvh,doc", {"--formats", "doc", "expected"});
 }
 
+TEST_F(BadInput, AnEndingOfWhichNothingIsWrittenIsNamedWithThoseThatAre) {
+  for (const char* motion : {"animate", "animate --engine none.yaml", "convert in/clip.bvh"})
+    expectRefused(std::string(motion) + " -o out.txt", {"out.txt: ", "expected .bvh or .glb"});
+  expectRefused("library build in/it.recipe.yaml -o out.txt", {"out.txt: ", "NAME.yaml"});
+  expectRefused("view in/clip.bvh -o out.txt", {"out.txt: ", "expected NAME.html"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out.txt"));
+}
+
 TEST_F(BadInput, AMissingFileIsNamed) {
   expectRefused("plan none.yaml -o out", {"none.yaml: ", "; expected "});
   expectRefused("check none.yaml", {"none.yaml: ", "; expected "});
