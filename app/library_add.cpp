@@ -73,19 +73,30 @@ void sayAdded(const Motion& motion) {
       cycle.series.harmonics(), cycle.residual / kDegree);
 }
 
-void requireStyle(const LibraryAddArguments& options) {
-  if (options.style.empty()) {
-    if (!options.mirror) return;
-    throw InputError("amble library add: --mirror", 0, "is of walks in a style",
-                     "--style NAME; walks and turns without one have a mirror image anyway");
-  }
-  if (hasStyle(additionOf(options).kind)) return;
-  throw InputError("amble library add: --style", 0, "is of no " + options.kind,
-                   "--kind walk, start, stop or turn_on_spot");
+// What an option that says nothing of this kind is told.
+void requireOf(const LibraryAddArguments& options, const std::string& option, bool meant,
+               const std::string& kinds) {
+  if (meant) return;
+  throw InputError("amble library add: " + option, 0, "is of no " + options.kind,
+                   "--kind " + kinds);
+}
+
+void requireMeaning(const LibraryAddArguments& options) {
+  const MotionKind kind = additionOf(options).kind;
+  if (!options.style.empty())
+    requireOf(options, "--style", hasStyle(kind), "walk, start, stop or turn_on_spot");
+  if (!options.turning.empty()) requireOf(options, "--turning", kind == MotionKind::kWalk, "walk");
+  if (!options.chains.empty())
+    requireOf(options, "--joints", hasChains(kind), "movement, posture or blocking");
+  if (!options.mirror) return;
+  requireOf(options, "--mirror", isForBothSides(kind), "walk or turn_on_spot");
+  if (!options.style.empty()) return;
+  throw InputError("amble library add: --mirror", 0, "is of walks in a style",
+                   "--style NAME; walks and turns without one have a mirror image anyway");
 }
 
 int run(const LibraryAddArguments& options) {
-  requireStyle(options);
+  requireMeaning(options);
   const std::filesystem::path file = options.library;
   MotionLibrary library = libraryAt(file);
   const LibraryAddition how = additionOf(options);
@@ -169,8 +180,10 @@ void addLibraryAdd(CLI::App& library, Command& chosen) {
       ->type_name("NAME");
   command->add_flag("--mirror", options->mirror,
                     "Add the mirror image of a walk or turn on the spot in a style too");
-  command->add_flag("--no-mirror", options->no_mirror,
-                    "Leave out the mirror image of a walk or turn on the spot");
+  command
+      ->add_flag("--no-mirror", options->no_mirror,
+                 "Leave out the mirror image of a walk or turn on the spot")
+      ->excludes("--mirror");
   command->add_option("--licence", options->licence, "Of the capture")->capture_default_str();
   command->add_option("--credit", options->credit, "Of the capture")->capture_default_str();
   addReadOptions(*command, options->read);

@@ -1,5 +1,6 @@
 #include "animation/preparation/motion_library_add.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "animation/analysis/motion_measures.h"
@@ -7,6 +8,7 @@
 #include "animation/captures/bvh.h"
 #include "animation/clips/add_toes.h"
 #include "animation/clips/carry_over.h"
+#include "animation/clips/good_frames.h"
 #include "animation/clips/level_capture.h"
 #include "animation/clips/loop_clip.h"
 #include "animation/clips/mirror_clip.h"
@@ -218,30 +220,44 @@ void requireStill(const MotionLibrary& library, const MotionRequest& request, co
 void preparePose(const MotionLibrary& library, const MotionRequest& request, const Clip& clip,
                  int first_frame, Motion& motion) {
   const auto frames = request.frames.value_or(std::pair{0, clip.frames() - 1});
-  if (frames.first < 0 || frames.second >= clip.frames()) {
-    throw InputError(request.file.string(), 0, "frames that the clip does not have",
-                     "up to " + std::to_string(clip.frames() - 1) + " of its motion");
-  }
   requireStill(library, request, clip, frames, first_frame);
   motion.posture = preparePosture(clip, library.roles, library.feet(), frames.first, frames.second);
   motion.source.frames = {frames.first, frames.second};
 }
 
 // With its sequence where the clip shows enough of the walk.
-void prepareTransition(const MotionLibrary& library, const MotionRequest& request, const Clip& clip,
-                       Motion& motion) {
+void prepareTransition(const MotionLibrary& library, const MotionRequest& request,
+                       const Clip& whole, Motion& motion) {
   const bool start = request.kind == MotionKind::kStart;
+  const auto [first, last] = request.frames.value_or(std::pair{0, whole.frames() - 1});
+  const Clip clip = trimmed(whole, first, last);
   motion.transition =
       fitTransition(clip, library.roles, start, request.file.string(), motion.source.frames);
   const auto sequence = fitTransitionSequence(clip, library.roles, library.feet(), library.stand(),
                                               start, motion.source.frames);
   if (sequence) motion.transition.sequence = *sequence;
+  for (int& frame : motion.source.frames) frame += first;
 }
 
 void prepareTurn(const MotionLibrary& library, const MotionRequest& request, const Clip& clip,
                  Motion& motion) {
   const SpotTurnFit how{library.feet(), &library.stand(), request.file.string(), request.frames};
   motion.turn = fitTurnOnSpot(clip, library.roles, how, motion.source.frames);
+}
+
+// Of a file's frames those that its motion has, as the motion counts them. A pose of the rig that
+// stood before the motion may be named, too.
+std::pair<int, int> framesOfMotion(const std::pair<int, int>& asked, int before, int count,
+                                   const std::string& file) {
+  const auto [first, last] = asked;
+  const int end = before + count - 1;
+  const std::string named = "frames " + std::to_string(first) + " to " + std::to_string(last);
+  const std::string expected = "the first and the last of 0 to " + std::to_string(end);
+  if (first > last) throw InputError(file, 0, named + " end before they begin", expected);
+  if (first < 0 || last > end)
+    throw InputError(file, 0, named + " are not all of its motion", expected);
+  if (last < before) throw InputError(file, 0, named + " are a pose of its rig", expected);
+  return {std::max(first - before, 0), last - before};
 }
 
 }  // namespace
@@ -276,10 +292,8 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   Clip clip = clipForLibrary(library, capture, file, is_stand);
   const bool cyclic = request.kind == MotionKind::kWalk || request.kind == MotionKind::kMovement;
   if (request.source.mirrored && !cyclic) clip = mirrorClip(clip, library.roles);
-  if (request.frames) {
-    request.frames->first -= capture.first_frame;
-    request.frames->second -= capture.first_frame;
-  }
+  if (request.frames)
+    request.frames = framesOfMotion(*request.frames, capture.first_frame, clip.frames(), file);
   Motion motion;
   motion.name = request.name;
   motion.kind = request.kind;

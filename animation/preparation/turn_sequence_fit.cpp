@@ -62,6 +62,18 @@ bool keepsToOneSpot(const std::vector<Eigen::Vector3d>& path, const TurnFrames& 
   return (high - low).norm() <= 2.0 * kOnSpot;
 }
 
+// A pelvis that turns about goes on at 0.9 m/s where a walker does, at 3 where a runner does: he
+// comes to his turn and leaves it, and his feet are on the ground while he brakes [m/s].
+constexpr double kFastestTurn = 1.5;
+
+bool isSlow(const std::vector<Eigen::Vector3d>& path, const TurnFrames& stretch,
+            double frame_time) {
+  double way = 0.0;
+  for (int i = stretch.first; i < stretch.last; ++i)
+    way += (path[i + 1] - path[i]).head<2>().norm();
+  return way <= kFastestTurn * (stretch.last - stretch.first) * frame_time;
+}
+
 // Who runs has both feet off the ground for longer than detectors of plants miss them.
 bool staysOnGround(const FootPlants& plants, const TurnFrames& stretch, double frame_time) {
   constexpr double kMissed = 0.08;  // [s]
@@ -103,10 +115,6 @@ class TurnFinder {
         frame_time_(level.frame_time),
         beside_(static_cast<int>(std::lround(kBeside / level.frame_time))) {
     const auto [first, last] = how.frames.value_or(std::pair{0, level.frames() - 1});
-    if (first < 0 || last >= level.frames() || first >= last) {
-      throw InputError(how.file, 0, "frames that the clip does not have",
-                       "up to " + std::to_string(level.frames() - 1) + " of its motion");
-    }
     window_ = {first, last};
     for (TurnFrames stretch : stretchesOf(headings_, level.frame_time)) look(stretch);
   }
@@ -122,7 +130,7 @@ class TurnFinder {
         how_.frames ? "in these frames nobody turns on the spot" : "nobody in it turns on the spot",
         "a turn by " + shortNumber(kLeastTurn / kDegree) +
             " degrees or more within a rectangle of " + shortNumber(2.0 * kOnSpot) +
-            " m across, in which a foot is put down anew");
+            " m across, in which a foot is put down anew and nobody runs");
   }
 
  private:
@@ -132,6 +140,7 @@ class TurnFinder {
     stretch = {std::max(stretch.first - beside_, window_.first),
                std::min(stretch.last + beside_, window_.last)};
     if (stepsIn(plants_, stretch).count == 0) return;
+    if (!isSlow(path_, stretch, frame_time_)) return;
     if (!staysOnGround(plants_, stretch, frame_time_)) return;
     const double turned = std::abs(headings_[stretch.last] - headings_[stretch.first]);
     if (turned > most_) most_ = turned, best_ = stretch;

@@ -23,16 +23,16 @@ struct SpotTurnFit {
   std::optional<std::pair<int, int>> frames;  ///< of the clip: look only there
 };
 
-/// The largest turn of a level clip in which somebody keeps to one spot (kOnSpot) and puts down
-/// a foot anew: from a moment before the pelvis turns, in which the head leads, to a moment
-/// after.
+/// The largest turn of a level clip in which somebody keeps to one spot (kOnSpot), puts down a foot
+/// anew and does not run: from a moment before the pelvis turns, in which the head leads, to a
+/// moment after.
 ///
 /// The body is the captured one against the heading of its pelvis. Only for a moment at either end
 /// does it come out of the posture `stand` and go back into it. Where the pelvis is over the ground
 /// and what the legs do is left out: captured feet pivot, and whoever turns is to step. Of the
 /// pelvis' height only how it rises and falls is kept, below that of `stand`.
 /// @param frames  of the clip that it was taken from
-/// @pre how.stand is there
+/// @pre how.stand is there, and the clip has how.frames
 /// @throws InputError naming the file where nobody turns so, or farther, longer or in more steps
 /// than a library may hold.
 TurnSequence fitTurnOnSpot(const Clip& level, const JointRoles& roles, const SpotTurnFit& how,

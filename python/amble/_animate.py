@@ -133,6 +133,12 @@ class Library:
         """
         if style and kind not in ("walk", "start", "stop", "turn_on_spot"):
             raise ValueError(f"style of a {kind}; expected a walk, a start, a stop or a turn on the spot")
+        if turning is not None and kind != "walk":
+            raise ValueError(f"turning of a {kind}; expected a walk")
+        if joints and kind not in ("movement", "posture", "blocking"):
+            raise ValueError(f"joints of a {kind}; expected a movement, a posture or a blocking motion")
+        if mirror and kind not in ("walk", "turn_on_spot"):
+            raise ValueError(f"mirror image of a {kind}; expected a walk or a turn on the spot")
         for chain in joints:
             _check.one_of("joints", chain, _amble.chain_names())
         asked = _amble.AdditionAsked()

@@ -268,6 +268,9 @@ TEST_F(Library, WhereNobodyTurnsOnTheSpotThatIsSaid) {
                 {"B03_Walk1.bvh: nobody in it turns on the spot", "30 degrees"});
   expectRefused("library add mine.yaml " + kWalk + " --kind turn_on_spot --frames 50 60",
                 {"B03_Walk1.bvh: in these frames nobody turns on the spot"});
+  expectRefused("library add mine.yaml '" + kCaptures +
+                    "accad_female1/Female1_C17_RunTurnAround.bvh' --kind turn_on_spot",
+                {"C17_RunTurnAround.bvh: nobody in it turns on the spot", "nobody runs"});
   write("in/it.recipe.yaml",
         "skeleton: it.bvh\ncaptures: " + kCaptures +
             "\nlicence: none\ncredit: none\nmotions:\n"
@@ -275,6 +278,53 @@ TEST_F(Library, WhereNobodyTurnsOnTheSpotThatIsSaid) {
             "accad_female1/Female1_B15_WalkTurnAround180.bvh, frames: [130, 230]}\n");
   EXPECT_EQ(run("library build in/it.recipe.yaml -o it.yaml").status, 0);
   EXPECT_EQ(json::parse(run("library show --json it.yaml").out)[0]["motions"].size(), 3u);
+}
+
+TEST_F(Library, OptionsOfOtherKindsAreRefusedByName) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"--kind turn_on_spot --joints left_arm", "--joints: is of no turn_on_spot; expected --kind"},
+      {"--joints left_arm", "--joints: is of no walk; expected --kind movement"},
+      {"--kind turn_on_spot --turning turn",
+       "--turning: is of no turn_on_spot; expected --kind walk"},
+      {"--kind posture --turning straight", "--turning: is of no posture"},
+      {"--kind start --style x --mirror", "--mirror: is of no start"},
+      {"--kind posture --style x", "--style: is of no posture"},
+      {"--style x --mirror --no-mirror", "--no-mirror"},
+  };
+  for (const auto& [options, why] : cases)
+    expectRefused("library add mine.yaml " + kWalk + " " + options, {why});
+}
+
+TEST_F(Library, FramesThatAClipDoesNotHaveAreNamedWhateverIsMadeOfThem) {
+  for (const char* kind : {"walk", "movement", "posture", "start", "stop", "turn_on_spot"}) {
+    SCOPED_TRACE(kind);
+    const std::string add = "library add mine.yaml " + kWalk + " --kind " + kind + " --frames ";
+    expectRefused(add + "20 10", {"frames 20 to 10 end before they begin; expected the first"});
+    expectRefused(add + "10 99999", {"frames 10 to 99999 are not all of its motion"});
+    expectRefused(add + "-5 10", {"frames -5 to 10 are not all of its motion"});
+  }
+}
+
+// As of a clip that holds no others.
+TEST_F(Library, AStartIsLookedForInTheFramesThatAreAskedFor) {
+  const std::string clip = kCaptures + "accad_female1/Female1_B01_StandToWalk.bvh";
+  ASSERT_EQ(run("convert '" + clip + "' -o cut.bvh --trim 9:81").status, 0);
+  const auto startOf = [&](const std::string& of) {
+    fs::remove(folder_ / "mine.yaml");
+    add("mine.yaml " + of + " --name go --kind start");
+    const json shown = json::parse(run("library show --json mine.yaml").out)[0];
+    return shown["motions"].back();
+  };
+  const json within = startOf("'" + clip + "' --frames 9 81"), cut = startOf("cut.bvh");
+  ASSERT_EQ(within["kind"], "start");
+  for (const int end : {0, 1}) {
+    EXPECT_EQ(within["source"]["frames"][end].get<int>(),
+              9 + cut["source"]["frames"][end].get<int>());
+  }
+  EXPECT_NEAR(within["speed"].get<double>(), cut["speed"].get<double>(), 0.005);
+  // There he walks already.
+  expectRefused("library add other.yaml '" + clip + "' --kind start --frames 60 90",
+                {"does not stand and then walk"});
 }
 
 TEST_F(Library, APostureIsOfFramesInWhichItIsHeld) {
