@@ -195,9 +195,8 @@ Findings inspectLibrary(const std::filesystem::path& file) {
               {"motions", nlohmann::ordered_json::array()}};
   for (const Motion& motion : library.motions) {
     const MotionSource& source = motion.source;
-    const std::string from =
-        fmt::format("{} frames {} to {}{} ({})", source.clip, source.frames[0], source.frames[1],
-                    source.mirrored ? ", mirrored" : "", source.licence);
+    const std::string from = fmt::format("{}{} ({})", partText(source),
+                                         source.mirrored ? ", mirrored" : "", source.licence);
     nlohmann::ordered_json entry = {{"name", motion.name}};
     std::string text = motionKindNames()[static_cast<size_t>(motion.kind)] + "; ";
     entry["kind"] = motionKindNames()[static_cast<size_t>(motion.kind)];
@@ -220,6 +219,7 @@ Findings inspectLibrary(const std::filesystem::path& file) {
                        {"mirrored", source.mirrored},
                        {"licence", source.licence},
                        {"credit", source.credit}};
+    if (source.speed) entry["source"]["speed"] = *source.speed;
     out.facts.emplace_back(motion.name, text + from);
     out.data["motions"].push_back(std::move(entry));
   }

@@ -8,6 +8,7 @@
 
 #include "animation/body/reference_pose.h"
 #include "animation/library/motion_library_writer.h"
+#include "animation/preparation/engine_clip.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "app/library_addition.h"
 #include "app/read_options.h"
@@ -26,6 +27,7 @@ struct LibraryAddArguments {
   std::string name, kind = "walk", turning, style, licence = "unknown", credit = "unknown";
   std::vector<std::string> chains;
   std::vector<int> frames;
+  std::vector<double> speeds;
   bool no_mirror = false, mirror = false;
   ReadOptions read;
 };
@@ -40,6 +42,7 @@ LibraryAddition additionOf(const LibraryAddArguments& options) {
   how.style = options.style;
   how.chains = options.chains;
   if (options.frames.size() == 2) how.frames = {options.frames[0], options.frames[1]};
+  how.speeds = options.speeds;
   how.mirror = options.style.empty() ? !options.no_mirror : options.mirror;
   how.licence = options.licence;
   how.credit = options.credit;
@@ -65,12 +68,15 @@ void sayAdded(const Motion& motion) {
     return;
   }
   const WalkCycle& cycle = motion.cycle;
+  const MotionSource& source = motion.source;
   say(stderr,
-      "  {}: {} walk, {:.2f} m/s, {:+.0f} degrees/s, mean of {} cycles in frames {} to {}, "
-      "closed to {:.0f} mm, {} harmonics leave out {:.2f} degrees\n",
+      "  {}: {} walk, {:.2f} m/s, {:+.0f} degrees/s, {}, closed to {:.0f} mm, {} harmonics leave "
+      "out {:.2f} degrees\n",
       motion.name, motion.turning ? "turning" : "straight", cycle.speed, cycle.turn_rate / kDegree,
-      cycle.cycles, motion.source.frames[0], motion.source.frames[1], 1000.0 * cycle.closure,
-      cycle.series.harmonics(), cycle.residual / kDegree);
+      source.speed ? partText(source)
+                   : fmt::format("mean of {} cycles in frames {} to {}", cycle.cycles,
+                                 source.frames[0], source.frames[1]),
+      1000.0 * cycle.closure, cycle.series.harmonics(), cycle.residual / kDegree);
 }
 
 // What an option that says nothing of this kind is told.
@@ -158,7 +164,9 @@ void addLibraryAdd(CLI::App& library, Command& chosen) {
   command->add_option("LIBRARY", options->library, "Library file (YAML)")
       ->type_name("FILE")
       ->required();
-  command->add_option("CLIP", options->clips, "Captures: BVH, AMC, FBX, glTF, Collada")
+  command
+      ->add_option("CLIP", options->clips,
+                   "Captures: BVH, AMC, FBX, glTF, Collada; or, with --speed, speed engines")
       ->type_name("FILE")
       ->required();
   command->add_option("--name", options->name, "Of the motion; default: the clip's")
@@ -174,6 +182,12 @@ void addLibraryAdd(CLI::App& library, Command& chosen) {
   command->add_option("--frames", options->frames, "First and last frame to look at; default: all")
       ->expected(2);
   command
+      ->add_option("--speed", options->speeds,
+                   "Of a speed engine: a walk at each of these speeds, as plans use it, which know "
+                   "no engines [m/s]")
+      ->delimiter(',')
+      ->check(number(kSlowestOfEngine, 5));
+  command
       ->add_option("--style", options->style,
                    "In whose manner it walks: a person's name, or old-man; it is blended with none "
                    "but its like")
@@ -187,6 +201,8 @@ void addLibraryAdd(CLI::App& library, Command& chosen) {
   command->add_option("--licence", options->licence, "Of the capture")->capture_default_str();
   command->add_option("--credit", options->credit, "Of the capture")->capture_default_str();
   addReadOptions(*command, options->read);
+  addExamples(*command, {"amble library add mine.yaml captures/walk.bvh",
+                         "amble library add mine.yaml anna.yaml --speed 0.6,0.8,1"});
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

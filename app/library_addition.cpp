@@ -2,12 +2,50 @@
 
 #include "animation/library/library_parts_writer.h"
 #include "animation/library/motion_library_reader.h"
+#include "animation/library/speed_engine_reader.h"
 #include "base/error.h"
+#include "base/text.h"
 
 namespace amble {
 
+namespace {
+
+bool isYaml(const std::filesystem::path& file) {
+  return file.extension() == ".yaml" || file.extension() == ".yml";
+}
+
+// Whether it is a speed engine; its speeds are then said.
+bool isEngine(const std::filesystem::path& file, const std::vector<double>& speeds) {
+  const bool engine = isYaml(file) && isSpeedEngine(file);
+  if (engine && speeds.empty()) {
+    throw InputError(file.string(), 0, "is a speed engine, which walks at any speed",
+                     "--speed 0.6,0.8,1 or others: a walk of the library each");
+  }
+  if (!engine && !speeds.empty()) {
+    throw InputError(file.string(), 0, "is no speed engine, whose walks --speed tells",
+                     "an engine (amble library engine build)");
+  }
+  return engine;
+}
+
+// The motion, and its mirror image.
+void addRequests(MotionRequest request, const LibraryAddition& how,
+                 std::vector<MotionRequest>& out) {
+  out.push_back(request);
+  // A manner is its walker's own, lame on the left and not on the right.
+  if (!isForBothSides(request.kind) || !how.mirror.value_or(how.style.empty())) return;
+  request.name += "-mirrored";
+  request.source.mirrored = true;
+  out.push_back(std::move(request));
+}
+
+}  // namespace
+
 std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
                                       const LibraryAddition& how) {
+  const bool engine = isEngine(clip, how.speeds);
+  // What is not said of an engine's captures is in its file.
+  const std::string unsaid = engine ? "" : "unknown";
   MotionRequest request;
   request.name = how.name.empty() ? clip.stem().string() : how.name;
   request.kind = how.kind;
@@ -17,22 +55,25 @@ std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
   request.file = clip;
   request.read = how.read;
   request.source.clip = clip.filename().string();
-  request.source.licence = how.licence.empty() ? "unknown" : how.licence;
-  request.source.credit = how.credit.empty() ? "unknown" : how.credit;
+  const auto said = [&](const std::string& text) {
+    return text.empty() || text == "unknown" ? unsaid : text;
+  };
+  request.source.licence = said(how.licence);
+  request.source.credit = said(how.credit);
   request.frames = how.frames;
-  std::vector<MotionRequest> requests = {request};
-  // A manner is its walker's own, lame on the left and not on the right.
-  if (isForBothSides(request.kind) && how.mirror.value_or(how.style.empty())) {
-    request.name += "-mirrored";
-    request.source.mirrored = true;
-    requests.push_back(request);
+  std::vector<MotionRequest> requests;
+  if (!engine) addRequests(request, how, requests);
+  for (const double speed : how.speeds) {
+    MotionRequest at = request;
+    at.name += "-" + shortNumber(speed);
+    at.source.speed = speed;
+    addRequests(std::move(at), how, requests);
   }
   return requests;
 }
 
 void requireLibraryName(const std::filesystem::path& file) {
-  if (file.extension() != ".yaml" && file.extension() != ".yml")
-    throw InputError(file.string(), 0, "is no name of a library", "NAME.yaml");
+  if (!isYaml(file)) throw InputError(file.string(), 0, "is no name of a library", "NAME.yaml");
 }
 
 MotionLibrary libraryAt(const std::filesystem::path& file) {

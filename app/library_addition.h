@@ -19,6 +19,7 @@ struct LibraryAddition {
   std::string style;
   std::vector<std::string> chains;            ///< that a movement or posture moves; none: all
   std::optional<std::pair<int, int>> frames;  ///< of the file: look only there
+  std::vector<double> speeds;  ///< of a speed engine: a walk at each [m/s]; none of a capture
   /// Whether the mirror image of a walk or of a turn on the spot is added too; none: where it has
   /// no style.
   std::optional<bool> mirror;
@@ -26,7 +27,9 @@ struct LibraryAddition {
   MotionReadOptions read;
 };
 
-/// What is made of one clip: the motion, and the mirror image of a walk or a turn on the spot.
+/// What is made of one clip: the motion, and the mirror image of a walk or a turn on the spot. Of a
+/// speed engine: that of each speed, called NAME-SPEED.
+/// @throws InputError for a speed engine without speeds, and for speeds of anything else
 std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
                                       const LibraryAddition& how);
 

@@ -37,9 +37,11 @@ std::vector<FoundMotion> foundIn(const MotionLibrary& library, MotionType type) 
     const MotionType own = motion.kind == MotionKind::kWalk      ? MotionType::kWalk
                            : motion.kind == MotionKind::kPosture ? MotionType::kStand
                                                                  : MotionType::kUnknown;
-    const std::string name =
-        fmt::format("{}: {} ({} {}-{})", library.file.string(), motion.name, motion.source.clip,
-                    motion.source.frames[0], motion.source.frames[1]);
+    const MotionSource& source = motion.source;
+    const std::string part =
+        source.speed ? partText(source)
+                     : fmt::format("{} {}-{}", source.clip, source.frames[0], source.frames[1]);
+    const std::string name = fmt::format("{}: {} ({})", library.file.string(), motion.name, part);
     all.push_back({name, own, own == type ? 1.0 : 0.0, {}});
   }
   return all;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "animation/library/motion_library_reader.h"
-#include "animation/preparation/speed_engine_fit.h"
+#include "animation/preparation/gait_space_fit.h"
 
 namespace {
 

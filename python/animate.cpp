@@ -93,6 +93,7 @@ py::dict describe(const Motion& motion) {
   py::dict source;
   source["clip"] = toText(motion.source.clip);
   source["frames"] = py::make_tuple(motion.source.frames[0], motion.source.frames[1]);
+  if (motion.source.speed) source["speed"] = *motion.source.speed;
   source["mirrored"] = motion.source.mirrored;
   source["licence"] = toText(motion.source.licence);
   source["credit"] = toText(motion.source.credit);
@@ -168,20 +169,21 @@ void bindAddition(py::module_& module) {
       .def_property(
           "name", [](const AdditionAsked& asked) { return asked.how.name; },
           [](AdditionAsked& asked, const std::string& name) { asked.how.name = name; })
-      .def("choose",
-           [](AdditionAsked& asked, const std::optional<bool>& turning, const std::string& style,
-              const std::vector<std::string>& chains,
-              const std::optional<std::pair<int, int>>& frames, const std::optional<bool>& mirror,
-              const std::string& licence, const std::string& credit) {
-             LibraryAddition& how = asked.how;
-             how.turning = turning;
-             how.style = style;
-             how.chains = chains;
-             how.frames = frames;
-             how.mirror = mirror;
-             how.licence = licence;
-             how.credit = credit;
-           });
+      .def("choose", [](AdditionAsked& asked, const std::optional<bool>& turning,
+                        const std::string& style, const std::vector<std::string>& chains,
+                        const std::optional<std::pair<int, int>>& frames,
+                        const std::optional<bool>& mirror, const std::string& licence,
+                        const std::string& credit, const std::vector<double>& speeds) {
+        LibraryAddition& how = asked.how;
+        how.turning = turning;
+        how.style = style;
+        how.chains = chains;
+        how.frames = frames;
+        how.mirror = mirror;
+        how.licence = licence;
+        how.credit = credit;
+        how.speeds = speeds;
+      });
   module.def("new_library", &newLibrary);
   module.def("find_motions", &findIn);
   module.def("motion_kinds", &motionKindNames);

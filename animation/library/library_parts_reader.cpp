@@ -49,17 +49,32 @@ Posture readPosture(const YamlNode& node, int joints) {
   return posture;
 }
 
-MotionSource readSource(const YamlNode& node) {
-  node.requireKeys({"clip", "frames", "mirrored", "licence", "credit"});
+MotionSource readSource(const YamlNode& node, bool of_engine) {
   MotionSource source;
+  if (of_engine && node.has("speed")) {
+    node.requireKeys({"clip", "speed", "mirrored", "licence", "credit"});
+    source.speed = node.at("speed").asPositive("speed [m/s]", 5.0);
+  } else {
+    node.requireKeys({"clip", "frames", "mirrored", "licence", "credit"});
+    const std::vector<YamlNode> frames = node.at("frames").items();
+    if (frames.size() != 2) node.at("frames").fail("not two frames", "[first, last]");
+    source.frames = {frames[0].asInt(0, 10000000, "frame"), frames[1].asInt(0, 10000000, "frame")};
+  }
   source.clip = node.at("clip").asString();
-  const std::vector<YamlNode> frames = node.at("frames").items();
-  if (frames.size() != 2) node.at("frames").fail("not two frames", "[first, last]");
-  source.frames = {frames[0].asInt(0, 10000000, "frame"), frames[1].asInt(0, 10000000, "frame")};
   if (const YamlNode m = node["mirrored"]) source.mirrored = m.asBool();
   source.licence = node.at("licence").asString();
   source.credit = node.at("credit").asString();
   return source;
+}
+
+CaptureQuality readCapture(const YamlNode& node) {
+  node.requireKeys({"toe_skate", "root_acceleration", "joint_jerk", "pops"});
+  CaptureQuality quality;
+  quality.toe_skate = node.at("toe_skate").asDouble(0.0, 100.0, "speed [m/s]");
+  quality.root_acceleration = node.at("root_acceleration").asDouble(0.0, 1e4, "[m/s^2]");
+  quality.joint_jerk = node.at("joint_jerk").asDouble(0.0, 1e6, "[m/s^3]");
+  quality.pops = node.at("pops").asDouble(0.0, 1e9, "a ratio");
+  return quality;
 }
 
 JointRoles readRoles(const YamlNode& node, const Skeleton& skeleton) {

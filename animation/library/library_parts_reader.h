@@ -22,7 +22,9 @@ Eigen::MatrixXd readMatrix(const YamlNode& node, int rows, int columns, const st
 std::vector<Eigen::Quaterniond> readRotations(const YamlNode& node, int joints);
 /// `posture:` of a skeleton of so many joints.
 Posture readPosture(const YamlNode& node, int joints);
-MotionSource readSource(const YamlNode& node);
+/// @param of_engine  whether it may be a speed engine
+MotionSource readSource(const YamlNode& node, bool of_engine = false);
+CaptureQuality readCapture(const YamlNode& node);
 /// `joints:` by role; legs whole.
 JointRoles readRoles(const YamlNode& node, const Skeleton& skeleton);
 

@@ -163,11 +163,24 @@ void putPosture(YAML::Emitter& out, const Posture& posture) {
 void putSource(YAML::Emitter& out, const MotionSource& source) {
   out << Key << "source" << Value << BeginMap;
   putQuoted(out, "clip", source.clip);
-  out << Key << "frames" << Value << Flow << BeginSeq << source.frames[0] << source.frames[1]
-      << EndSeq;
+  if (source.speed) {
+    put(out, "speed", *source.speed);
+  } else {
+    out << Key << "frames" << Value << Flow << BeginSeq << source.frames[0] << source.frames[1]
+        << EndSeq;
+  }
   out << Key << "mirrored" << Value << (source.mirrored ? "true" : "false");
   putQuoted(out, "licence", source.licence);
   putQuoted(out, "credit", source.credit);
+  out << EndMap;
+}
+
+void putCapture(YAML::Emitter& out, const CaptureQuality& capture) {
+  out << Key << "capture" << Value << Flow << BeginMap;
+  put(out, "toe_skate", capture.toe_skate);
+  put(out, "root_acceleration", capture.root_acceleration);
+  put(out, "joint_jerk", capture.joint_jerk);
+  put(out, "pops", capture.pops);
   out << EndMap;
 }
 

@@ -32,9 +32,11 @@ void putMatrix(YAML::Emitter& out, const char* name, const Eigen::MatrixXd& matr
 void putRotations(YAML::Emitter& out, const char* name,
                   const std::vector<Eigen::Quaterniond>& rotations);
 
-/// `posture:`, `source:`, `joints:`. Joints are called what the BVH beside the file calls them.
+/// `posture:`, `source:`, `capture:`, `joints:`. Joints are called what the BVH beside the file
+/// calls them.
 void putPosture(YAML::Emitter& out, const Posture& posture);
 void putSource(YAML::Emitter& out, const MotionSource& source);
+void putCapture(YAML::Emitter& out, const CaptureQuality& capture);
 void putRoles(YAML::Emitter& out, const Skeleton& skeleton, const JointRoles& roles);
 
 /// Writes a file and, beside it, the BVH of its skeleton; folders that are not there are made. A

@@ -1,6 +1,7 @@
 #include "animation/library/motion_library.h"
 
 #include "animation/body/foot_shape.h"
+#include "base/text.h"
 
 namespace amble {
 
@@ -8,6 +9,12 @@ const std::vector<std::string>& motionKindNames() {
   static const std::vector<std::string> kNames = {"walk", "movement", "posture",     "start",
                                                   "stop", "blocking", "turn_on_spot"};
   return kNames;
+}
+
+std::string partText(const MotionSource& source) {
+  if (source.speed) return source.clip + " at " + shortNumber(*source.speed) + " m/s";
+  return source.clip + " frames " + std::to_string(source.frames[0]) + " to " +
+         std::to_string(source.frames[1]);
 }
 
 const std::vector<std::string>& chainNames() {

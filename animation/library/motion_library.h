@@ -66,7 +66,12 @@ struct MotionSource {
   bool mirrored = false;
   std::string licence;
   std::string credit;
+  /// Where `clip` is a speed engine, which has no frames: how fast it walks, the person that it was
+  /// fitted to being as large as captured [m/s, > 0].
+  std::optional<double> speed = std::nullopt;
 };
+/// Which part of what: "walk.bvh frames 30 to 150", "anna.yaml at 0.8 m/s".
+std::string partText(const MotionSource& source);
 
 /// Walks and movements have a cycle, postures a pose, starts and stops a transition, turns on the
 /// spot a turn; checked when read and when built.

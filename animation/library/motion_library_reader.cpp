@@ -50,16 +50,6 @@ FootCycle readFoot(const YamlNode& node) {
   return foot;
 }
 
-CaptureQuality readCapture(const YamlNode& node) {
-  node.requireKeys({"toe_skate", "root_acceleration", "joint_jerk", "pops"});
-  CaptureQuality quality;
-  quality.toe_skate = node.at("toe_skate").asDouble(0.0, 100.0, "speed [m/s]");
-  quality.root_acceleration = node.at("root_acceleration").asDouble(0.0, 1e4, "[m/s^2]");
-  quality.joint_jerk = node.at("joint_jerk").asDouble(0.0, 1e6, "[m/s^3]");
-  quality.pops = node.at("pops").asDouble(0.0, 1e9, "a ratio");
-  return quality;
-}
-
 WalkCycle readCycle(const YamlNode& node, int joints) {
   node.requireKeys({"speed", "turn_rate", "period", "cycles", "closure", "capture", "residual",
                     "slide", "step_width", "prints_left", "foot_forward", "toe_out", "left",
@@ -175,7 +165,7 @@ Motion readLibraryMotion(const YamlNode& node, int joints, const Motion* stand) 
   if (const YamlNode style = node["style"]) motion.style = readStyle(style, motion.kind);
   if (const YamlNode valid = node["valid"]) motion.valid = readValidity(valid, motion.kind);
   if (const YamlNode which = node["joints"]) motion.chains = readChains(which);
-  motion.source = readSource(node.at("source"));
+  motion.source = readSource(node.at("source"), motion.kind == MotionKind::kWalk);
   switch (motion.kind) {
     case MotionKind::kWalk:
     case MotionKind::kMovement:

@@ -33,15 +33,6 @@ void putFoot(YAML::Emitter& out, const char* side, const FootCycle& foot) {
   out << EndMap;
 }
 
-void putCapture(YAML::Emitter& out, const CaptureQuality& capture) {
-  out << Key << "capture" << Value << Flow << BeginMap;
-  put(out, "toe_skate", capture.toe_skate);
-  put(out, "root_acceleration", capture.root_acceleration);
-  put(out, "joint_jerk", capture.joint_jerk);
-  put(out, "pops", capture.pops);
-  out << EndMap;
-}
-
 void putCycle(YAML::Emitter& out, const WalkCycle& cycle) {
   const FourierSeries& series = cycle.series;
   out << Key << "cycle" << Value << BeginMap;

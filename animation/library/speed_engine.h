@@ -63,6 +63,7 @@ struct EngineClip {
   double speed = 0.0;               ///< mean of its cycles [m/s, > 0]
   double frequency = 0.0;           ///< of cycles [Hz, > 0]
   int cycles = 0;                   ///< [>= 1]
+  CaptureQuality capture;           ///< of the clip
   std::optional<LeftOut> left_out;  ///< none where too few others are left to fit a line
 };
 
@@ -99,6 +100,7 @@ struct EngineData {
   /// Mean rotation of each joint over all cycles, the root's against the heading.
   std::vector<Eigen::Quaterniond> mean_posture;
   Posture stand;
+  MotionSource stand_source;
   std::optional<GaitSpace> walk, run;  ///< one at least
 };
 
@@ -125,7 +127,9 @@ class SpeedEngine {
 
   double slowest() const { return slowest_; }  ///< 0, or of an engine that only runs its slowest
   double fastest() const { return fastest_; }  ///< [m/s]
-  double clamped(double speed) const;          ///< [m/s]
+  /// Fastest of what is a walk and not in part a run; 0 of an engine that only runs [m/s].
+  double fastestWalk() const { return walk_top_; }
+  double clamped(double speed) const;  ///< [m/s]
   /// Whether the person was captured slower and faster in one gait, or stands.
   bool isCaptured(double speed) const;
 

@@ -36,11 +36,12 @@ LeftOut readLeftOut(const YamlNode& node) {
 }
 
 EngineClip readClip(const YamlNode& node) {
-  node.requireKeys({"speed", "frequency", "cycles", "left_out", "source"});
+  node.requireKeys({"speed", "frequency", "cycles", "capture", "left_out", "source"});
   EngineClip clip;
   clip.speed = node.at("speed").asPositive("speed [m/s]", kFastest);
   clip.frequency = node.at("frequency").asPositive("frequency [Hz]", 10.0);
   clip.cycles = node.at("cycles").asInt(1, 1000, "cycles");
+  clip.capture = readCapture(node.at("capture"));
   if (const YamlNode left_out = node["left_out"]) clip.left_out = readLeftOut(left_out);
   clip.source = readSource(node.at("source"));
   return clip;
@@ -103,9 +104,15 @@ GaitSpace readSpace(const YamlNode& node, int joints) {
 
 }  // namespace
 
+bool isSpeedEngine(const std::filesystem::path& file) {
+  const YamlNode root = readYaml(file);
+  return root.isMap() && root.has("skeleton") && root.has("mean_posture");
+}
+
 EngineData readSpeedEngine(const std::filesystem::path& file) {
   const YamlNode root = readYaml(file);
-  root.requireKeys({"skeleton", "stature", "joints", "mean_posture", "posture", "walk", "run"});
+  root.requireKeys(
+      {"skeleton", "stature", "joints", "mean_posture", "posture", "source", "walk", "run"});
   EngineData engine;
   engine.file = file;
   engine.skeleton_file = root.at("skeleton").asString();
@@ -115,6 +122,7 @@ EngineData readSpeedEngine(const std::filesystem::path& file) {
   const int joints = engine.skeleton.size();
   engine.mean_posture = readRotations(root.at("mean_posture"), joints);
   engine.stand = readPosture(root.at("posture"), joints);
+  engine.stand_source = readSource(root.at("source"));
   if (const YamlNode walk = root["walk"]) engine.walk = readSpace(walk, joints);
   if (const YamlNode run = root["run"]) engine.run = readSpace(run, joints);
   if (!engine.walk && !engine.run) root.fail("neither walks nor runs", "`walk`, `run` or both");

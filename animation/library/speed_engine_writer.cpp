@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "animation/library/library_parts_writer.h"
+#include "animation/library/speed_engine_reader.h"
 #include "base/error.h"
 #include "base/rotation.h"
 #include "base/strict_yaml.h"
@@ -45,6 +46,7 @@ void putClip(YAML::Emitter& out, const EngineClip& clip) {
     put(out, "nearest_legs", clip.left_out->nearest_legs / kDegree);
     out << EndMap;
   }
+  putCapture(out, clip.capture);
   putSource(out, clip.source);
   out << EndMap;
 }
@@ -98,6 +100,7 @@ void writeEngine(std::ostream& stream, const EngineData& engine) {
   putRoles(out, engine.skeleton, engine.roles);
   putRotations(out, "mean_posture", engine.mean_posture);
   putPosture(out, engine.stand);
+  putSource(out, engine.stand_source);
   if (engine.walk) putSpace(out, "walk", *engine.walk);
   if (engine.run) putSpace(out, "run", *engine.run);
   out << EndMap;
@@ -106,8 +109,7 @@ void writeEngine(std::ostream& stream, const EngineData& engine) {
 
 void requireEngineIfThere(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return;
-  const YamlNode root = readYaml(file);
-  if (root.isMap() && root.has("skeleton") && root.has("mean_posture")) return;
+  if (isSpeedEngine(file)) return;
   throw InputError(file.string(), 0, "is no speed engine; one is not written over it",
                    "a new file, or an engine");
 }

@@ -84,7 +84,9 @@ std::vector<Stretch> wholeCycles(const GaitTrack& track, const CycleOptions& opt
       const double begin = own[i], end = own[i + 1];
       const double period = (end - begin) * track.clip().frame_time;
       const auto middle = std::upper_bound(others.begin(), others.end(), begin);
-      if (period < shortest || period > kLongestPeriod) continue;
+      // What is known to be steps may be as slow as it is.
+      const bool likely = period >= shortest && period <= kLongestPeriod;
+      if (!likely && options.plants == nullptr) continue;
       if (middle == others.end() || *middle >= end || !within(options, begin, end)) continue;
       if (!hasSwing(track, kLeft, begin, end) || !hasSwing(track, kRight, begin, end)) continue;
       found.push_back(stretchOf(track, begin, *middle, end, leading));

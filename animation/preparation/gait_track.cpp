@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "animation/analysis/classify_clip.h"
-#include "animation/analysis/foot_plants.h"
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
 #include "base/rotation.h"
@@ -22,10 +21,10 @@ constexpr double kLongStance = 1.25;
 }  // namespace
 
 GaitTrack::GaitTrack(const Clip& level, const JointRoles& roles,
-                     const std::array<FootShape, 2>& feet)
+                     const std::array<FootShape, 2>& feet, const FootPlants* plants)
     : clip_(level), roles_(roles), feet_(feet), joints_(level.skeleton.size()) {
   pose_.rotations.resize(level.skeleton.size());
-  findPlants();
+  takePlants(plants != nullptr ? *plants : detectPlants(level, roles));
 }
 
 void GaitTrack::poseAt(double frame, Pose& pose) const {
@@ -65,8 +64,7 @@ GaitTrack::FlatFoot GaitTrack::flatFoot(Side side, const Plant& plant) const {
 
 // A plant that touches the clip's ends began before it or goes on after it: it is taken to last as
 // long as the others, where its middle, at which the foot is flat, lies within the clip.
-void GaitTrack::findPlants() {
-  const FootPlants found = detectPlants(clip_, roles_);
+void GaitTrack::takePlants(const FootPlants& found) {
   const int last = clip_.frames() - 1;
   std::vector<double> durations;
   for (const Side side : {kLeft, kRight}) {

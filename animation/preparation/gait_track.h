@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "animation/analysis/foot_plants.h"
 #include "animation/body/clip.h"
 #include "animation/body/foot_shape.h"
 #include "animation/body/joint_roles.h"
@@ -20,7 +21,9 @@ struct Plant {
 
 class GaitTrack {
  public:
-  GaitTrack(const Clip& level, const JointRoles& roles, const std::array<FootShape, 2>& feet);
+  /// @param plants  of the clip, where they are known; null: they are detected
+  GaitTrack(const Clip& level, const JointRoles& roles, const std::array<FootShape, 2>& feet,
+            const FootPlants* plants = nullptr);
 
   const Clip& clip() const { return clip_; }
   const JointRoles& roles() const { return roles_; }
@@ -48,7 +51,7 @@ class GaitTrack {
   Eigen::Vector3d ankle(Side side, double frame) const;
 
  private:
-  void findPlants();
+  void takePlants(const FootPlants& found);
 
   const Clip& clip_;
   JointRoles roles_;

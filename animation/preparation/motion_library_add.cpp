@@ -14,7 +14,9 @@
 #include "animation/clips/mirror_clip.h"
 #include "animation/clips/rest_feet_flat.h"
 #include "animation/library/motion_library_reader.h"
+#include "animation/library/speed_engine_reader.h"
 #include "animation/library/statures.h"
+#include "animation/preparation/engine_clip.h"
 #include "animation/preparation/mirror_cycle.h"
 #include "animation/preparation/transition_fit.h"
 #include "animation/preparation/transition_sequence_fit.h"
@@ -145,10 +147,11 @@ WalkCycle cycleOf(const MotionLibrary& library, const Clip& clip, const CycleOpt
   return cycle;
 }
 
+// @param plants  of the clip, where they are known
 void prepareCycle(const MotionLibrary& library, const MotionRequest& request, const Clip& clip,
-                  Motion& motion) {
+                  const FootPlants* plants, Motion& motion) {
   const std::string file = request.file.string();
-  CycleOptions options{file, false, request.harmonics, request.frames};
+  CycleOptions options{file, false, request.harmonics, request.frames, plants};
   options.turning = request.turning
                         ? *request.turning
                         : motion.kind == MotionKind::kWalk && isTurn(clip, library.roles);
@@ -260,6 +263,35 @@ std::pair<int, int> framesOfMotion(const std::pair<int, int>& asked, int before,
   return {std::max(first - before, 0), last - before};
 }
 
+// The walk of a speed engine that is asked for; nothing where the file is a capture.
+std::optional<WalkOfEngine> engineWalkOf(const MotionRequest& request) {
+  if (!request.source.speed) return std::nullopt;
+  const std::string file = request.file.string();
+  if (request.kind != MotionKind::kWalk) {
+    throw InputError(
+        file, 0,
+        "is a speed engine, which holds no " + motionKindNames()[static_cast<size_t>(request.kind)],
+        "a walk of it");
+  }
+  if (request.turning.value_or(false)) {
+    throw InputError(file, 0, "is a speed engine, which walks straight", "a straight walk of it");
+  }
+  if (request.frames) {
+    throw InputError(file, 0, "is a speed engine, which has no frames", "a speed only");
+  }
+  return walkOfEngine(SpeedEngine(readSpeedEngine(request.file)), *request.source.speed, file);
+}
+
+// As somebody as tall as the library's person has it (Froude).
+CaptureQuality qualityOf(const WalkOfEngine& walk, double stature) {
+  const CapturedMotion& motion = walk.capture.motion;
+  const double root = std::sqrt(stature / statureOf(motion.clip.skeleton, motion.roles));
+  CaptureQuality quality = walk.quality;
+  quality.toe_skate *= root;
+  quality.joint_jerk /= root;
+  return quality;
+}
+
 }  // namespace
 
 LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadOptions& read) {
@@ -288,7 +320,13 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   }
   MotionRequest request = asked;
   const bool is_stand = request.name == "stand" && request.kind == MotionKind::kPosture;
-  const LevelCapture capture = readForLibrary(request.file, request.read);
+  const std::optional<WalkOfEngine> engines = engineWalkOf(request);
+  const LevelCapture capture =
+      engines ? engines->capture : readForLibrary(request.file, request.read);
+  if (engines && library.skeleton.size() == 0) {
+    adoptSkeleton(library, capture, file);
+    library.motions.push_back(engines->stand);
+  }
   Clip clip = clipForLibrary(library, capture, file, is_stand);
   const bool cyclic = request.kind == MotionKind::kWalk || request.kind == MotionKind::kMovement;
   if (request.source.mirrored && !cyclic) clip = mirrorClip(clip, library.roles);
@@ -301,10 +339,12 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   motion.valid = request.valid;
   motion.chains = request.chains;
   motion.source = request.source;
+  if (engines && motion.source.licence.empty()) motion.source.licence = engines->licence;
+  if (engines && motion.source.credit.empty()) motion.source.credit = engines->credit;
   switch (request.kind) {
     case MotionKind::kWalk:
     case MotionKind::kMovement:
-      prepareCycle(library, request, clip, motion);
+      prepareCycle(library, request, clip, engines ? &engines->plants : nullptr, motion);
       break;
     case MotionKind::kPosture:
     case MotionKind::kBlocking:
@@ -318,16 +358,25 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
       prepareTurn(library, request, clip, motion);
       break;
   }
-  for (int& frame : motion.source.frames) frame += capture.first_frame;
+  if (engines) motion.cycle.capture = qualityOf(*engines, library.stature);
+  for (int& frame : motion.source.frames) frame = engines ? 0 : frame + capture.first_frame;
   library.motions.push_back(std::move(motion));
 }
 
 std::vector<FourierSeries> capturedCycles(const MotionLibrary& library, const Motion& motion,
                                           const std::filesystem::path& file,
                                           const MotionReadOptions& read) {
-  const LevelCapture capture = readForLibrary(file, read);
+  MotionRequest again_asked;
+  again_asked.file = file;
+  again_asked.source = motion.source;
+  const std::optional<WalkOfEngine> engines = engineWalkOf(again_asked);
+  const LevelCapture capture = engines ? engines->capture : readForLibrary(file, read);
   const Clip clip = onLibrarySkeleton(library, capture);
-  CycleOptions options{file.string(), motion.turning, motion.cycle.series.harmonics(), {}};
+  CycleOptions options{file.string(),
+                       motion.turning,
+                       motion.cycle.series.harmonics(),
+                       {},
+                       engines ? &engines->plants : nullptr};
   std::pair<int, int> used;
   std::vector<FourierSeries> cycles;
   WalkCycle again = cycleOf(library, clip, options, used, &cycles);

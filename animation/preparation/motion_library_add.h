@@ -22,7 +22,9 @@ struct MotionRequest {
   std::vector<std::string> chains;  ///< of a movement or a posture; empty: all
   std::filesystem::path file;       ///< the capture
   MotionReadOptions read;           ///< how to read it
-  MotionSource source;              ///< `clip` is what the library calls it; `frames` come out
+  /// `clip` is what the library calls it; `frames` come out. With a `speed`, `file` is a speed
+  /// engine; without licence and credit they are then those of its captures.
+  MotionSource source;
   std::optional<std::pair<int, int>> frames;  ///< of the file: look only there
   int harmonics = 0;                          ///< of a cycle [1, 12]; 0: chosen by error
 };

@@ -1,18 +1,16 @@
 #include "animation/preparation/speed_engine_fit.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "animation/analysis/classify_clip.h"
 #include "animation/analysis/foot_plants.h"
 #include "animation/body/rotation_mean.h"
-#include "animation/library/foot_numbers.h"
 #include "animation/library/harmonics.h"
 #include "animation/preparation/cycle_samples.h"
 #include "animation/preparation/foot_cycle_fit.h"
+#include "animation/preparation/gait_space_fit.h"
 #include "animation/preparation/heel_rise_fit.h"
 #include "animation/preparation/motion_library_add.h"
 #include "animation/preparation/walk_cycle_fit.h"
@@ -28,146 +26,6 @@ namespace {
 constexpr double kSameLegs = 0.02;
 constexpr double kStandsFor = 0.3;  // that a standing posture is the mean of [s]
 constexpr int kFewestClips = 3;     // to leave one out and fit a line to the others
-
-using Values = std::function<double(const EngineCycle&)>;
-
-bool speedsSpread(const std::vector<EngineCycle>& cycles) {
-  double mean = 0.0, square = 0.0;
-  const double n = static_cast<double>(cycles.size());
-  for (const EngineCycle& cycle : cycles) mean += std::log(cycle.speed) / n;
-  for (const EngineCycle& cycle : cycles) square += std::pow(std::log(cycle.speed) - mean, 2) / n;
-  return cycles.size() >= 2 && std::sqrt(square) >= kSpeedSpread;
-}
-
-// Least squares over the speeds (eq. 2); level where they do not spread.
-class LineFit {
- public:
-  explicit LineFit(const std::vector<EngineCycle>& cycles) : spread_(speedsSpread(cycles)) {
-    const double n = static_cast<double>(cycles.size());
-    for (const EngineCycle& cycle : cycles) mean_ += cycle.speed / n;
-    double square = 0.0;
-    for (const EngineCycle& cycle : cycles) square += std::pow(cycle.speed - mean_, 2);
-    for (const EngineCycle& cycle : cycles) {
-      even_.push_back(1.0 / n);
-      rising_.push_back(spread_ ? (cycle.speed - mean_) / square : 0.0);
-    }
-  }
-
-  bool spread() const { return spread_; }
-  template <typename T>  // a number or a matrix
-  T slope(const std::vector<T>& values, T zero) const {
-    for (size_t i = 0; i < values.size(); ++i) zero += rising_[i] * values[i];
-    return zero;
-  }
-  template <typename T>
-  T atZero(const std::vector<T>& values, T zero) const {
-    for (size_t i = 0; i < values.size(); ++i) zero += (even_[i] - mean_ * rising_[i]) * values[i];
-    return zero;
-  }
-  SpeedLine line(const std::vector<double>& values) const {
-    return {atZero(values, 0.0), slope(values, 0.0)};
-  }
-
- private:
-  bool spread_;
-  double mean_ = 0.0;
-  std::vector<double> even_, rising_;  // weights of the values in the mean and in the slope
-};
-
-std::vector<double> valuesOf(const std::vector<EngineCycle>& cycles, const Values& value) {
-  std::vector<double> values;
-  for (const EngineCycle& cycle : cycles) values.push_back(value(cycle));
-  return values;
-}
-
-// eq. 1: the components that keep `variance`, from the products of the cycles, which are few, not
-// of the channels, which are many.
-void findComponents(const std::vector<EngineCycle>& cycles, const LineFit& fit, double variance,
-                    GaitSpace& space) {
-  const auto n = static_cast<Eigen::Index>(cycles.size());
-  const Eigen::Index rows = space.mean.rows(), columns = space.mean.cols();
-  Eigen::MatrixXd off(rows * columns, n);  // rows: of the motion vector; columns: cycles
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::MatrixXd d = cycles[i].channels.bottomRows(rows) - space.mean;
-    off.col(i) = d.reshaped();
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(off.transpose() * off);
-  const double all = solver.eigenvalues().sum();
-  for (Eigen::Index k = n - 1; k >= 0 && space.variance() < variance; --k) {
-    const Eigen::VectorXd direction = (off * solver.eigenvectors().col(k)).normalized();
-    PrincipalComponent component;
-    component.share = solver.eigenvalues()[k] / all;
-    component.direction = direction.reshaped(rows, columns);
-    std::vector<double> alphas;
-    for (Eigen::Index i = 0; i < n; ++i) alphas.push_back(direction.dot(off.col(i)));
-    component.coefficient = fit.line(alphas);
-    if (component.coefficient.slope < 0.0) {  // either sign is a component: that which speed raises
-      component.direction *= -1.0;
-      component.coefficient = {-component.coefficient.at_zero, -component.coefficient.slope};
-    }
-    space.components.push_back(std::move(component));
-  }
-}
-
-// Rows: the lines at speed 0, their slopes; none where feet are not known.
-void fitFoot(const std::vector<EngineCycle>& cycles, const LineFit& fit, size_t side,
-             Eigen::MatrixXd& lines) {
-  std::vector<Eigen::RowVectorXd> numbers;
-  for (const EngineCycle& cycle : cycles) {
-    if (cycle.feet[side].pitch.empty()) return;
-    numbers.push_back(footNumbers(cycle.feet[side]));
-  }
-  const Eigen::RowVectorXd zero = Eigen::RowVectorXd::Zero(footNumberCount());
-  lines.resize(2, zero.size());
-  lines << fit.atZero(numbers, zero), fit.slope(numbers, zero);
-}
-
-void fitFurtherChannels(const std::vector<EngineCycle>& cycles, const LineFit& fit,
-                        GaitSpace& space) {
-  std::vector<Eigen::MatrixXd> roots;
-  for (const EngineCycle& cycle : cycles) roots.emplace_back(cycle.channels.topRows(3));
-  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(3, roots.front().cols());
-  space.root.resize(6, zero.cols());
-  space.root << fit.atZero(roots, zero), fit.slope(roots, zero);
-  for (size_t i = 0; i < 2; ++i) {
-    fitFoot(cycles, fit, i, space.feet[i]);
-    space.foot_forward[i] =
-        fit.line(valuesOf(cycles, [i](const EngineCycle& c) { return c.foot_forward[i]; }));
-    space.support[i] =
-        fit.line(valuesOf(cycles, [i](const EngineCycle& c) { return c.support[i]; }));
-    space.toe_out[i] =
-        fit.line(valuesOf(cycles, [i](const EngineCycle& c) { return c.toe_out[i]; }));
-  }
-  space.step_width = fit.line(valuesOf(cycles, [](const auto& c) { return c.step_width; }));
-}
-
-}  // namespace
-
-GaitSpace fitGaitSpace(const std::vector<EngineCycle>& cycles, double leg, double variance) {
-  GaitSpace space;
-  const LineFit fit(cycles);
-  const Eigen::Index rows = cycles.front().channels.rows() - 3;
-  space.mean = Eigen::MatrixXd::Zero(rows, cycles.front().channels.cols());
-  std::vector<FrequencySample> samples;
-  for (const EngineCycle& cycle : cycles) {
-    space.mean += cycle.channels.bottomRows(rows) / static_cast<double>(cycles.size());
-    samples.push_back({cycle.speed / leg, 1.0 / cycle.period});
-  }
-  space.law = fitFrequencyLaw(samples);
-  if (fit.spread()) findComponents(cycles, fit, variance, space);
-  fitFurtherChannels(cycles, fit, space);
-  return space;
-}
-
-Eigen::MatrixXd motionVectorAt(const GaitSpace& space, double speed) {
-  Eigen::MatrixXd vector = space.mean;
-  for (const PrincipalComponent& component : space.components) {
-    vector += component.coefficient.at(speed) * component.direction;
-  }
-  return vector;
-}
-
-namespace {
 
 // Cycles of one gait, and the clips that they are from.
 struct Captured {
@@ -220,6 +78,7 @@ void takeCycles(const MotionLibrary& rig, const Clip& level, int first_frame,
   const GaitTrack track(level, rig.roles, feet);
   const CycleOptions options{from.file.string(), false, 0, {}};
   EngineClip clip;
+  clip.capture = measureCapture(level, rig.roles);
   clip.source = {from.clip, {first_frame + level.frames(), 0}, false, from.licence, from.credit};
   for (const Stretch& stretch : findStretches(track, options, gait)) {
     const CycleSamples samples =
@@ -420,6 +279,9 @@ void takeStand(const Seen& seen, MotionLibrary& rig) {
   stand.name = "stand";
   stand.kind = MotionKind::kPosture;
   stand.posture = preparePosture(clip, rig.roles, rig.feet(), first, first + frames);
+  const int begin = seen.capture.first_frame + first;
+  const EngineCapture& from = *seen.from;
+  stand.source = {from.clip, {begin, begin + frames}, false, from.licence, from.credit};
   rig.motions.push_back(std::move(stand));
 }
 
@@ -484,6 +346,7 @@ EngineData fitSpeedEngine(const EngineRequest& request, std::vector<std::string>
   data.roles = rig.roles;
   data.stature = rig.stature;
   data.stand = rig.stand();
+  data.stand_source = rig.find("stand")->source;
   data.mean_posture = meanPosture(gaits, rig.stand().rotations);
   for (const Gait gait : {Gait::kWalk, Gait::kRun}) {
     Captured& captured = gaits[static_cast<size_t>(gait)];

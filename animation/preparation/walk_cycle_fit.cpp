@@ -106,19 +106,19 @@ Eigen::Vector2d fitPlacing(const GaitTrack& track, const std::vector<Stretch>& s
   return middle;
 }
 
+}  // namespace
+
 CaptureQuality measureCapture(const Clip& level, const JointRoles& roles) {
   const GaitMeasures gait = measureGait(level, roles, detectPlants(level, roles));
   return {gait.toe_skate, gait.root_acceleration, gait.joint_jerk, gait.pops};
 }
-
-}  // namespace
 
 WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
                            const std::array<FootShape, 2>& feet,
                            const std::vector<Eigen::Quaterniond>& reference,
                            const CycleOptions& options, std::pair<int, int>* used_frames,
                            std::vector<FourierSeries>* captured) {
-  const GaitTrack track(level, roles, feet);
+  const GaitTrack track(level, roles, feet, options.plants);
   const std::vector<Stretch> stretches = findStretches(track, options);
   std::vector<FittedPath> paths;
   WalkCycle cycle;
@@ -157,7 +157,7 @@ WalkCycle prepareWalkCycle(const Clip& level, const JointRoles& roles,
 
 bool hasCycle(const Clip& level, const JointRoles& roles, const std::array<FootShape, 2>& feet,
               const CycleOptions& options) {
-  return !wholeCycles(GaitTrack(level, roles, feet), options).empty();
+  return !wholeCycles(GaitTrack(level, roles, feet, options.plants), options).empty();
 }
 
 Posture preparePosture(const Clip& level, const JointRoles& roles,

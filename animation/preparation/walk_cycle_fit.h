@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "animation/analysis/foot_plants.h"
 #include "animation/body/clip.h"
 #include "animation/body/foot_shape.h"
 #include "animation/body/joint_roles.h"
@@ -20,6 +21,7 @@ struct CycleOptions {
   bool turning = false;  ///< look for a turn: the cycle with the least closure for its turn rate
   int harmonics = 0;     ///< of the low-pass [1, 12]; 0: as few as leave little out
   std::optional<std::pair<int, int>> frames;  ///< look only within these frames of the clip
+  const FootPlants* plants = nullptr;         ///< of the clip, where they are known; null: detected
 };
 
 /// Finds the steady cycles of a levelled clip, fits a line or circle to each, averages the errors
@@ -42,6 +44,9 @@ inline constexpr int kAllHarmonics = 31;
 /// Whether there is a whole cycle in the clip, steady or not.
 bool hasCycle(const Clip& level, const JointRoles& roles, const std::array<FootShape, 2>& feet,
               const CycleOptions& options);
+
+/// QUALITY.md's measures of a levelled capture.
+CaptureQuality measureCapture(const Clip& level, const JointRoles& roles);
 
 /// The mean pose of a standing clip's frames [first, last].
 Posture preparePosture(const Clip& level, const JointRoles& roles,

@@ -81,6 +81,7 @@ LabelJson motionsJson(const std::vector<UsedMotion>& motions) {
                     {"mirrored", source.mirrored},
                     {"licence", source.licence},
                     {"credit", source.credit}});
+    if (source.speed) json.back()["speed"] = inMicro(*source.speed);
   }
   return json;
 }

@@ -120,7 +120,7 @@ class Library:
 
     def add(self, *clips: Path, name: str = "", kind: str = "walk", turning: Optional[bool] = None, style: str = "",
             joints: Sequence[str] = (), frames: Optional[Tuple[int, int]] = None, mirror: Optional[bool] = None,
-            licence: str = "unknown", credit: str = "unknown") -> None:
+            licence: str = "unknown", credit: str = "unknown", speed: Sequence[float] = ()) -> None:
         """Adds motions of captures, as `amble library add` does; write() keeps them. All of the clips, or none.
 
         name:    of the motion; "": the clip's
@@ -130,6 +130,7 @@ class Library:
         joints:  chains that a movement or a posture moves; none: all
         frames:  first and last to look at, as the file numbers them; None: all
         mirror:  whether the mirror image of a walk or a turn on the spot is added too; None: where it has no style
+        speed:   of a speed engine, which a clip may be: a walk at each of these speeds [m/s]
         """
         if style and kind not in ("walk", "start", "stop", "turn_on_spot"):
             raise ValueError(f"style of a {kind}; expected a walk, a start, a stop or a turn on the spot")
@@ -143,7 +144,8 @@ class Library:
             _check.one_of("joints", chain, _amble.chain_names())
         asked = _amble.AdditionAsked()
         asked.kind, asked.name = _check.one_of("kind", kind, _amble.motion_kinds()), name
-        asked.choose(turning, style, list(joints), frames, mirror, licence, credit)
+        asked.choose(turning, style, list(joints), frames, mirror, licence, credit,
+                     [_check.number("speed", one, 0.3, 5, "m/s") for one in speed])
         self._made.add(list(clips), asked)
 
     def __repr__(self) -> str:
@@ -169,7 +171,7 @@ class Library:
 
     @property
     def motions(self) -> List[Dict[str, Any]]:
-        """name, kind, style, joints, source (clip, frames, licence, credit); of cycles also speed [m/s],
+        """name, kind, style, joints, source (clip, frames or, of an engine, speed [m/s], licence, credit); of cycles also speed [m/s],
         turn_rate [rad/s], period [s]."""
         return self._made.motions
 

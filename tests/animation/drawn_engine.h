@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "animation/preparation/speed_engine_fit.h"
+#include "animation/preparation/gait_space_fit.h"
 #include "base/rotation.h"
 #include "tests/animation/rig.h"
 
@@ -55,6 +55,7 @@ struct DrawnEngine {
                              speed,
                              frequency(speed),
                              1,
+                             {},
                              std::nullopt});
     }
     return space;

@@ -271,6 +271,7 @@ Json motionJson(const BenchMotion& bench, const NumbersText& numbers) {
                  {"mirrored", source.mirrored},
                  {"licence", source.licence},
                  {"credit", source.credit}}}};
+  if (source.speed) json["source"]["speed"] = *source.speed;
   if (isCycle(motion)) {
     json["measures"] = measuresJson(motion.cycle);
     json["cycle"] = cycleJson(bench, numbers);

@@ -99,7 +99,8 @@ function factsOf({ json, motion, join, page }) {
       ['feet', `turned by up to ${twist.toFixed(0)}° against the pelvis; made walks step more often`]);
   }
   if (motion.kind === 'movement') facts.push(['played', 'over the walk of the nearest speed']);
-  facts.push(['captured', `${source.clip}, frames ${source.frames.join(' to ')}${source.mirrored ? ', mirrored' : ''}`]);
+  const part = source.speed === undefined ? `frames ${source.frames.join(' to ')}` : `a speed engine, at ${source.speed} m/s`;
+  facts.push(['captured', `${source.clip}, ${part}${source.mirrored ? ', mirrored' : ''}`]);
   if (motion.lacking) facts.push(['not shown', motion.lacking]);
   facts.push(['licence', source.licence], ['credit', source.credit]);
   return facts;
