@@ -7,33 +7,16 @@
 #include "animation/library/harmonics.h"
 #include "animation/preparation/motion_library_add.h"
 #include "base/error.h"
-#include "tests/animation/captures.h"
-#include "tests/animation/drawn_engine.h"
+#include "tests/animation/engine_library.h"
 
 namespace amble {
 namespace {
-
-EngineRequest requestOf(const std::vector<std::string>& clips) {
-  EngineRequest request;
-  for (const std::string& clip : clips) {
-    request.captures.push_back({sharedFolder() / "mocap" / clip, {}, clip, "free", "somebody"});
-  }
-  return request;
-}
-
-const std::vector<std::string> kOf07 = {
-    "cmu_mb2/07_01.bvh", "cmu_mb2/07_02.bvh", "cmu_mb2/07_03.bvh", "cmu_mb2/07_05.bvh",
-    "cmu_mb2/07_06.bvh", "cmu_mb2/07_08.bvh", "cmu_mb2/07_10.bvh", "cmu_mb2/07_12.bvh"};
-// Without the strides that MANIFEST calls long and exaggerated: they are no matter of speed.
-const std::vector<std::string> kOf08 = {"cmu_mb2/08_01.bvh", "cmu_mb2/08_03.bvh",
-                                        "cmu_mb2/08_04.bvh", "cmu_mb2/08_06.bvh",
-                                        "cmu_mb2/08_09.bvh"};
 
 TEST(FitSpeedEngine, WhoStandsOnlyAndWhoDoesNeitherAreRefusedByName) {
   AMBLE_NEEDS_CAPTURES();
   for (const char* clip : {"accad_female1/Female1_A01_Stand.bvh", "cmu_mb2/02_04.bvh"}) {
     try {
-      fitSpeedEngine(requestOf({clip}));
+      fitSpeedEngine(engineRequestOf({clip}));
       FAIL() << clip;
     } catch (const InputError& error) {
       EXPECT_NE(error.file().find(clip), std::string::npos) << error.what();
@@ -45,42 +28,16 @@ TEST(FitSpeedEngine, ACaptureWithoutASteadyCycleIsLeftOutAndSaid) {
   AMBLE_NEEDS_CAPTURES();
   std::vector<std::string> warnings;
   const EngineData engine =
-      fitSpeedEngine(requestOf({"cmu_mb2/02_01.bvh", "cmu_mb2/02_04.bvh"}), &warnings);
+      fitSpeedEngine(engineRequestOf({"cmu_mb2/02_01.bvh", "cmu_mb2/02_04.bvh"}), &warnings);
   EXPECT_EQ(engine.walk->clips.size(), 1u);
   ASSERT_FALSE(warnings.empty());
   EXPECT_NE(warnings[0].find("02_04.bvh"), std::string::npos);
   EXPECT_NE(warnings[0].find("left out"), std::string::npos);
 }
 
-TEST(FitSpeedEngine, MotionsOnALineOverSpeedNeedOneComponentAndComeBack) {
-  const DrawnEngine drawn;
-  const GaitSpace space = drawn.space({0.8, 1.0, 1.5});
-  ASSERT_EQ(space.components.size(), 1u);
-  EXPECT_NEAR(space.variance(), 1.0, 1e-9);
-  EXPECT_NEAR(space.components[0].direction.norm(), 1.0, 1e-9);
-  EXPECT_GT(space.components[0].coefficient.slope, 0.0);
-  for (const double speed : {0.6, 1.2, 1.5}) {
-    const Eigen::MatrixXd expected = drawn.cycle(0, speed).channels;
-    const Eigen::MatrixXd vector = motionVectorAt(space, speed);
-    EXPECT_LT((vector - expected.bottomRows(vector.rows())).cwiseAbs().maxCoeff(), 1e-9);
-    EXPECT_NEAR(space.support[0].at(speed), DrawnEngine::support(speed), 1e-9);
-  }
-  EXPECT_NEAR(space.law.law.factor, DrawnEngine::kFactor, 1e-9);
-  EXPECT_NEAR(space.law.law.power, DrawnEngine::kPower, 1e-9);
-}
-
-TEST(FitSpeedEngine, SpeedsThatAreNearEachOtherGiveTheirMeanAndNoLines) {
-  const DrawnEngine drawn;
-  const GaitSpace space = drawn.space({1.0, 1.05, 1.1});
-  EXPECT_TRUE(space.components.empty());
-  EXPECT_EQ(space.support[0].slope, 0.0);
-  EXPECT_NEAR(space.support[0].at_zero, DrawnEngine::support(1.05), 1e-9);
-  EXPECT_FALSE(space.law.own_power);
-}
-
 TEST(FitSpeedEngine, ComponentsAreAsFewAsKeepTheVarianceAndStandUpright) {
   AMBLE_NEEDS_CAPTURES();
-  const GaitSpace space = *fitSpeedEngine(requestOf(kOf07)).walk;
+  const GaitSpace space = *fitSpeedEngine(engineRequestOf(kWalksOf07)).walk;
   EXPECT_GE(space.variance(), 0.8);
   ASSERT_GE(space.components.size(), 2u);  // Glardon: two to four
   EXPECT_LT(space.variance() - space.components.back().share, 0.8);
@@ -101,8 +58,8 @@ TEST(FitSpeedEngine, AClipThatItHasNotSeenIsMetBetterThanByTheClipNextToIt) {
   AMBLE_NEEDS_CAPTURES();
   LeftOut mean;
   int count = 0;
-  for (const auto& clips : {kOf07, kOf08}) {
-    const EngineData engine = fitSpeedEngine(requestOf(clips));
+  for (const auto& clips : {kWalksOf07, kWalksOf08}) {
+    const EngineData engine = fitSpeedEngine(engineRequestOf(clips));
     ASSERT_EQ(engine.walk->clips.size(), clips.size());
     for (const EngineClip& clip : engine.walk->clips) {
       ASSERT_TRUE(clip.left_out);
@@ -128,7 +85,7 @@ TEST(FitSpeedEngine, AnEngineOfOneWalkGivesTheCycleThatALibraryHasOfIt) {
   MotionLibrary library;
   addMotion(library, request);
   const WalkCycle& cycle = library.find("walk")->cycle;
-  const SpeedEngine engine(fitSpeedEngine(requestOf({"cmu_mb2/02_01.bvh"})));
+  const SpeedEngine engine(fitSpeedEngine(engineRequestOf({"cmu_mb2/02_01.bvh"})));
   const WalkCycle again = engine.walkCycleAt(engine.fastest());
   EXPECT_NEAR(again.speed, cycle.speed, 0.005 * cycle.speed);
   EXPECT_NEAR(again.period, cycle.period, 0.005 * cycle.period);
@@ -163,7 +120,8 @@ TEST(FitSpeedEngine, AnEngineOfOneWalkGivesTheCycleThatALibraryHasOfIt) {
 
 TEST(FitSpeedEngine, RunsFlyAndAreASpaceOfTheirOwn) {
   AMBLE_NEEDS_CAPTURES();
-  const EngineData engine = fitSpeedEngine(requestOf({"cmu_mb2/02_01.bvh", "cmu_mb2/02_03.bvh"}));
+  const EngineData engine =
+      fitSpeedEngine(engineRequestOf({"cmu_mb2/02_01.bvh", "cmu_mb2/02_03.bvh"}));
   ASSERT_TRUE(engine.walk && engine.run);
   EXPECT_NEAR(engine.walk->slowest(), 1.179, 0.03 * 1.179);  // MANIFEST: mean_speed_by_unit_mps
   EXPECT_NEAR(engine.run->slowest(), 2.641, 0.03 * 2.641);
@@ -178,7 +136,7 @@ TEST(FitSpeedEngine, ARunOfSomebodyElseIsCarriedOverAndSaid) {
   AMBLE_NEEDS_CAPTURES();
   std::vector<std::string> warnings;
   const EngineData engine =
-      fitSpeedEngine(requestOf({"cmu_mb2/07_01.bvh", "cmu_mb2/09_01.bvh"}), &warnings);
+      fitSpeedEngine(engineRequestOf({"cmu_mb2/07_01.bvh", "cmu_mb2/09_01.bvh"}), &warnings);
   ASSERT_TRUE(engine.run);
   EXPECT_NEAR(engine.run->slowest(), 3.595, 0.05 * 3.595);  // MANIFEST; smaller, he is slower
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
@@ -188,9 +146,9 @@ TEST(FitSpeedEngine, ARunOfSomebodyElseIsCarriedOverAndSaid) {
 
 TEST(FitSpeedEngine, StandingIsThatOfTheCaptureWhereThereIsOne) {
   AMBLE_NEEDS_CAPTURES();
-  const EngineData own = fitSpeedEngine(
-      requestOf({"accad_female1/Female1_B03_Walk1.bvh", "accad_female1/Female1_A01_Stand.bvh"}));
-  const EngineData borrowed = fitSpeedEngine(requestOf({"cmu_mb2/02_01.bvh"}));
+  const EngineData own = fitSpeedEngine(engineRequestOf(
+      {"accad_female1/Female1_B03_Walk1.bvh", "accad_female1/Female1_A01_Stand.bvh"}));
+  const EngineData borrowed = fitSpeedEngine(engineRequestOf({"cmu_mb2/02_01.bvh"}));
   for (const EngineData* engine : {&own, &borrowed}) {
     const double leg = engine->roles.meanLeg(engine->skeleton);
     EXPECT_GT(engine->stand.root_height, 0.95 * leg);

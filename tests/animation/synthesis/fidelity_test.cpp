@@ -12,33 +12,11 @@
 #include "animation/synthesis/walk_synthesizer.h"
 #include "base/rotation.h"
 #include "tests/animation/captures.h"
+#include "tests/animation/carried_walk.h"
 #include "tests/animation/walk_paths.h"
 
 namespace amble {
 namespace {
-
-constexpr int kCompared = 100;
-
-/// What is compared at a phase: flexion of hips and knees by Side [degrees], the root's height [m].
-struct Carried {
-  std::array<double, 2> hip, knee;
-  double height;
-};
-
-/// Where the walk goes along `heading` [rad].
-Carried carriedIn(const std::vector<JointFrame>& joints, const JointRoles& roles, double heading) {
-  const Eigen::Quaterniond back = aboutZ(-heading);
-  Carried c;
-  for (const Side side : {kLeft, kRight}) {
-    const LegJoints& leg = roles.legs[side];
-    const Eigen::Vector3d thigh = back * (joints[leg.leg].p_WJ - joints[leg.up_leg].p_WJ);
-    const Eigen::Vector3d shank = back * (joints[leg.foot].p_WJ - joints[leg.leg].p_WJ);
-    c.hip[side] = std::atan2(thigh.x(), -thigh.z()) / kDegree;
-    c.knee[side] = std::atan2(thigh.cross(shank).norm(), thigh.dot(shank)) / kDegree;
-  }
-  c.height = joints[0].p_WJ.z();
-  return c;
-}
 
 /// The level, but for a pit.
 class Pit : public FlatGround {
@@ -59,9 +37,8 @@ class Pit : public FlatGround {
 struct Compared {
   MotionLibrary library;
   std::string compared = "walk";
-  std::vector<Carried> captured, made;     // by phase
-  double period = 0.0;                     // made [s]
-  std::array<double, 2> strike, lift_off;  // made, by Side [cycles]
+  std::vector<Carried> captured;  // by phase
+  CarriedWalk made;
 
   explicit Compared(const std::string& clip, const std::string& stand, const std::string& turn = "",
                     bool pit = false) {
@@ -75,7 +52,8 @@ struct Compared {
           mirrorCycle(other.cycle, library.skeleton, library.roles, library.stand().rotations);
       library.motions.push_back(other);
     }
-    takeCaptured((sharedFolder() / "mocap") / (turn.empty() ? clip : turn));
+    captured = carriedInCapture(library, *library.find(compared),
+                                sharedFolder() / "mocap" / (turn.empty() ? clip : turn));
     walk(pit);
   }
 
@@ -89,24 +67,6 @@ struct Compared {
   }
 
   const WalkCycle& cycle() const { return library.find(compared)->cycle; }
-
-  void takeCaptured(const std::filesystem::path& file) {
-    const auto cycles = capturedCycles(library, *library.find(compared), file);
-    std::vector<JointFrame> joints(library.skeleton.size());
-    Pose pose;
-    pose.rotations.resize(joints.size());
-    for (int i = 0; i < kCompared; ++i) {
-      Eigen::VectorXd mean = Eigen::VectorXd::Zero(3 + 3 * library.skeleton.size());
-      for (const FourierSeries& one : cycles)
-        mean +=
-            fourierAt(one, static_cast<double>(i) / kCompared) / static_cast<double>(cycles.size());
-      pose.p_WR = mean.head<3>();
-      for (size_t j = 0; j < joints.size(); ++j)
-        pose.rotations[j] = library.stand().rotations[j] * expRotation(mean.segment<3>(3 + 3 * j));
-      forwardKinematics(library.skeleton, pose, joints);
-      captured.push_back(carriedIn(joints, library.roles, 0.0));
-    }
-  }
 
   void walk(bool pit) {
     constexpr int kSteps = 12;  // four of them on either side are left out
@@ -125,31 +85,7 @@ struct Compared {
         walker.walk(stanceAt(path, false, false), stanceAt(path, true, false), path, false, buffer)
             .refused,
         WalkRule::kNone);
-    double passed = 0.0;  // cycles
-    std::vector<double> phases;
-    for (const FrameState& state : buffer.states) {
-      if (!phases.empty() && state.phase < phases.back() - passed - 0.5) passed += 1.0;
-      phases.push_back(passed + state.phase);
-    }
-    for (size_t i = 1; i < phases.size(); ++i) {
-      for (const Side side : {kLeft, kRight}) {
-        const bool before = buffer.states[i - 1].planted[side],
-                   now = buffer.states[i].planted[side];
-        if (before != now && std::floor(phases[i]) == 3.0) {
-          (now ? strike : lift_off)[side] = buffer.states[i].phase;
-        }
-      }
-    }
-    std::vector<JointFrame> joints(library.skeleton.size());
-    const auto frameAt = [&](double phase) {
-      return std::lower_bound(phases.begin(), phases.end(), phase) - phases.begin();
-    };
-    period = static_cast<double>(frameAt(4.0) - frameAt(3.0)) * settings.frame_time;
-    for (int i = 0; i < kCompared; ++i) {
-      const auto frame = frameAt(3.0 + static_cast<double>(i) / kCompared);
-      forwardKinematics(library.skeleton, buffer.poses[static_cast<int>(frame)], joints);
-      made.push_back(carriedIn(joints, library.roles, buffer.states[frame].heading));
-    }
+    made = carriedWalk(buffer, library.skeleton, library.roles);
   }
 
   /// Where the toes of the third step are put down.
@@ -165,15 +101,7 @@ struct Compared {
   }
 
   double rms(std::array<double, 2> Carried::*angle, Side side) const {
-    double squares = 0.0;
-    for (int i = 0; i < kCompared; ++i)
-      squares += std::pow((made[i].*angle)[side] - (captured[i].*angle)[side], 2) / kCompared;
-    return std::sqrt(squares);
-  }
-  static double leastKnee(const std::vector<Carried>& walk, Side side) {
-    double least = 180.0;
-    for (const Carried& c : walk) least = std::min(least, c.knee[side]);
-    return least;
+    return rmsBetween(made.at, captured, angle, side);
   }
 };
 
@@ -190,23 +118,21 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
         std::pair("cmu_mb2/08_03.bvh", ""), std::pair("cmu_mb2/08_09.bvh", "")}) {
     SCOPED_TRACE(clip);
     const Compared walk(clip, stand);
-    EXPECT_NEAR(walk.period, walk.cycle().period, 0.01 * walk.cycle().period);
+    EXPECT_NEAR(walk.made.period, walk.cycle().period, 0.01 * walk.cycle().period);
     double height = 0.0, squares = 0.0;
     for (int i = 0; i < kCompared; ++i)
-      height += (walk.made[i].height - walk.captured[i].height) / kCompared;
+      height += (walk.made.at[i].height - walk.captured[i].height) / kCompared;
     for (int i = 0; i < kCompared; ++i)
-      squares += std::pow(walk.made[i].height - walk.captured[i].height, 2) / kCompared;
+      squares += std::pow(walk.made.at[i].height - walk.captured[i].height, 2) / kCompared;
     EXPECT_LT(std::abs(height), 0.001);
     EXPECT_LT(std::sqrt(squares), 0.004);
     for (const Side side : {kLeft, kRight}) {
       EXPECT_LT(walk.rms(&Carried::hip, side), 2.5) << side;
       EXPECT_LT(walk.rms(&Carried::knee, side), 2.5) << side;
       const FootCycle& foot = walk.cycle().feet[side];
-      EXPECT_NEAR(std::remainder(walk.strike[side] - foot.strike, 1.0), 0.0, 0.02);
-      EXPECT_NEAR(std::remainder(walk.lift_off[side] - foot.lift_off, 1.0), 0.0, 0.02);
-      EXPECT_NEAR(Compared::leastKnee(walk.made, side), Compared::leastKnee(walk.captured, side),
-                  2.0)
-          << side;
+      EXPECT_NEAR(std::remainder(walk.made.strike[side] - foot.strike, 1.0), 0.0, 0.02);
+      EXPECT_NEAR(std::remainder(walk.made.lift_off[side] - foot.lift_off, 1.0), 0.0, 0.02);
+      EXPECT_NEAR(leastKnee(walk.made.at, side), leastKnee(walk.captured, side), 2.0) << side;
     }
   }
 }
@@ -220,7 +146,7 @@ TEST(Fidelity, AtItsOwnRateATurnIsTheCapturedOne) {
        {"B09_WalkTurnLeft90.bvh", "B12_WalkTurnRight90.bvh", "B10_WalkTurnLeft45.bvh"}) {
     SCOPED_TRACE(turn);
     const Compared walk(person + "B03_Walk1.bvh", person + "A01_Stand.bvh", person + turn);
-    EXPECT_NEAR(walk.period, walk.cycle().period, 0.01 * walk.cycle().period);
+    EXPECT_NEAR(walk.made.period, walk.cycle().period, 0.01 * walk.cycle().period);
     for (const Side side : {kLeft, kRight}) {
       EXPECT_LT(walk.rms(&Carried::hip, side), 2.5) << side;
       EXPECT_LT(walk.rms(&Carried::knee, side), 2.5) << side;
@@ -235,7 +161,7 @@ TEST(Fidelity, WhereStepsAreChosenForTheGroundATurnIsTheCapturedOneToo) {
   const std::string walk = person + "B03_Walk1.bvh", stand = person + "A01_Stand.bvh",
                     turn = person + "B10_WalkTurnLeft45.bvh";
   const Compared natural(walk, stand, turn), chosen(walk, stand, turn, true);
-  EXPECT_NEAR(chosen.period, natural.period, 0.03 * natural.period);
+  EXPECT_NEAR(chosen.made.period, natural.made.period, 0.03 * natural.made.period);
   for (const Side side : {kLeft, kRight}) {
     EXPECT_NEAR(chosen.rms(&Carried::hip, side), natural.rms(&Carried::hip, side), 0.5) << side;
     EXPECT_NEAR(chosen.rms(&Carried::knee, side), natural.rms(&Carried::knee, side), 0.5) << side;
