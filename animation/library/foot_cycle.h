@@ -31,7 +31,7 @@ struct FootCycle {
   /// How far the toes are rolled over their tips, which stay where they stand while the foot does:
   /// captured feet do so at last before they leave. Coefficients of cubic B-splines, a sample of
   /// the pitch apart, the first around kToesFrom [rad, 0 to pi / 2].
-  static constexpr int kToeSplines = 16;
+  static constexpr int kToeSplines = 24;
   std::array<double, kToeSplines> toes = {};
 
   static constexpr int kStanceSamples = 32;
@@ -39,7 +39,7 @@ struct FootCycle {
   /// Here of its stance every foot is flat: its pitch is that of the landing before, that of the
   /// rise after.
   static constexpr double kFlat = 0.4;
-  static constexpr int kToesFrom = 28;
+  static constexpr int kToesFrom = 20;
 };
 
 /// Mean of the feet of several cycles; phases by the shorter way around the cycle. @pre one or more

@@ -42,9 +42,11 @@ FootCycle readFoot(const YamlNode& node) {
                              "pitch of the sole [degrees]", -180, 180);
   for (const double p : pitch) foot.pitch.push_back(p * kDegree);
   if (const YamlNode rolled = node["toes"]) {  // libraries that were built before have none
-    const Eigen::VectorXd toes =
-        rolled.asVec(FootCycle::kToeSplines, "roll of the toes [degrees]", 0, 90);
-    std::copy(toes.begin(), toes.end(), foot.toes.begin());
+    // Or fewer, from later in the stance on: the last of them are the same.
+    constexpr int kFewer = 16;
+    const int count = rolled.size() == kFewer ? kFewer : FootCycle::kToeSplines;
+    const Eigen::VectorXd toes = rolled.asVec(count, "roll of the toes [degrees]", 0, 90);
+    std::copy(toes.begin(), toes.end(), foot.toes.end() - count);
     for (double& t : foot.toes) t *= kDegree;
   }
   return foot;

@@ -12,9 +12,6 @@
 namespace amble {
 namespace {
 
-// A pitch below this is how a flat foot wobbles in a capture, not a rise of the heel; by trial
-// [rad].
-constexpr double kFlatPitch = 5.0 * kDegree;
 constexpr int kPitchPasses = 2;  // of a mean of neighbours: captures shake
 // Captured soles slide before they rest and before they leave, which detectors count to a plant,
 // and ours do not: they rest so much later and leave so much earlier [cycles].
@@ -52,6 +49,25 @@ struct SwingSample {
   Eigen::Vector3d yaw_pitch_roll;
 };
 
+// Of a sole against a heading: the turn about z, the pitch as it is seen from beside the heading,
+// the roll. Feet that have just left point straight down, and beyond: there a turn about z and a
+// roll are the same, and the first is taken.
+Eigen::Vector3d yawPitchRoll(const Eigen::Quaterniond& q_WS, double heading) {
+  constexpr double kSteep = 60.0 * kDegree, kOver = 20.0 * kDegree;
+  const Eigen::Quaterniond q = aboutZ(-heading) * q_WS;
+  const Eigen::Vector3d ahead = q * Eigen::Vector3d::UnitX(), left = q * Eigen::Vector3d::UnitY();
+  const double steep = smoothstep((std::abs(std::atan2(-ahead.z(), ahead.x())) - kSteep) / kOver);
+  const double across = std::atan2(-left.x(), left.y());
+  Eigen::Vector3d turned(across, 0.0, 0.0);
+  if (steep < 1.0) {
+    turned = toEuler(q, {'Z', 'Y', 'X'});
+    turned[0] += steep * wrapAngle(across - turned[0]);
+    turned[2] *= 1.0 - steep;
+  }
+  turned[1] = std::atan2(-ahead.z(), ahead.x());
+  return turned;
+}
+
 class SwingView {
  public:
   SwingView(const GaitTrack& track, Side side, const FootShape& shape, const Swing& swing)
@@ -66,9 +82,10 @@ class SwingView {
     const double frame = swing_.from.lift_off + tau * (swing_.to.strike - swing_.from.lift_off);
     const Eigen::Quaterniond q =
         track_.sole(side_, frame, from_.correction.slerp(tau, to_.correction));
-    const Eigen::Vector3d turned = toEuler(q, {'Z', 'Y', 'X'});
+    const double heading = from_.heading + smoothstep(tau) * wrapAngle(to_.heading - from_.heading);
+    const Eigen::Vector3d turned = yawPitchRoll(q, heading);
     const Eigen::Vector3d sole =
-        track_.ankle(side_, frame) - aboutZ(turned[0]) * rolledAnkle(shape_, turned[1]);
+        track_.ankle(side_, frame) - aboutZ(heading + turned[0]) * rolledAnkle(shape_, turned[1]);
     const Eigen::Vector2d line = (to_.print - from_.print).head<2>();
     const Eigen::Vector2d gone = (sole - from_.print).head<2>();
     SwingSample sample;
@@ -76,8 +93,7 @@ class SwingView {
     sample.sideways = (line.x() * gone.y() - line.y() * gone.x()) / line.norm();
     sample.length = line.norm();
     sample.height = sole.z() - from_.print.z() - tau * (to_.print.z() - from_.print.z());
-    const double heading = from_.heading + smoothstep(tau) * wrapAngle(to_.heading - from_.heading);
-    sample.yaw_pitch_roll = {wrapAngle(turned[0] - heading), turned[1], turned[2]};
+    sample.yaw_pitch_roll = turned;
     return sample;
   }
 
@@ -87,7 +103,7 @@ class SwingView {
     const double frame = plant.strike + x * (plant.lift_off - plant.strike);
     const Eigen::Quaterniond q =
         track_.sole(side_, frame, from ? from_.correction : to_.correction);
-    return toEuler(q, {'Z', 'Y', 'X'})[1];
+    return yawPitchRoll(q, (from ? from_ : to_).heading)[1];
   }
 
  private:
@@ -98,26 +114,20 @@ class SwingView {
   GaitTrack::FlatFoot from_, to_;
 };
 
-// Small pitches are a flat foot's; large ones stay as they are.
-double flatten(double pitch) {
-  return pitch * pitch * pitch / (pitch * pitch + kFlatPitch * kFlatPitch);
-}
-
-// Pitch over stance and swing, sampled, a little smoothed (captures shake) and flat where the foot
-// stands.
-std::vector<double> pitchSamples(const SwingView& view) {
+// Pitch over stance and swing, sampled and a little smoothed (captures shake). A foot that turns so
+// far out in its swing is pitched less than is seen from beside the heading.
+std::vector<double> pitchSamples(const SwingView& view, const SwingTerms& yaw) {
   std::vector<double> raw;
   constexpr int kStance = FootCycle::kStanceSamples, kSwing = FootCycle::kSwingSamples;
   for (int i = 0; i < kStance; ++i) {
     const double x = static_cast<double>(i) / kStance;
-    const double own = flatten(view.stancePitch(true, x)),
-                 next = flatten(view.stancePitch(false, x));
-    raw.push_back(x < FootCycle::kFlat
-                      ? next
-                      : own);  // strike as it comes out of the swing, lift-off as it goes in
+    // Strike as it comes out of the swing, lift-off as it goes in.
+    raw.push_back(view.stancePitch(x >= FootCycle::kFlat, x));
   }
   for (int i = 0; i < kSwing; ++i) {
-    raw.push_back(view.at(static_cast<double>(i) / kSwing).yaw_pitch_roll[1]);
+    const double tau = static_cast<double>(i) / kSwing;
+    const double seen = view.at(tau).yaw_pitch_roll[1];
+    raw.push_back(std::atan2(std::sin(seen) * std::cos(swingPolynomial(yaw, tau)), std::cos(seen)));
   }
   const int n = static_cast<int>(raw.size());
   std::vector<double> smooth(n);
@@ -126,10 +136,10 @@ std::vector<double> pitchSamples(const SwingView& view) {
       smooth[i] = 0.25 * raw[(i + n - 1) % n] + 0.5 * raw[i] + 0.25 * raw[(i + 1) % n];
     raw = smooth;
   }
-  for (int i = 0; i < kStance; ++i) {  // flat is flat: the heel lifts after mid-stance only
+  // About the heel until it is flat, about the ball from then on.
+  for (int i = 0; i < kStance; ++i) {
     const double x = static_cast<double>(i) / kStance;
-    if (x < 0.5) smooth[i] = std::min(smooth[i], 0.0);
-    if (x > 0.3) smooth[i] = std::max(smooth[i], 0.0);
+    smooth[i] = x < FootCycle::kFlat ? std::min(smooth[i], 0.0) : std::max(smooth[i], 0.0);
   }
   return smooth;
 }
@@ -154,12 +164,12 @@ FootCycle fitSwing(const GaitTrack& track, Side side, const FootShape& shape, co
     yaw.push_back(sample.yaw_pitch_roll[0]);
     roll.push_back(sample.yaw_pitch_roll[2]);
   }
-  foot.pitch = pitchSamples(view);
-  foot.progress = fitProgress(progress);
-  foot.height = fitSwingHeight(shape, foot, height);
   foot.sideways = fitStray(sideways);
   foot.roll = fitStray(roll);
   foot.yaw = fitStray(yaw);
+  foot.pitch = pitchSamples(view, foot.yaw);
+  foot.progress = fitProgress(progress);
+  foot.height = fitSwingHeight(shape, foot, height);
   return foot;
 }
 

@@ -6,13 +6,14 @@
 #include "animation/analysis/classify_clip.h"
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
+#include "animation/library/foot_cycle.h"
 #include "base/rotation.h"
 #include "base/statistics.h"
 
 namespace amble {
 namespace {
 
-constexpr double kMidStance = 0.45;  // of a stance: the sole is flat there
+constexpr double kMidStance = FootCycle::kFlat;  // of a stance: the sole is flat there
 // In a run a foot that is off the ground may be low and slow once more, and its plant goes on until
 // then: by half and more, where stances differ by a tenth. What is longer than the usual by this is
 // as long as the usual [1].

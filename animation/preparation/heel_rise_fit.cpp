@@ -26,16 +26,17 @@ constexpr int kForward = kPitches, kRolls = kForward + 1, kProgress = kRolls + k
 // What squares are weighed with against those of knee and hip, whose weights over a cycle are 1
 // together. By trial, on walks of seven persons.
 struct Weight {
-  static constexpr double kPitch = 0.15;     // of the pitch against the captured one
-  static constexpr double kFlat = 100.0;     // the same while the foot stands flat
+  static constexpr double kAnkle = 0.25;     // of the ankle
+  static constexpr double kPitch = 0.25;     // of the pitch against the captured one
+  static constexpr double kFlat = 100.0;     // the same where every foot is flat
   static constexpr double kBends = 0.5;      // of what the pitch's second differences are more
-  static constexpr double kToes = 0.05;      // of the toes against the captured ones
+  static constexpr double kToes = 0.15;      // of the toes against the captured ones
   static constexpr double kToesBend = 0.05;  // of the second differences of their coefficients
-  static constexpr double kMoved = 20.0;     // of the print against where it was, in metres
+  static constexpr double kMoved = 0.5;      // of the print against where it was, in metres
   static constexpr double kTooFar = 3000.0;  // of a leg in front that is too long, in its lengths
   static constexpr double kTooLow = 3000.0;  // of a sole that does not clear the ground, in metres
   // Of the pelvis against where it was, in metres: a wave a cycle, and how much more faster ones.
-  static constexpr double kAlong = 4.0, kUp = 25.0, kWaves = 0.01;
+  static constexpr double kAlong = 1.5, kUp = 25.0, kWaves = 0.01;
   static constexpr double kNone =
       1e3;  // of what may not be less than 0 and would, and of waves that a series lacks
 };
@@ -44,7 +45,9 @@ double weightOf(int sample) { return sample < kStance ? 0.6 / kStance : 0.4 / kS
 
 // How flat a foot stands at a time of it [0, 1].
 double flatness(double at) {
-  return smoothstep((at - 0.1) / 0.15) * smoothstep((0.75 - at) / 0.15);
+  constexpr double kOver = 0.1;
+  return smoothstep((at - FootCycle::kFlat) / kOver + 1.0) *
+         smoothstep((FootCycle::kFlat - at) / kOver + 1.0);
 }
 
 // What is linear in the unknowns near where they are now.
@@ -109,9 +112,9 @@ void addSlopes(const LegTrack& track, int first, int sample, const LegMoves& slo
     row.by(kPelvis + k, slopes[swayAxis(k) == 0 ? kByHip : kByHipUp] * swayBasis(k, phase));
 }
 
-// Legs bend as captured.
+// Legs bend as captured, at the ankle as the captured pitch [rad] says.
 void addLeg(const LegTrack& track, const Eigen::VectorXd& now, int first, int sample,
-            Squares& squares) {
+            double captured, Squares& squares) {
   constexpr double kStep = 1e-4;  // [rad, m]
   const double at = LegTrack::timeOf(sample);
   const Eigen::Vector3d line = track.line(sample);
@@ -132,6 +135,13 @@ void addLeg(const LegTrack& track, const Eigen::VectorXd& now, int first, int sa
     addSlopes(track, first, sample, slopes[k], row);
     squares.add(weightOf(sample), row);
   }
+  // The ankle is bent by what pitch, hip and knee are.
+  LegMoves ankle;
+  for (int k = 0; k < kLegMoves; ++k) ankle[k] = slopes[0][k] - slopes[1][k];
+  ankle[kByPitch] -= 1.0;
+  Row row_ankle(now, wanted[0] - wanted[1] - captured - bend[0] + bend[1] + now[first + sample]);
+  addSlopes(track, first, sample, ankle, row_ankle);
+  squares.add(Weight::kAnkle * weightOf(sample), row_ankle);
   // A leg in front is no longer than it may be (LegReach): heels cannot help there, and hips would
   // be lowered.
   const double most = std::clamp(track.capturedLength(sample), LegReach::kStraight * track.length(),
@@ -282,7 +292,8 @@ class WalkFit {
       const int first = side * kOfLeg;
       const FootCycle made = foot(side);
       tracks_[side].make(made, now_[first + kForward], sway());
-      for (int i = 0; i < kPitches; ++i) addLeg(tracks_[side], now_, first, i, squares);
+      for (int i = 0; i < kPitches; ++i)
+        addLeg(tracks_[side], now_, first, i, captured_[side][i], squares);
       addPitches(captured_[side], now_, first, squares);
       addToes(tracks_[side], made, now_, first, squares);
       addClearance(shapes_[side], made, now_, first, squares);

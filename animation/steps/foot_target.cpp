@@ -25,6 +25,17 @@ SwingRoll swingRoll(const FootState& state, const FootBlend& cycle) {
   return {rolled(cycle.pitch(state.at), share, share), cycle.polynomial(&FootCycle::roll, tau)};
 }
 
+// Share of the toes' roll that is made, as of ToesDown.
+double toesShare(const FootState& state) {
+  const FootPlace& place = state.from;
+  if (place.normal.x() == 0.0 && place.normal.y() == 0.0) return 1.0;
+  const double fall =
+      -tiltAlong(place, Eigen::Vector2d(std::cos(place.heading), std::sin(place.heading)));
+  const double late = smoothstep((state.at - ToesDown::kUntil) / ToesDown::kOver);
+  return 1.0 - (1.0 - late) * smoothstep(fall / ToesDown::kSteep);
+}
+
+// How far the toes are rolled over their tip as captured [rad, >= 0].
 double toesOf(const FootState& state, const FootBlend& cycle) {
   constexpr double kSamples = FootCycle::kStanceSamples;
   constexpr double kFrom = (FootCycle::kToesFrom - 2) / kSamples,
@@ -102,6 +113,9 @@ Sole soleOf(const FootState& state, const FootBlend& cycle, const FootShape& sha
   }
   sole.toes = toesOf(state, cycle);
   if (sole.toes > 0.0) {
+    const double kept = (1.0 - toesShare(state)) * sole.toes;
+    sole.pitch += kept * (shape.tip_x - shape.ball_x) / (shape.ball_x - shape.ankle_x);
+    sole.toes -= kept;
     const Eigen::Vector3d ball = rolledBall(shape, sole.toes);
     const FootPlace& place = sole.place;
     const bool level = place.normal.x() == 0.0 && place.normal.y() == 0.0;
