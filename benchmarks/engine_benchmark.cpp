@@ -39,7 +39,12 @@ SpeedEngine engineOfLibrary() {
   for (const Motion& motion : library.motions) {
     if (motion.kind != MotionKind::kWalk || motion.turning) continue;
     cycles.push_back(cycleOf(motion.cycle, static_cast<int>(clips.size())));
-    clips.push_back({motion.source, motion.cycle.speed, 1.0 / motion.cycle.period, 1, motion.cycle.capture, {}});
+    clips.push_back({motion.source,
+                     motion.cycle.speed,
+                     1.0 / motion.cycle.period,
+                     1,
+                     motion.cycle.capture,
+                     {}});
   }
   std::sort(clips.begin(), clips.end(),
             [](const EngineClip& a, const EngineClip& b) { return a.speed < b.speed; });
