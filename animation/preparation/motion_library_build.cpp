@@ -41,7 +41,7 @@ void readWhatToTake(const YamlNode& node, const YamlNode& root, MotionRequest& r
 std::vector<MotionRequest> readRequests(const YamlNode& node, const YamlNode& root,
                                         const std::filesystem::path& captures) {
   node.requireKeys({"name", "kind", "turning", "style", "valid", "joints", "clip", "frames",
-                    "mirror", "harmonics", "unit", "licence", "credit"});
+                    "speed", "mirror", "harmonics", "unit", "licence", "credit"});
   MotionRequest request;
   request.name = node.at("name").asString();
   request.kind = static_cast<MotionKind>(node.at("kind").indexIn(motionKindNames()));
@@ -54,9 +54,13 @@ std::vector<MotionRequest> readRequests(const YamlNode& node, const YamlNode& ro
   request.source.clip = node.at("clip").asString();
   request.file = captures / request.source.clip;
   readWhatToTake(node, root, request);
+  if (const YamlNode speed = node["speed"]) {
+    request.source.speed = speed.asPositive("speed [m/s]", 5.0);
+  }
   for (const char* key : {"licence", "credit"}) {
-    const std::string value =
-        node[key] ? node.at(key).asString() : sourceOf(request.source.clip, key, root);
+    const std::string value = node[key]              ? node.at(key).asString()
+                              : request.source.speed ? ""  // the engine's file says it
+                                                     : sourceOf(request.source.clip, key, root);
     (key[0] == 'l' ? request.source.licence : request.source.credit) = value;
   }
   const YamlNode mirror = node["mirror"];

@@ -55,7 +55,7 @@ struct DrawnEngine {
                              speed,
                              frequency(speed),
                              1,
-                             {},
+                             {0.01, 4.0, 90.0 + speed, 2.0},
                              std::nullopt});
     }
     return space;
@@ -72,6 +72,7 @@ struct DrawnEngine {
     data.stand.rotations = rig.reference();
     data.stand.root_height = kHeight + 0.01;
     data.stand.step_width = 0.2;
+    data.stand_source = {"stand.bvh", {3, 33}, false, "none", "none"};
     if (!walks.empty()) data.walk = space(walks);
     if (!runs.empty()) data.run = space(runs);
     return data;

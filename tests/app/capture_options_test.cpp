@@ -265,7 +265,41 @@ TEST_F(CaptureOptions, OfLibrary) {
                }}});
 }
 
-TEST_F(CaptureOptions, OfLibraryAdd) {
+class LibraryAddOptions : public CaptureOptions {
+ protected:
+  void expectWalksOfAnEngine() const;
+};
+
+void LibraryAddOptions::expectWalksOfAnEngine() const {
+  good("library engine build in/walk.bvh -o anna.yaml --licence 'A B'");
+  fs::remove(folder_ / "l.yaml");
+  good("library add l.yaml anna.yaml --speed 0.6,1");
+  const json motions = printed("library show l.yaml --json")[0]["motions"];
+  ASSERT_EQ(motions.size(), 5u) << "a stance, two walks, their mirror images";
+  EXPECT_EQ(motions[2]["name"], "anna-0.6-mirrored");
+  EXPECT_EQ(motions[3]["name"], "anna-1");
+  EXPECT_NEAR(motions[3]["speed"].get<double>(), 1.0, 1e-6);
+  EXPECT_EQ(motions[3]["source"]["speed"], 1.0);
+  EXPECT_EQ(motions[3]["source"]["licence"], "A B");
+  EXPECT_NE(good("library show l.yaml").out.find("anna.yaml at 0.6 m/s, mirrored (A B)"),
+            std::string::npos);
+  EXPECT_NE(good("library check l.yaml --captures .").out.find("5 motions, 0 wrong"),
+            std::string::npos);
+  const std::string before = read("l.yaml");
+  for (const auto& [use, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"anna.yaml", {"anna.yaml: is a speed engine", "expected --speed"}},
+           {"anna.yaml --speed 0.1", {"--speed", "0.3 to 5"}},
+           {"anna.yaml --speed 3", {"anna.yaml: 3 m/s is beyond what was captured", "0.3 to"}},
+           {"anna.yaml --speed 1 --kind start", {"anna.yaml: ", "holds no start"}},
+           {"anna.yaml --speed 1 --turning turn", {"anna.yaml: ", "walks straight"}},
+           {"anna.yaml --speed 1 --frames 1 9", {"anna.yaml: ", "has no frames"}},
+           {"l.yaml --speed 1", {"l.yaml: is no speed engine", "library engine build"}},
+           {"in/walk.bvh --speed 1", {"walk.bvh: is no speed engine", "library engine build"}}})
+    expectRefused("library add l.yaml " + use + " --name other", words);
+  EXPECT_EQ(read("l.yaml"), before);
+}
+
+TEST_F(LibraryAddOptions, OfLibraryAdd) {
   const auto call = [this](const std::string& clip) {
     fs::remove(folder_ / "l.yaml");
     fs::remove(folder_ / "l.bvh");
@@ -323,6 +357,7 @@ TEST_F(CaptureOptions, OfLibraryAdd) {
     EXPECT_LE(source["frames"][1], 120);
     EXPECT_GT(plain[0]["source"]["frames"][1], 120);
   };
+  uses["--speed"] = [&] { expectWalksOfAnEngine(); };
   uses["--style"] = [&] {
     const json styled = made("--style old-man");
     ASSERT_EQ(styled.size(), 1u) << "a manner is not mirrored unless that is asked for";

@@ -81,6 +81,9 @@ TEST_F(EngineFile, ReadsAsItWas) {
   EXPECT_LT((engine.run->root - drawn.run->root).cwiseAbs().maxCoeff(), 1e-7);
   EXPECT_NEAR(engine.walk->toe_out[0].at_zero, drawn.walk->toe_out[0].at_zero, 1e-8);
   EXPECT_EQ(engine.walk->clips[1].source.licence, "none");
+  EXPECT_EQ(engine.walk->clips[1].capture.joint_jerk, drawn.walk->clips[1].capture.joint_jerk);
+  EXPECT_EQ(engine.stand_source.clip, "stand.bvh");
+  EXPECT_EQ(engine.stand_source.frames, drawn.stand_source.frames);
   const std::string before = text();
   writeSpeedEngine(engine, file_);
   EXPECT_EQ(text(), before);

@@ -7,7 +7,7 @@
 #include "animation/synthesis/walk_synthesizer.h"
 #include "base/error.h"
 #include "base/rotation.h"
-#include "tests/animation/captures.h"
+#include "tests/animation/engine_library.h"
 
 namespace amble {
 namespace {
@@ -150,6 +150,25 @@ TEST(AddMotion, AMovementChangesItsChainsOnly) {
 
 // Series are sums of waves that do not mix: what a mean of cycles has of a wave is the mean of what
 // they have. Mirrored ones are mirrored pose by pose, and close to it.
+// By Froude, as captures of other people are: who has longer legs does it faster.
+TEST(AddMotion, AnEnginesWalkIsCarriedOverToALibraryOfSomebodyElse) {
+  AMBLE_NEEDS_CAPTURES();
+  const EngineInFile made(fitSpeedEngine(engineRequestOf({"cmu_mb2/02_01.bvh"})));
+  MotionLibrary library = made.library({1.0}), other;
+  MotionRequest request;
+  request.name = "own";
+  request.file = sharedFolder() / "mocap/accad_male1/Male1_B3_Walk.bvh";
+  addMotion(other, request);
+  addMotion(other, made.request(1.0));
+  const WalkCycle &walk = library.motions.back().cycle, &carried = other.motions.back().cycle;
+  const double root = std::sqrt(other.stature / library.stature);
+  ASSERT_GT(std::abs(root - 1.0), 0.02);
+  EXPECT_NEAR(carried.period, walk.period * root, 1e-6);
+  EXPECT_NEAR(carried.speed, walk.speed * root, 0.02 * walk.speed);
+  EXPECT_NEAR(carried.capture.joint_jerk * root, walk.capture.joint_jerk, 1e-6);
+  EXPECT_NEAR(carried.doubleSupport(), walk.doubleSupport(), 1e-6);
+}
+
 TEST(CapturedCycles, TheirMeanIsTheSeriesOfTheLibrary) {
   AMBLE_NEEDS_CAPTURES();
   const MotionLibrary library = openMotionLibrary("default");

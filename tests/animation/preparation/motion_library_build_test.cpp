@@ -10,7 +10,7 @@
 #include "animation/library/motion_library_writer.h"
 #include "base/error.h"
 #include "test_paths.h"
-#include "tests/animation/captures.h"
+#include "tests/animation/engine_library.h"
 
 namespace amble {
 namespace {
@@ -59,6 +59,31 @@ TEST_F(BuildLibrary, TheDefaultLibraryIsWhatItsRecipeMakesOfTheCaptures) {
       << "default.yaml is another";
   EXPECT_TRUE(contentOf(folder_ / "default.bvh") == contentOf(kMotions / "default.bvh"))
       << "default.bvh is another";
+}
+
+TEST_F(BuildLibrary, ARecipeTakesWalksOfASpeedEngineWithTheStanceOfItsPerson) {
+  AMBLE_NEEDS_CAPTURES();
+  const std::string person = "accad_female1/Female1_";
+  const EngineInFile made(
+      fitSpeedEngine(engineRequestOf({person + "B03_Walk1.bvh", person + "A01_Stand.bvh"})));
+  std::ofstream(folder_ / "r.yaml")
+      << "skeleton: r.bvh\ncaptures: " << made.file().parent_path()
+      << "\nlicence: the recipe's\ncredit: the recipe's\nmotions:\n"
+         "  - {name: slow, kind: walk, clip: engine.yaml, speed: 0.7, mirror: both}\n"
+         "  - {name: usual, kind: walk, clip: engine.yaml, speed: 1, credit: me}\n";
+  writeMotionLibrary(buildMotionLibrary(folder_ / "r.yaml"), folder_ / "made.yaml");
+  const MotionLibrary library = readMotionLibrary(folder_ / "made.yaml");
+  ASSERT_EQ(library.motions.size(), 4u);
+  const EngineData& engine = made.engine().data();
+  for (int j = 0; j < library.skeleton.size(); ++j) {
+    EXPECT_LT(library.stand().rotations[j].angularDistance(engine.stand.rotations[j]), 1e-5);
+  }
+  EXPECT_EQ(library.motions[0].source.clip, person + "A01_Stand.bvh");
+  EXPECT_EQ(partText(library.motions[2].source), "engine.yaml at 0.7 m/s");
+  EXPECT_TRUE(library.motions[2].source.mirrored);
+  EXPECT_NEAR(library.motions[2].cycle.speed, 0.7, 1e-6);
+  EXPECT_EQ(library.motions[3].source.licence, "free");
+  EXPECT_EQ(library.motions[3].source.credit, "me");
 }
 
 TEST(BuiltLibrary, TheDefaultLibraryTurnsBothWaysAlike) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "animation/analysis/clip_analysis.h"
+#include "animation/preparation/speed_engine_fit.h"
 #include "tests/animation/captures.h"
 #include "tests/animation/drawn_engine.h"
 
