@@ -9,6 +9,7 @@
 #include "animation/preparation/swing_fit.h"
 #include "animation/steps/leg_reach.h"
 #include "base/ease.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {
@@ -26,28 +27,42 @@ constexpr int kForward = kPitches, kRolls = kForward + 1, kProgress = kRolls + k
 // What squares are weighed with against those of knee and hip, whose weights over a cycle are 1
 // together. By trial, on walks of seven persons.
 struct Weight {
-  static constexpr double kAnkle = 0.25;     // of the ankle
-  static constexpr double kPitch = 0.25;     // of the pitch against the captured one
-  static constexpr double kFlat = 100.0;     // the same where every foot is flat
-  static constexpr double kBends = 0.5;      // of what the pitch's second differences are more
-  static constexpr double kToes = 0.15;      // of the toes against the captured ones
-  static constexpr double kToesBend = 0.05;  // of the second differences of their coefficients
-  static constexpr double kMoved = 0.5;      // of the print against where it was, in metres
-  static constexpr double kTooFar = 3000.0;  // of a leg in front that is too long, in its lengths
-  static constexpr double kTooLow = 3000.0;  // of a sole that does not clear the ground, in metres
+  static constexpr double kStraight = 150.0;  // of straight knees, which are seen, more
+  static constexpr double kAnkle = 0.25;      // of the ankle
+  static constexpr double kPitch = 0.25;      // of the pitch against the captured one
+  static constexpr double kFlat = 100.0;      // the same of a foot that stands flat
+  static constexpr double kBends = 0.5;       // of what the pitch's second differences are more
+  static constexpr double kToes = 0.1;        // of the toes against the captured ones
+  static constexpr double kToesBend = 0.05;   // of the second differences of their coefficients
+  static constexpr double kMoved = 1.0;       // of the print against where it was, in metres
+  static constexpr double kCurled = 10.0;     // of toes that reach down too far
+  static constexpr double kTooFar = 3000.0;   // of a leg in front that is too long, in its lengths
+  static constexpr double kTooLow = 3000.0;   // of a sole that does not clear the ground, in metres
   // Of the pelvis against where it was, in metres: a wave a cycle, and how much more faster ones.
-  static constexpr double kAlong = 1.5, kUp = 25.0, kWaves = 0.01;
-  static constexpr double kNone =
-      1e3;  // of what may not be less than 0 and would, and of waves that a series lacks
+  static constexpr double kAlong = 1.0, kUp = 25.0, kWaves = 0.01;
+  static constexpr double kNone = 1e3;  // of what is 0: may not be less and would, feet that are
+                                        // flat, waves that a series lacks
 };
 
 double weightOf(int sample) { return sample < kStance ? 0.6 / kStance : 0.4 / kSwing; }
 
-// How flat a foot stands at a time of it [0, 1].
-double flatness(double at) {
-  constexpr double kOver = 0.1;
-  return smoothstep((at - FootCycle::kFlat) / kOver + 1.0) *
-         smoothstep((FootCycle::kFlat - at) / kOver + 1.0);
+// Whether every foot is flat at a sample, so long that a frame shows it.
+bool isFlat(int sample) {
+  constexpr double kFor = 0.1;  // of the stance, before and after
+  return std::abs(LegTrack::timeOf(sample) - FootCycle::kFlat) < kFor;
+}
+
+// How flat a foot stands at a time of it [0, 1], where it was captured so: this is its pitch [rad].
+double flatness(double at, double captured) {
+  constexpr double kFlatPitch = 0.6 * kDegree;
+  const double mostly = smoothstep((at - 0.1) / 0.15) * smoothstep((0.75 - at) / 0.15);
+  return mostly * (1.0 - smoothstep(std::abs(captured) / kFlatPitch));
+}
+
+// More of knees that are as good as straight [rad]: these are seen.
+double straightness(double knee) {
+  constexpr double kBent = 3.0 * kDegree;
+  return 1.0 + Weight::kStraight * (1.0 - smoothstep(knee / kBent));
 }
 
 // What is linear in the unknowns near where they are now.
@@ -133,7 +148,7 @@ void addLeg(const LegTrack& track, const Eigen::VectorXd& now, int first, int sa
   for (const int k : {0, 1}) {
     Row row(now, wanted[k] - bend[k]);
     addSlopes(track, first, sample, slopes[k], row);
-    squares.add(weightOf(sample), row);
+    squares.add(weightOf(sample) * (k == 0 ? straightness(wanted[0]) : 1.0), row);
   }
   // The ankle is bent by what pitch, hip and knee are.
   LegMoves ankle;
@@ -156,10 +171,10 @@ void addLeg(const LegTrack& track, const Eigen::VectorXd& now, int first, int sa
 void addPitches(const std::vector<double>& captured, const Eigen::VectorXd& now, int first,
                 Squares& squares) {
   for (int i = 0; i < kPitches; ++i) {
-    Row pitch(now, captured[i] - now[first + i]);
+    Row pitch(now, (isFlat(i) ? 0.0 : captured[i]) - now[first + i]);
     pitch.by(first + i, 1.0);
-    squares.add(weightOf(i) * (Weight::kPitch + Weight::kFlat * flatness(LegTrack::timeOf(i))),
-                pitch);
+    const double flat = Weight::kFlat * flatness(LegTrack::timeOf(i), captured[i]);
+    squares.add(isFlat(i) ? Weight::kNone : weightOf(i) * (Weight::kPitch + flat), pitch);
     const int before = (i + kPitches - 1) % kPitches, after = (i + 1) % kPitches;
     const auto bend = [&](const auto& p, int offset) {
       return p[offset + before] - 2.0 * p[offset + i] + p[offset + after];
@@ -169,6 +184,20 @@ void addPitches(const std::vector<double>& captured, const Eigen::VectorXd& now,
     row.by(first + i, -2.0);
     row.by(first + after, 1.0);
     squares.add(Weight::kBends / kPitches, row);
+  }
+}
+
+// Toes do not roll far over a sole that lies: their tips would leave the ground, or toes curl.
+void addCurling(const FootCycle& foot, const Eigen::VectorXd& now, int first, Squares& squares) {
+  constexpr double kMost = 5.0 * kDegree;  // by trial
+  for (int i = FootCycle::kToesFrom - 1; i <= FootCycle::kToesFrom + kToes; ++i) {
+    const double at = LegTrack::timeOf(i);
+    const double over = toeRoll(foot, at) - std::max(foot.pitch[i], 0.0) - kMost;
+    if (over <= 0.0) continue;
+    Row row(now, over);
+    row.by(first + i, 1.0);
+    for (int k = 0; k < kToes; ++k) row.by(first + kRolls + k, -toeSpline(k, at));
+    squares.add(Weight::kCurled * weightOf(i), row);
   }
 }
 
@@ -296,6 +325,7 @@ class WalkFit {
         addLeg(tracks_[side], now_, first, i, captured_[side][i], squares);
       addPitches(captured_[side], now_, first, squares);
       addToes(tracks_[side], made, now_, first, squares);
+      addCurling(made, now_, first, squares);
       addClearance(shapes_[side], made, now_, first, squares);
       Row still(now_, -now_[first + kForward]);
       still.by(first + kForward, 1.0);
@@ -303,6 +333,8 @@ class WalkFit {
     }
     now_ += kShare * (leastUpward(squares) - now_);
     for (const Side side : {kLeft, kRight}) {
+      for (int i = 0; i < kStance; ++i)
+        if (isFlat(i)) now_[side * kOfLeg + i] = 0.0;
       auto toes = now_.segment<kToes>(side * kOfLeg + kRolls);
       toes = toes.cwiseMax(0.0).eval();
       if (!isRigid(side)) continue;

@@ -77,7 +77,7 @@ FootTarget targetOf(const FootShape& shape, const Sole& sole) {
                 Eigen::Quaterniond(Eigen::AngleAxisd(sole.roll, Eigen::Vector3d::UnitX())) *
                 shape.q_SF;
   // Toes stay as they lie while the heel is up.
-  target.toe_bend = std::max(sole.pitch - sole.toes, 0.0);
+  target.toe_bend = std::max(sole.pitch, 0.0) - sole.toes;
   return target;
 }
 

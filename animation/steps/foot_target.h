@@ -36,11 +36,11 @@ struct ToesDown {
   static constexpr double kUntil = 0.8, kOver = 0.15;
 };
 
-/// Where a foot is to be: the ankle, the foot's rotation and how far the toes bend up.
+/// Where a foot is to be: the ankle, the foot's rotation and how far the toes bend.
 struct FootTarget {
   Eigen::Vector3d ankle;    ///< [m, World]
   Eigen::Quaterniond q_WF;  ///< foot joint in World
-  double toe_bend = 0.0;    ///< against the foot [rad, >= 0]
+  double toe_bend = 0.0;    ///< against the foot, up positive [rad]
 };
 
 /// A sole before it is a target: where it is, how its ground lies and how it is rolled.

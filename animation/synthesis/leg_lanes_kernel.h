@@ -61,15 +61,16 @@ inline Turn soleTurn(const LaneSoles& soles) {
 inline void storeToes(const LaneSoles& soles, const SinCos& half_pitch,
                       LaneLegFrames::Target& target) {
   const double* toes = soles.toes;
-  SinCos half = half_pitch;
-  Lanes bend = loaded(soles.pitch);
+  const Lanes pitch = loaded(soles.pitch);
+  const LaneBits up = pitch < 0.0;
   if (toes[0] != 0.0 || toes[1] != 0.0 || toes[2] != 0.0 || toes[3] != 0.0) {
-    bend -= loaded(toes);
-    half = sinCos(0.5 * bend);
+    const SinCos half = sinCos(0.5 * ((up ? Lanes{} : pitch) - loaded(toes)));
+    store(target.toe, half.sine);
+    store(target.toe + 4, half.cosine);
+    return;
   }
-  const LaneBits straight = bend < 0.0;
-  store(target.toe, straight ? Lanes{} : half.sine);
-  store(target.toe + 4, straight ? Lanes{} + 1.0 : half.cosine);
+  store(target.toe, up ? Lanes{} : half_pitch.sine);
+  store(target.toe + 4, up ? Lanes{} + 1.0 : half_pitch.cosine);
 }
 
 inline void aimLanes(const LaneLeg& leg, const LaneSoles& soles, LaneLegFrames& frames) {

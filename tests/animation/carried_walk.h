@@ -18,9 +18,10 @@ namespace amble {
 
 inline constexpr int kCompared = 100;  ///< phases of a cycle
 
-/// What is compared at a phase: flexion of hips and knees by Side [degrees], the root's height [m].
+/// What is compared at a phase: flexion of hips, knees and ankles by Side [degrees], the root's
+/// height [m].
 struct Carried {
-  std::array<double, 2> hip, knee;
+  std::array<double, 2> hip, knee, ankle;
   double height;
 };
 
@@ -33,8 +34,10 @@ inline Carried carriedIn(const std::vector<JointFrame>& joints, const JointRoles
     const LegJoints& leg = roles.legs[side];
     const Eigen::Vector3d thigh = back * (joints[leg.leg].p_WJ - joints[leg.up_leg].p_WJ);
     const Eigen::Vector3d shank = back * (joints[leg.foot].p_WJ - joints[leg.leg].p_WJ);
+    const Eigen::Vector3d foot = back * (joints[leg.toe].p_WJ - joints[leg.foot].p_WJ);
     c.hip[side] = std::atan2(thigh.x(), -thigh.z()) / kDegree;
     c.knee[side] = std::atan2(thigh.cross(shank).norm(), thigh.dot(shank)) / kDegree;
+    c.ankle[side] = (std::atan2(foot.x(), -foot.z()) - std::atan2(shank.x(), -shank.z())) / kDegree;
   }
   c.height = joints[0].p_WJ.z();
   return c;

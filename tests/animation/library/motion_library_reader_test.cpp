@@ -78,6 +78,26 @@ TEST_F(MotionLibraryFile, RefusesUnknownKeysWithTheirLine) {
   expectRefused("lift");
 }
 
+// Libraries of before have the later two thirds of the coefficients.
+TEST_F(MotionLibraryFile, WithToesThatRollLaterIsRead) {
+  const auto read = [&] {
+    std::ofstream(folder_ / "library.yaml") << text_;
+    return readMotionLibrary(folder_ / "library.yaml").find("walk-slow")->cycle.feet[kLeft].toes;
+  };
+  auto toes = read();
+  constexpr int kFewer = 16, kMore = FootCycle::kToeSplines - kFewer;
+  const size_t list = text_.find("toes: [", text_.find("- name: walk-slow")) + 7;
+  size_t kept = list;
+  for (int k = 0; k < kMore; ++k) kept = text_.find(',', kept) + 1;
+  text_.erase(list, kept - list);
+  std::fill_n(toes.begin(), kMore, 0.0);
+  EXPECT_EQ(read(), toes);
+  EXPECT_GT(*std::max_element(toes.begin(), toes.end()), 0.1);
+  line_ = 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + list, '\n'));
+  text_.erase(list, text_.find(',', list) + 1 - list);
+  expectRefused("expected 24 roll of the toes");
+}
+
 TEST_F(MotionLibraryFile, RefusesASkeletonThatIsNotThere) {
   replace("skeleton: default.bvh", "skeleton: nobody.bvh");
   EXPECT_NE(std::string(error().what()).find("nobody.bvh"), std::string::npos) << error().what();

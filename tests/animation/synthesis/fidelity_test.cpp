@@ -103,11 +103,19 @@ struct Compared {
   double rms(std::array<double, 2> Carried::*angle, Side side) const {
     return rmsBetween(made.at, captured, angle, side);
   }
+  /// The same of what is left once the mean of it is taken away.
+  double rmsWithoutMean(std::array<double, 2> Carried::*angle, Side side) const {
+    double mean = 0.0;
+    for (int i = 0; i < kCompared; ++i)
+      mean += ((made.at[i].*angle)[side] - (captured[i].*angle)[side]) / kCompared;
+    return std::sqrt(std::pow(rms(angle, side), 2) - mean * mean);
+  }
 };
 
 // What issue and QUALITY.md ask for: 2.5 degrees for hips and knees, 2 for the least flexion, 1 %
-// of the period, 4 mm of the pelvis. Ankles are left out: captured feet slide and markers tilt
-// them.
+// of the period, 4 mm of the pelvis. The same of ankles without what is constant, but for one leg:
+// markers tilt a standing foot, the left and the right one of a person by up to ten degrees
+// differently, and ours are flat.
 TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
   AMBLE_NEEDS_CAPTURES();
   for (const auto& [clip, stand] :
@@ -129,6 +137,9 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
     for (const Side side : {kLeft, kRight}) {
       EXPECT_LT(walk.rms(&Carried::hip, side), 2.5) << side;
       EXPECT_LT(walk.rms(&Carried::knee, side), 2.5) << side;
+      if (std::string(clip) != "cmu_mb2/07_12.bvh" || side != kLeft) {
+        EXPECT_LT(walk.rmsWithoutMean(&Carried::ankle, side), 2.5) << side;
+      }
       const FootCycle& foot = walk.cycle().feet[side];
       EXPECT_NEAR(std::remainder(walk.made.strike[side] - foot.strike, 1.0), 0.0, 0.02);
       EXPECT_NEAR(std::remainder(walk.made.lift_off[side] - foot.lift_off, 1.0), 0.0, 0.02);
