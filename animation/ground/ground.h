@@ -45,6 +45,9 @@ class Ground {
   /// surface() at each of some points that lie near to one another.
   virtual void surfaces(std::span<const Eigen::Vector2d> points, double z, double reach,
                         std::span<std::optional<SurfacePoint>> out) const;
+  /// Whether for certain all of it is level, at whatever heights: every normal is vertical to the
+  /// bit.
+  virtual bool isAllLevel() const { return false; }
 };
 
 /// The plane z = level, without end.
@@ -55,6 +58,7 @@ class FlatGround : public Ground {
     if (!(std::abs(level_ - z) <= reach)) return std::nullopt;
     return SurfacePoint{level_, Eigen::Vector3d::UnitZ()};
   }
+  bool isAllLevel() const override { return true; }
 
  private:
   double level_;

@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "environments/ground/ground_cells.h"
+#include "environments/ground/ground_patches.h"
 
 namespace amble {
 namespace {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
-// Of what stands upright, but for rounding, the normal rises by less [1].
-constexpr double kUpright = 1e-6;
 // Against the rounding of normals: a ramp of exactly the steepest slope is ground.
 constexpr double kSlopeRounding = 1e-6;
 
@@ -62,7 +61,7 @@ bool liesBeside(const Triangle3& t, const Eigen::AlignedBox2d& box) {
 bool mayEndBetween(const Triangle3& t, const HeightRange& own, double low, double high) {
   if (own.high < low || own.low > high) return false;  // which most are
   // The half of a wall's side that its diagonal bounds does not end there.
-  return own.high <= high || std::abs(upwardness(t)) >= kUpright;
+  return own.high <= high || std::abs(upwardness(t)) >= GroundPatches::kUpright;
 }
 
 // The plane of a triangle in a strip's frame: what of it is over a box is no higher than over its
@@ -122,6 +121,23 @@ struct Strip {
     return {t[0].z() - slope.dot(a), slope.x(), slope.y()};
   }
 
+  // Of a level triangle: every piece of the strip that ends after the one and begins before the
+  // other holds a point of it, by more than rounding. Of others, and of those beside the strip,
+  // none.
+  std::pair<double, double> surelyMet(const Triangle3& t, double half_width) const {
+    constexpr double kSure = 1e-6;  // against rounding, of one frame against the other [m]
+    if (t[0].z() != t[1].z() || t[1].z() != t[2].z()) return {HUGE_VAL, -HUGE_VAL};
+    Triangle3 own = t;
+    for (Eigen::Vector3d& corner : own) corner.head<2>() = local(corner);
+    Eigen::AlignedBox2d band = extentOf(t);
+    band.min().y() = -half_width + kSure;
+    band.max().y() = half_width - kSure;
+    if (band.isEmpty()) return {HUGE_VAL, -HUGE_VAL};
+    const auto met = boundsWithin(own, band);
+    if (!met) return {HUGE_VAL, -HUGE_VAL};
+    return {met->min().x() + kSure, met->max().x() - kSure};
+  }
+
   // The highest point of a triangle within it, if that lies between the two heights [m].
   double crestOf(Triangle3 t, double low, double high) const {
     for (Eigen::Vector3d& corner : t) corner.head<2>() = local(corner);
@@ -129,6 +145,13 @@ struct Strip {
     return heights && heights->high >= low && heights->high <= high ? heights->high : kNone;
   }
 };
+
+// The highest of the levels, lowest first, that is within reach.
+std::optional<SurfacePoint> highestWithin(std::span<const double> levels, double z, double reach) {
+  for (size_t k = levels.size(); k-- > 0;)
+    if (!(std::abs(levels[k] - z) > reach)) return SurfacePoint{levels[k]};
+  return std::nullopt;
+}
 
 GroundSettings atLevel(double level) {
   GroundSettings settings;
@@ -144,6 +167,7 @@ struct SceneGround::Parts {
   std::vector<Eigen::Vector3d> normals = {};  // of the surfaces
   std::vector<HeightRange> heights = {};      // of all triangles
   std::optional<GroundCells> cells = {};
+  std::unique_ptr<const GroundPatches> patches = {};
 };
 
 SceneGround::SceneGround(const Scene& scene, double level) : SceneGround(scene, atLevel(level)) {}
@@ -179,6 +203,10 @@ SceneGround::SceneGround(const Scene& scene, std::shared_ptr<const ScenePieces> 
   parts_->heights.reserve(up_.size());
   for (const Triangle3& t : of_scene.triangles()) parts_->heights.push_back(heightsOf(t));
   parts_->surfaces = TriangleGrid(std::move(ground));
+  parts_->patches = std::make_unique<const GroundPatches>(parts_->surfaces, of_scene.grid);
+  all_level_ = std::ranges::all_of(parts_->surfaces.triangles(), [](const Triangle3& t) {
+    return t[0].z() == t[1].z() && t[1].z() == t[2].z();
+  });
   is_level_ = heights_.isEmpty() || heights_.sizes()[0] <= kLevel;
 }
 
@@ -196,6 +224,12 @@ SurfacePoint SceneGround::pointOf(int triangle, double height) const {
 }
 
 std::optional<SurfacePoint> SceneGround::surface(double x, double y, double z, double reach) const {
+  if (const auto levels = parts_->patches->levelsAt(x, y)) return highestWithin(*levels, z, reach);
+  return surfaceOfTriangles(x, y, z, reach);
+}
+
+std::optional<SurfacePoint> SceneGround::surfaceOfTriangles(double x, double y, double z,
+                                                            double reach) const {
   double best = kNone;
   int found = -1;
   const TriangleGrid& ground = surfaces();
@@ -210,8 +244,9 @@ std::optional<SurfacePoint> SceneGround::surface(double x, double y, double z, d
 }
 
 // The triangles near the points are looked for once, in the order in which surface() sees them.
-void SceneGround::surfaces(std::span<const Eigen::Vector2d> points, double z, double reach,
-                           std::span<std::optional<SurfacePoint>> out) const {
+void SceneGround::surfacesOfTriangles(std::span<const Eigen::Vector2d> points, double z,
+                                      double reach,
+                                      std::span<std::optional<SurfacePoint>> out) const {
   Eigen::AlignedBox2d plan;
   for (const Eigen::Vector2d& p : points) plan.extend(p);
   plan = {plan.min().array() - kSeam, plan.max().array() + kSeam};
@@ -255,12 +290,40 @@ void SceneGround::surfaces(std::span<const Eigen::Vector2d> points, double z, do
   }
 }
 
+// Few that are left to the triangles are cheaper one by one.
+void SceneGround::surfaces(std::span<const Eigen::Vector2d> points, double z, double reach,
+                           std::span<std::optional<SurfacePoint>> out) const {
+  constexpr size_t kFew = 8;
+  std::vector<int> left;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const auto levels = parts_->patches->levelsAt(points[i].x(), points[i].y());
+    if (levels)
+      out[i] = highestWithin(*levels, z, reach);
+    else
+      left.push_back(static_cast<int>(i));
+  }
+  if (left.size() > kFew) return surfacesOfTriangles(points, z, reach, out);
+  for (const int i : left) out[i] = surfaceOfTriangles(points[i].x(), points[i].y(), z, reach);
+}
+
+// Calls visit_one(triangle) for all that may have a highest point over a part of the box between
+// the two heights, and for others.
+template <typename Visit>
+void SceneGround::visitEnding(const Eigen::AlignedBox2d& plan, double low, double high,
+                              Visit visit_one) const {
+  const auto ending = parts_->patches->endingOver(plan, low, high);
+  if (ending)
+    for (const int t : *ending) visit_one(t);
+  else
+    all().visitBox(plan, visit_one);
+}
+
 double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
                           double low, double high) const {
   const Strip strip({a, b}, half_width);
   const Eigen::AlignedBox2d plan = strip.plan();
   double highest = kNone;
-  all().visitBox(plan, [&](int t) {
+  visitEnding(plan, low, high, [&](int t) {
     const Triangle3& thing = all().triangles()[t];
     const HeightRange& own = parts_->heights[t];
     const double needed = std::max(highest, low);
@@ -281,22 +344,27 @@ std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, dou
     double top, begin, end;  // along the line
     Plane plane;
     int triangle;
+    // Pieces that reach beyond both have some of it in them; empty where that is not known.
+    double sure_begin, sure_end;
   };
   std::vector<double> crests(pieces.size(), kNone);
   if (pieces.empty()) return crests;
   const Strip whole({pieces.front().from, pieces.back().to}, half_width + kRounding);
   std::vector<Thing> things;
-  all().visitBox(whole.plan(), [&](int t) {
+  visitEnding(whole.plan(), low, high, [&](int t) {
     const Triangle3& thing = all().triangles()[t];
     const HeightRange& own = parts_->heights[t];
     if (!mayEndBetween(thing, own, low, high)) return;
     const Eigen::AlignedBox2d at = whole.extentOf(thing);
     if (!at.intersects(whole.box)) return;
-    things.push_back(
-        {own.high, at.min().x() - kRounding, at.max().x() + kRounding, whole.planeOf(thing), t});
+    const auto [sure_begin, sure_end] = whole.surelyMet(thing, half_width);
+    things.push_back({own.high, at.min().x() - kRounding, at.max().x() + kRounding,
+                      whole.planeOf(thing), t, sure_begin, sure_end});
   });
   std::sort(things.begin(), things.end(), [](const Thing& a, const Thing& b) {
-    return a.top != b.top ? a.top > b.top : a.triangle < b.triangle;
+    if (a.top != b.top) return a.top > b.top;
+    const bool level = a.sure_begin < a.sure_end, other = b.sure_begin < b.sure_end;
+    return level != other ? level : a.triangle < b.triangle;  // the quick ones first
   });
   things.erase(std::unique(things.begin(), things.end(),
                            [](const Thing& a, const Thing& b) { return a.triangle == b.triangle; }),
@@ -318,6 +386,10 @@ std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, dou
     for (auto piece = first; piece != along.end() && piece->begin <= thing.end; ++piece) {
       double& crest = crests[piece - along.begin()];
       if (thing.top <= crest) continue;
+      if (piece->end > thing.sure_begin && piece->begin < thing.sure_end) {
+        crest = thing.top;  // it is level
+        continue;
+      }
       if (thing.plane.highestOver(piece->begin, piece->end, half_width) < std::max(crest, low))
         continue;
       crest = std::max(crest, piece->strip.crestOf(triangle, low, high));

@@ -35,8 +35,10 @@ class SceneGround : public Ground {
   SceneGround(SceneGround&&) noexcept;
 
   std::optional<SurfacePoint> surface(double x, double y, double z, double reach) const override;
+
   void surfaces(std::span<const Eigen::Vector2d> points, double z, double reach,
                 std::span<std::optional<SurfacePoint>> out) const override;
+  bool isAllLevel() const override { return all_level_; }
 
   /// The highest point of anything, ground or obstacle, over the strip of `half_width` about the
   /// segment from a to b, of what ends between the heights low and high [m]; -infinity for nothing.
@@ -82,6 +84,11 @@ class SceneGround : public Ground {
 
  private:
   SurfacePoint pointOf(int triangle, double height) const;
+  void surfacesOfTriangles(std::span<const Eigen::Vector2d> points, double z, double reach,
+                           std::span<std::optional<SurfacePoint>> out) const;
+  template <typename Visit>
+  void visitEnding(const Eigen::AlignedBox2d& plan, double low, double high, Visit visit_one) const;
+  std::optional<SurfacePoint> surfaceOfTriangles(double x, double y, double z, double reach) const;
   int floorOf(const Eigen::Vector3d& p) const;
   std::vector<double> levels(double x, double y) const;
   std::vector<double> uncovered(const std::vector<double>& heights) const;
@@ -93,7 +100,7 @@ class SceneGround : public Ground {
   std::vector<bool> up_, ground_triangles_;  // by triangle
   std::vector<bool> ground_objects_;         // by object
   Eigen::AlignedBox1d heights_;
-  bool is_level_ = true;
+  bool is_level_ = true, all_level_ = true;
 };
 
 }  // namespace amble

@@ -1,0 +1,255 @@
+#include "environments/ground/ground_patches.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "environments/ground/plan_triangle.h"
+#include "environments/scene/scene_pieces.h"
+
+namespace amble {
+namespace {
+
+// Patches are taken to be larger by so much than rounding makes them [m].
+constexpr double kPatchRounding = 1e-6;
+// Of heights of what is clipped [m].
+constexpr double kHeightRounding = 1e-6;
+
+float below(double height) {
+  return std::nextafter(static_cast<float>(height - kHeightRounding), -HUGE_VALF);
+}
+
+float above(double height) {
+  return std::nextafter(static_cast<float>(height + kHeightRounding), HUGE_VALF);
+}
+
+Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box) {
+  return {box.min().array() - PlanTriangle::kSeen, box.max().array() + PlanTriangle::kSeen};
+}
+
+bool isLevel(const Triangle3& t) { return t[0].z() == t[1].z() && t[1].z() == t[2].z(); }
+
+}  // namespace
+
+struct GroundPatches::Tile {
+  // Between which heights what of a triangle is over a part of a patch ends.
+  struct Ends {
+    float low, high;  // rounded outwards [m]
+    int triangle;
+  };
+  struct Patch {
+    int levels = 0, level_count = -1;  // -1: not level
+    int ends = 0, end_count = 0;
+  };
+  std::array<Patch, kTile * kTile> patches;
+  std::vector<double> levels;
+  std::vector<Ends> ends;
+  double lowest = HUGE_VAL, highest = -HUGE_VAL;  // between which `ends` are kept [m]
+};
+
+class GroundPatches::Maker {
+ public:
+  Maker(const GroundPatches& patches, int column, int row)
+      : patches_(patches), corner_(column, row) {}
+
+  std::unique_ptr<const Tile> make() {
+    auto tile = std::make_unique<Tile>();
+    findGround(*tile);
+    findEnds(*tile);
+    return tile;
+  }
+
+ private:
+  // Of the triangles near the tile each once.
+  std::vector<int> near(const TriangleGrid& grid) const {
+    std::vector<int> near;
+    const Eigen::AlignedBox2d all = box(0)
+                                        .merged(box(kTile * kTile - 1))
+                                        .merged(box(kTile - 1))
+                                        .merged(box(kTile * kTile - kTile));
+    grid.visitBox(grown(all), [&](int t) { near.push_back(t); });
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    return near;
+  }
+
+  Eigen::AlignedBox2d box(int patch) const {
+    return patches_.patchBox(corner_.x() + patch % kTile, corner_.y() + patch / kTile);
+  }
+
+  // Calls visit_one(patch, its box) for those of the tile that a triangle may meet.
+  template <typename Visit>
+  void eachMet(const PlanTriangle& t, Visit visit_one) const {
+    const auto within = [&](double value, int axis) {
+      return std::clamp(patches_.patchAt(value, axis) - corner_[axis], 0, kTile - 1);
+    };
+    const double more = PlanTriangle::kSeen + kPatchRounding;
+    const int left = within(t.box().min().x() - more, 0),
+              right = within(t.box().max().x() + more, 0);
+    const int low = within(t.box().min().y() - more, 1), high = within(t.box().max().y() + more, 1);
+    const bool few = right - left < 2 && high - low < 2;
+    for (int j = low; j <= high; ++j) {
+      for (int i = left; i <= right; ++i) {
+        const Eigen::AlignedBox2d at = box(j * kTile + i);
+        if (few || t.mayMeet(at)) visit_one(j * kTile + i, at);
+      }
+    }
+  }
+
+  void findGround(Tile& tile) const {
+    const std::vector<Triangle3>& triangles = patches_.ground_->triangles();
+    std::array<std::vector<int>, kTile * kTile> met;
+    for (const int t : near(*patches_.ground_)) {
+      for (const Eigen::Vector3d& corner : triangles[t]) {
+        tile.lowest = std::min(tile.lowest, corner.z() - kKeptBelow);
+        tile.highest = std::max(tile.highest, corner.z() + kKeptAbove);
+      }
+      eachMet(PlanTriangle(triangles[t]),
+              [&](int patch, const Eigen::AlignedBox2d&) { met[patch].push_back(t); });
+    }
+    for (int k = 0; k < kTile * kTile; ++k) {
+      const auto levels = levelsOf(met[k], cornersOf(box(k)));
+      if (!levels) continue;
+      tile.patches[k].levels = static_cast<int>(tile.levels.size());
+      tile.patches[k].level_count = static_cast<int>(levels->size());
+      tile.levels.insert(tile.levels.end(), levels->begin(), levels->end());
+    }
+  }
+
+  // Lowest first, of the ground's triangles that a patch may meet; none where it is not level, or
+  // not all over the patch.
+  std::optional<std::vector<double>> levelsOf(const std::vector<int>& met,
+                                              const BoxCorners& patch) const {
+    const std::vector<Triangle3>& triangles = patches_.ground_->triangles();
+    std::vector<double> levels;
+    std::vector<int> parts;
+    for (const int t : met) {
+      if (!isLevel(triangles[t])) return std::nullopt;
+      const PlanTriangle seen(triangles[t]);
+      const bool all = std::all_of(patch.begin(), patch.end(),
+                                   [&](const Eigen::Vector2d& p) { return seen.holds(p); });
+      if (all)
+        levels.push_back(triangles[t][0].z());
+      else
+        parts.push_back(t);
+    }
+    for (const int t : parts) {
+      const double height = triangles[t][0].z();
+      if (std::find(levels.begin(), levels.end(), height) != levels.end()) continue;
+      const PlanTriangle seen(triangles[t]);
+      const bool whole = std::any_of(parts.begin(), parts.end(), [&](int other) {
+        return other != t && triangles[other][0].z() == height &&
+               seen.holdsWith(PlanTriangle(triangles[other]), patch);
+      });
+      if (!whole) return std::nullopt;
+      levels.push_back(height);
+    }
+    std::sort(levels.begin(), levels.end());
+    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+    return levels;
+  }
+
+  void findEnds(Tile& tile) const {
+    const std::vector<Triangle3>& triangles = patches_.all_->triangles();
+    std::array<std::vector<Tile::Ends>, kTile * kTile> ends;
+    for (const int t : near(*patches_.all_)) {
+      const Triangle3& corners = triangles[t];
+      const auto [low, high] = std::minmax({corners[0].z(), corners[1].z(), corners[2].z()});
+      if (high < tile.lowest || low > tile.highest) continue;
+      const bool upright = low < high && std::abs(upwardness(corners)) < kUpright;
+      const HeightRange own{upright ? high : low, high};
+      if (own.low > tile.highest) continue;
+      const PlanTriangle seen(corners);
+      const bool large = own.low < own.high && seen.box().sizes().maxCoeff() > 2.0 * kPatch;
+      eachMet(seen, [&](int patch, const Eigen::AlignedBox2d& at) {
+        const auto here = large ? heightsWithin(corners, grown(at)) : own;
+        if (here) ends[patch].push_back({below(here->low), above(here->high), t});
+      });
+    }
+    for (int k = 0; k < kTile * kTile; ++k) {
+      tile.patches[k].ends = static_cast<int>(tile.ends.size());
+      tile.patches[k].end_count = static_cast<int>(ends[k].size());
+      tile.ends.insert(tile.ends.end(), ends[k].begin(), ends[k].end());
+    }
+  }
+
+  const GroundPatches& patches_;
+  Eigen::Vector2i corner_;  // its first patch
+};
+
+GroundPatches::GroundPatches(const TriangleGrid& ground, const TriangleGrid& all)
+    : ground_(&ground), all_(&all) {
+  if (all.triangles().empty()) return;
+  min_ = all.extent().min();
+  const Eigen::Vector2d size = all.extent().sizes();
+  patch_ = std::max(kPatch, size.maxCoeff() / (kTile * kMostTiles));
+  per_metre_ = 1.0 / patch_;
+  tiles_of_ = (size / (patch_ * kTile)).cast<int>() + Eigen::Vector2i::Ones();
+  slots_ = std::make_unique<Slot[]>(static_cast<size_t>(tiles_of_.x()) * tiles_of_.y());
+}
+
+GroundPatches::~GroundPatches() {
+  const size_t count = slots_ ? static_cast<size_t>(tiles_of_.x()) * tiles_of_.y() : 0;
+  for (size_t i = 0; i < count; ++i) delete slots_[i].tile.load(std::memory_order_acquire);
+}
+
+Eigen::AlignedBox2d GroundPatches::patchBox(int column, int row) const {
+  const Eigen::Vector2d low = min_ + patch_ * Eigen::Vector2d(column, row);
+  return {low.array() - kPatchRounding, low.array() + (patch_ + kPatchRounding)};
+}
+
+// None where it is not worth being made yet. Of threads that make one at once the first keeps its
+// own: they are the same.
+const GroundPatches::Tile* GroundPatches::makeTile(int i, int j) const {
+  Slot& slot = slots_[static_cast<size_t>(j) * tiles_of_.x() + i];
+  if (slot.asked.fetch_add(1, std::memory_order_relaxed) < kAskedBefore) return nullptr;
+  std::unique_ptr<const Tile> own = Maker(*this, i * kTile, j * kTile).make();
+  const Tile* there = nullptr;
+  if (slot.tile.compare_exchange_strong(there, own.get(), std::memory_order_acq_rel))
+    return own.release();
+  return there;
+}
+
+std::optional<std::span<const double>> GroundPatches::levelsAt(double x, double y) const {
+  const int column = patchAt(x, 0), row = patchAt(y, 1);
+  if (column < 0 || row < 0 || column >= tiles_of_.x() * kTile || row >= tiles_of_.y() * kTile)
+    return std::nullopt;
+  const Tile* tile = tileOf(column, row);
+  if (tile == nullptr) return std::nullopt;
+  const Tile::Patch& patch = tile->patches[row % kTile * kTile + column % kTile];
+  if (patch.level_count < 0) return std::nullopt;
+  return std::span(tile->levels.data() + patch.levels, static_cast<size_t>(patch.level_count));
+}
+
+std::optional<std::vector<int>> GroundPatches::endingOver(const Eigen::AlignedBox2d& box,
+                                                          double low, double high) const {
+  std::vector<int> found;
+  if (!slots_) return found;
+  const auto within = [&](double value, int axis) {
+    return std::clamp(patchAt(value, axis), 0, tiles_of_[axis] * kTile - 1);
+  };
+  const int left = within(box.min().x() - kPatchRounding, 0);
+  const int right = within(box.max().x() + kPatchRounding, 0);
+  const int last = within(box.max().y() + kPatchRounding, 1);
+  for (int j = within(box.min().y() - kPatchRounding, 1); j <= last; ++j) {
+    for (int i = left; i <= right;) {
+      const Tile* tile = tileOf(i, j);
+      if (tile == nullptr || low < tile->lowest || high > tile->highest) return std::nullopt;
+      const int end = std::min(right + 1, i - i % kTile + kTile);
+      for (; i < end; ++i) {
+        const Tile::Patch& patch = tile->patches[j % kTile * kTile + i % kTile];
+        for (int k = patch.ends; k < patch.ends + patch.end_count; ++k) {
+          const Tile::Ends& ends = tile->ends[k];
+          if (ends.low <= high && ends.high >= low) found.push_back(ends.triangle);
+        }
+      }
+    }
+  }
+  if (found.size() > 1) {
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
+  return found;
+}
+
+}  // namespace amble
