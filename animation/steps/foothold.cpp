@@ -23,6 +23,24 @@ std::optional<SurfacePoint> uprightIfVertical(std::optional<SurfacePoint> point)
 
 }  // namespace
 
+// Where a sole's samples lie.
+struct FootholdFinder::SoleRows {
+  double c, s, back, front, half_width;
+
+  SoleRows(const FootPlace& place, const FootShape& foot)
+      : c(std::cos(place.heading)),
+        s(std::sin(place.heading)),
+        back(foot.heel_x - foot.radius),
+        front(foot.tip_x + foot.radius),
+        half_width(foot.half_width) {}
+
+  // From the sole's middle, in World's axes [m].
+  Eigen::Vector2d at(int row, int column) const {
+    const double x = back + (front - back) * row / (kRows - 1), y = half_width * (column - 1);
+    return {c * x - s * y, s * x + c * y};
+  }
+};
+
 struct FootholdFinder::Samples {
   struct Point {
     Eigen::Vector2d at;  // from the sole's middle, in World's axes [m]
@@ -33,26 +51,55 @@ struct FootholdFinder::Samples {
   bool level = true;  // every normal is vertical
 };
 
-// False where there is no ground under the middle.
-bool FootholdFinder::sample(const FootPlace& place, const FootShape& foot, double reach,
-                            Samples& out) const {
-  const double c = std::cos(place.heading), s = std::sin(place.heading);
-  const double back = foot.heel_x - foot.radius, front = foot.tip_x + foot.radius;
+// On ground that is level everywhere. Row by row, from the ends inwards: false as soon as judge()
+// would refuse the place whatever is under the rest. It would, since a sample that sticks out or
+// that lies too low under the highest so far does so with more of them.
+bool FootholdFinder::sampleLevels(const FootPlace& place, const SoleRows& rows, double reach,
+                                  Samples& samples) const {
+  const double height = samples.middle.height;
+  double raise = 0.0;
+  int missing = 0;
+  for (const int row : {kRows - 1, 0, kRows - 2, 1, kRows - 3, 2, 3}) {
+    Samples::Point* points = &samples.points[row * kColumns];
+    int standing = 0;
+    for (int j = 0; j < kColumns; ++j) {
+      points[j].at = rows.at(row, j);
+      const Eigen::Vector2d at = place.position.head<2>() + points[j].at;
+      points[j].surface = uprightIfVertical(ground_.surface(at.x(), at.y(), height, reach));
+      if (!points[j].surface) continue;
+      const double out = points[j].surface->height - height;
+      if (out > Unevenness::kStraddled) return false;
+      raise = std::max(raise, out);
+    }
+    for (int j = 0; j < kColumns; ++j) {
+      const auto& surface = points[j].surface;
+      standing += surface && surface->height - height >= raise - Unevenness::kStraddled ? 1 : 0;
+    }
+    missing += 2 * standing > kColumns ? 0 : 1;
+    if (static_cast<double>(kRows - missing) / kRows < kLeastSupport) return false;
+  }
+  return true;
+}
+
+// What refuses the place by the samples seen, if anything.
+std::optional<Foothold::Refusal> FootholdFinder::sample(const FootPlace& place,
+                                                        const FootShape& foot, double reach,
+                                                        Samples& out) const {
   const Eigen::Vector3d& p = place.position;
   const auto middle = uprightIfVertical(ground_.surface(p.x(), p.y(), p.z(), reach));
-  if (!middle) return false;
+  if (!middle) return Foothold::Refusal::kNoGround;
   out.middle = *middle;
   out.level = middle->normal.z() == 1.0;
+  const SoleRows rows(place, foot);
+  if (ground_.isAllLevel()) {
+    return sampleLevels(place, rows, reach, out) ? std::nullopt
+                                                 : std::optional(Foothold::Refusal::kEdge);
+  }
   std::array<Eigen::Vector2d, kRows * kColumns> at;
   std::array<std::optional<SurfacePoint>, kRows * kColumns> surfaces;
-  for (int i = 0; i < kRows; ++i) {
-    const double x = back + (front - back) * i / (kRows - 1);
-    for (int j = 0; j < kColumns; ++j) {
-      const double y = foot.half_width * (j - 1);
-      const int k = i * kColumns + j;
-      out.points[k].at = {c * x - s * y, s * x + c * y};
-      at[k] = p.head<2>() + out.points[k].at;
-    }
+  for (int k = 0; k < kRows * kColumns; ++k) {
+    out.points[k].at = rows.at(k / kColumns, k % kColumns);
+    at[k] = p.head<2>() + out.points[k].at;
   }
   ground_.surfaces(at, middle->height, reach, surfaces);
   for (size_t k = 0; k < at.size(); ++k) {
@@ -60,7 +107,7 @@ bool FootholdFinder::sample(const FootPlace& place, const FootShape& foot, doubl
     point.surface = uprightIfVertical(surfaces[k]);
     out.level = out.level && (!point.surface || point.surface->normal.z() == 1.0);
   }
-  return true;
+  return std::nullopt;
 }
 
 // Of a sole in the plane through the middle's height with this normal, raised until nothing sticks
@@ -125,8 +172,8 @@ Foothold FootholdFinder::at(const FootPlace& place, Side side, double reach) con
   Samples samples;
   Foothold found;
   found.place = place;
-  if (!sample(place, foot, reach, samples)) {
-    found.refusal = Foothold::Refusal::kNoGround;
+  if (const auto refusal = sample(place, foot, reach, samples)) {
+    found.refusal = *refusal;
     return found;
   }
   const double height = samples.middle.height;

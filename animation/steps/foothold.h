@@ -49,8 +49,12 @@ class FootholdFinder {
   Foothold at(const FootPlace& place, Side side, double reach) const;
 
  private:
+  struct SoleRows;
   struct Samples;
-  bool sample(const FootPlace& place, const FootShape& foot, double reach, Samples& out) const;
+  std::optional<Foothold::Refusal> sample(const FootPlace& place, const FootShape& foot,
+                                          double reach, Samples& out) const;
+  bool sampleLevels(const FootPlace& place, const SoleRows& rows, double reach,
+                    Samples& samples) const;
   Foothold judge(const FootPlace& place, const Samples& samples, const Eigen::Vector3d& normal,
                  double height) const;
   bool obstructed(const FootPlace& stood, const FootShape& foot) const;

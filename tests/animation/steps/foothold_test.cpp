@@ -8,6 +8,7 @@
 #include "animation/ground/stair_ground.h"
 #include "animation/library/motion_library_reader.h"
 #include "base/rotation.h"
+#include "base/sample_stream.h"
 
 namespace amble {
 namespace {
@@ -110,6 +111,55 @@ TEST(Foothold, TheEdgeOfARugIsStoodAcross) {
   EXPECT_EQ(hold.refusal, Refusal::kNone);
   EXPECT_EQ(hold.place.position.z(), 0.01);
   EXPECT_EQ(hold.supported, 1.0);
+}
+
+/// Squares of drawn heights, some without ground, that say that they are level, or do not.
+class Terraces : public Ground {
+ public:
+  Terraces(std::uint64_t seed, double highest, bool says_so) : says_so_(says_so) {
+    SampleStream random(seed, 0);
+    for (double& height : heights_) height = random.uniform(0.0, highest);
+    for (int k = 0; k < 6; ++k) heights_[random.below(kSide * kSide)] = -HUGE_VAL;
+  }
+  std::optional<SurfacePoint> surface(double x, double y, double z, double reach) const override {
+    const int i = static_cast<int>(x / kSquare), j = static_cast<int>(y / kSquare);
+    if (x < 0.0 || y < 0.0 || i >= kSide || j >= kSide) return std::nullopt;
+    const double height = heights_[j * kSide + i];
+    if (!(std::abs(height - z) <= reach)) return std::nullopt;
+    return SurfacePoint{height, Eigen::Vector3d::UnitZ()};
+  }
+  bool isAllLevel() const override { return says_so_; }
+  static constexpr int kSide = 8;
+  static constexpr double kSquare = 0.17;  // [m]
+
+ private:
+  bool says_so_;
+  std::array<double, kSide * kSide> heights_;
+};
+
+TEST(Foothold, OnLevelsIsWhatItIsWhetherOrNotTheGroundSaysThatItIsAllLevel) {
+  std::array<int, 4> seen = {0, 0, 0, 0};
+  for (const double highest : {0.02, 0.06, 0.4}) {
+    const Terraces says(5, highest, true), tells_nothing(5, highest, false);
+    const FootholdFinder quick(says, feet(), limits()), whole(tells_nothing, feet(), limits());
+    SampleStream random(6, 0);
+    for (int n = 0; n < 3000; ++n) {
+      FootPlace place;
+      place.position = {random.uniform(0.0, 1.36), random.uniform(0.0, 1.36), 0.5 * highest};
+      place.heading = random.uniform(-3.0, 3.0);
+      const Side side = n % 2 == 0 ? kLeft : kRight;
+      const Foothold hold = quick.at(place, side, 0.25), same = whole.at(place, side, 0.25);
+      ++seen[static_cast<int>(hold.refusal)];
+      ASSERT_EQ(hold.refusal, same.refusal) << n;
+      if (hold.refusal != Refusal::kNone) continue;
+      EXPECT_EQ(hold.place.position, same.place.position);
+      EXPECT_EQ(hold.place.normal, same.place.normal);
+      EXPECT_EQ(hold.supported, same.supported);
+    }
+  }
+  EXPECT_GT(seen[static_cast<int>(Refusal::kNone)], 500);
+  EXPECT_GT(seen[static_cast<int>(Refusal::kNoGround)], 500);
+  EXPECT_GT(seen[static_cast<int>(Refusal::kEdge)], 500);
 }
 
 }  // namespace
