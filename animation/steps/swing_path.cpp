@@ -16,6 +16,8 @@ using Margins = SwingMargins;
 
 namespace {
 
+constexpr double kDearer = 1.0 + 1e-9;  // against rounding of costs
+
 // Share of the extra lift that a ramp has added at tau, or has left so long before the end [0, 1].
 double risen(double ramp, double tau) { return minimumJerk(tau / ramp); }
 
@@ -27,6 +29,7 @@ double bump(const SwingShape& shape, double tau) {
 // either side.
 double highestOf(const FootPlace& place, const Eigen::Vector2d& p, const Eigen::Vector2d& q,
                  double half_width) {
+  if (place.normal == Eigen::Vector3d::UnitZ()) return place.position.z();
   const Eigen::Vector2d origin = place.position.head<2>();
   const Eigen::Vector2d along = (q - p).normalized();
   const double across = std::abs(tiltAlong(place, {-along.y(), along.x()}));
@@ -59,6 +62,9 @@ struct SwingClearance::Strip {
   std::vector<double> height;  // crest of each cell over the first print [m]; -infinity: none
   std::vector<char> own;       // whether that is the plane of a print
   RangeMaximum own_height, other_height;  // of the cells that are, and that are not
+
+  // The first cell that is not beside the first print, and the last that is not beside the second.
+  int first_before = 0, last_behind = -1;
 
   int cells() const { return static_cast<int>(height.size()); }
   double middleOf(int cell) const { return begin + (cell + 0.5) * Search::kCell; }
@@ -114,6 +120,13 @@ SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPla
   for (int i = 0; i < cells; ++i) (strip.own[i] ? own_height : other_height)[i] = strip.height[i];
   strip.own_height = RangeMaximum(std::move(own_height));
   strip.other_height = RangeMaximum(std::move(other_height));
+  strip.last_behind = cells - 1;
+  while (strip.first_before < cells &&
+         strip.middleOf(strip.first_before) < strip.ahead + Search::kCell)
+    ++strip.first_before;
+  while (strip.last_behind >= 0 &&
+         strip.middleOf(strip.last_behind) > strip.length - strip.back - Search::kCell)
+    --strip.last_behind;
   // A foot that stands nearer to a riser goes up nearer to it.
   for (int i = 0; i < cells; ++i) {
     const double before = strip.begin + i * Search::kCell - strip.ahead;
@@ -134,17 +147,33 @@ struct SwingClearance::Moment {
   double own = 0.0;     // margin over the ground that it stands on [m]
 };
 
+// What of each moment of a swing is the same however it is delayed and cut short.
+struct SwingClearance::Course {
+  std::array<double, kSamples> ease, height;  // [1]; over the line from print to print [m]
+
+  Course(const FootBlend& cycle, const SwingShape& shape) {
+    for (int k = 0; k < kSamples; ++k) {
+      const double tau = static_cast<double>(k) / kSamples;
+      ease[k] = smoothstep(tau);
+      height[k] = swingHeight(shape, cycle, tau);
+    }
+  }
+};
+
+// @param shape  with the lift, and without an extra one, that the course was made for
 SwingClearance::Moment SwingClearance::momentAt(const Strip& strip, const FootBlend& cycle,
-                                                const SwingShape& shape, double tau) {
+                                                const SwingShape& shape, const Course& course,
+                                                int k) {
   Moment sole;
-  const double along = swingAlong(shape, cycle, tau), ease = smoothstep(tau);
+  const double along = swingAlong(shape, cycle, static_cast<double>(k) / kSamples);
+  const double ease = course.ease[k];
   sole.s = along * strip.length;
   // Over the ground that it stands on a foot's margin grows as it goes on.
   const double away = std::clamp(
       std::min(sole.s / Margins::kLeaving, (strip.length - sole.s) / Margins::kNear), 0.0, 1.0);
   sole.own = away * Margins::kOver - (1.0 - away) * strip.uneven;
   const double side = strip.from_side + ease * (strip.to_side - strip.from_side);
-  sole.height = along * strip.rise + swingHeight(shape, cycle, tau) + side;
+  sole.height = along * strip.rise + course.height[k] + side;
   sole.tilt = strip.from_tilt + ease * (strip.to_tilt - strip.from_tilt);
   return sole;
 }
@@ -153,10 +182,8 @@ SwingClearance::Moment SwingClearance::momentAt(const Strip& strip, const FootBl
 double SwingClearance::needOver(const Strip& strip, const Moment& sole, int first, int last) {
   // Beside a print, not under it: a foot that goes up or comes down there passes it by.
   int from = first, to = last;
-  if (sole.s < Margins::kBeside)
-    while (from <= to && strip.middleOf(from) < strip.ahead + Search::kCell) ++from;
-  if (strip.length - sole.s < Margins::kBeside)
-    while (to >= from && strip.middleOf(to) > strip.length - strip.back - Search::kCell) --to;
+  if (sole.s < Margins::kBeside) from = std::max(from, strip.first_before);
+  if (strip.length - sole.s < Margins::kBeside) to = std::min(to, strip.last_behind);
   const double most = std::max(strip.own_height.over(first, last) + sole.own,
                                strip.other_height.over(from, to) + Margins::kOver) -
                       sole.height;
@@ -175,10 +202,10 @@ double SwingClearance::needOver(const Strip& strip, const Moment& sole, int firs
 
 // What must be added to the swing's height at each of kSamples moments [m].
 SwingClearance::Needs SwingClearance::needs(const Strip& strip, const FootBlend& cycle,
-                                            const SwingShape& shape) {
+                                            const SwingShape& shape, const Course& course) {
   Needs needs = {};
   for (int k = 1; k < kSamples; ++k) {
-    const Moment sole = momentAt(strip, cycle, shape, static_cast<double>(k) / kSamples);
+    const Moment sole = momentAt(strip, cycle, shape, course, k);
     const auto cellAt = [&](double s) {
       return static_cast<int>(std::floor((s - strip.begin) / Search::kCell));
     };
@@ -220,6 +247,7 @@ bool SwingClearance::isFree(const FootPlace& from, const FootPlace& to,
 struct SwingClearance::Ramps {
   std::array<std::array<double, kSamples>, Search::kRamps.size()> up, down;
 
+  double lift(const Needs& needs, size_t rise, size_t fall, double most) const;
   Ramps() {
     for (size_t i = 0; i < Search::kRamps.size(); ++i) {
       for (int k = 0; k < kSamples; ++k) {
@@ -231,6 +259,19 @@ struct SwingClearance::Ramps {
   }
 };
 
+// The least extra lift by which a swing with these ramps meets all needs, infinity where it is more
+// than `most`.
+double SwingClearance::Ramps::lift(const Needs& needs, size_t rise, size_t fall,
+                                   double most) const {
+  double extra = 0.0;
+  for (int k = 1; k < kSamples && extra <= most; ++k) {
+    if (needs[k] == 0.0) continue;
+    const double share = up[rise][k] * down[fall][k];
+    extra = std::max(extra, needs[k] / std::max(share, 1e-3));
+  }
+  return extra > most ? std::numeric_limits<double>::infinity() : extra;
+}
+
 bool SwingClearance::clear(const FootPlace& from, const FootPlace& to, Side side,
                            const FootBlend& cycle, SwingShape& shape) const {
   const double length = (to.position - from.position).head<2>().norm();
@@ -240,30 +281,28 @@ bool SwingClearance::clear(const FootPlace& from, const FootPlace& to, Side side
   double least = std::numeric_limits<double>::infinity();
   SwingShape best = shape, tried = shape;
   tried.extra = 0.0;
+  const Course course(cycle, tried);
   for (const double delay : Search::kDelays) {
     for (const double early : Search::kDelays) {
       tried.delay = delay, tried.early = early;
       // Accelerations, of the foot going on, and below going up and coming down.
       const double on = length / std::pow(1.0 - delay - early, 2);
       if (on * on >= least) continue;
-      const Needs curve = needs(between, cycle, tried);
+      const Needs curve = needs(between, cycle, tried, course);
       for (size_t i = 0; i < Search::kRamps.size(); ++i) {
         for (size_t j = 0; j < Search::kRamps.size(); ++j) {
           const double up = Search::kRamps[i], down = Search::kRamps[j];
-          SwingShape shaped = tried;
-          shaped.rise = up, shaped.fall = down;
-          for (int k = 1; k < kSamples; ++k) {
-            if (curve[k] == 0.0) continue;
-            const double share = ramps.up[i][k] * ramps.down[j][k];
-            shaped.extra = std::max(shaped.extra, curve[k] / std::max(share, 1e-3));
-          }
-          const double extra = shaped.extra;
-          if (extra > highest_ + std::abs(between.rise)) continue;
+          // A higher lift than this costs more than the best so far by itself, rounding included.
+          const double dear = kDearer * std::sqrt(least) / Search::kLiftCost;
+          const double extra =
+              ramps.lift(curve, i, j, std::min(highest_ + std::abs(between.rise), dear));
+          if (std::isinf(extra)) continue;
           const double cost = std::pow(extra / (up * up), 2) + std::pow(extra / (down * down), 2) +
                               on * on + std::pow(Search::kLiftCost * extra, 2);
           if (cost >= least) continue;
           least = cost;
-          best = shaped;
+          best = tried;
+          best.rise = up, best.fall = down, best.extra = extra;
         }
       }
     }

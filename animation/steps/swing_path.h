@@ -75,10 +75,12 @@ class SwingClearance {
   static constexpr int kSamples = 40;  // of a swing
   using Needs = std::array<double, kSamples>;
   struct Moment;
+  struct Course;
   static Moment momentAt(const Strip& strip, const FootBlend& cycle, const SwingShape& shape,
-                         double tau);
+                         const Course& course, int k);
   static double needOver(const Strip& strip, const Moment& sole, int first, int last);
-  static Needs needs(const Strip& strip, const FootBlend& cycle, const SwingShape& shape);
+  static Needs needs(const Strip& strip, const FootBlend& cycle, const SwingShape& shape,
+                     const Course& course);
   bool isFree(const FootPlace& from, const FootPlace& to, const FootShape& foot) const;
 
   const Ground& ground_;
