@@ -4,20 +4,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <optional>
 
-#include "base/parallel.h"
-#include "base/processor.h"
+#include "environments/collision/distance_transform.h"
 #include "environments/scene/parity.h"
 
 namespace amble {
 namespace {
 
 constexpr uint8_t kSurface = 1, kInside = 2;
-// Squared voxels. Windows are shorter than 50 voxels: adding their squares stays below an int16_t's
-// end.
-constexpr int16_t kFarSquared = 30000;
-static_assert(ClearanceField::kFarthest / ClearanceField::kFinestVoxel < 48.0);
+static_assert(ClearanceField::kFarthest / ClearanceField::kFinestVoxel < kLongestWindow - 2);
 
 using Triangle = std::array<Eigen::Vector3d, 3>;
 
@@ -28,25 +24,42 @@ Eigen::AlignedBox3d boundsOf(const Triangle& t) {
   return box;
 }
 
-// Whether a triangle and an axis-aligned box about the origin of these half lengths are apart along
-// `axis`.
-bool apartAlong(const Eigen::Vector3d& axis, const Triangle& t, const Eigen::Vector3d& half) {
-  const double a = axis.dot(t[0]), b = axis.dot(t[1]), c = axis.dot(t[2]);
-  const double reach = half.dot(axis.cwiseAbs());
-  return std::min({a, b, c}) > reach || std::max({a, b, c}) < -reach;
-}
+// Which boxes of a size a triangle overlaps, by the separating axes of both (Akenine-Moeller 2001),
+// the box's own left out: the caller looks in the triangle's bounds only.
+class BoxTest {
+ public:
+  // @param half  of the boxes' lengths [m]
+  BoxTest(const Triangle& t, const Eigen::Vector3d& half) : origin_(t[0]) {
+    const Triangle edges = {t[1] - t[0], t[2] - t[1], t[0] - t[2]};
+    int next = 0;
+    const auto add = [&](const Eigen::Vector3d& axis) {
+      const double b = axis.dot(edges[0]),
+                   c = -axis.dot(edges[2]);  // of the corners; of the first 0
+      const double reach = half.dot(axis.cwiseAbs());
+      slabs_[next++] = {axis, std::min({0.0, b, c}) - reach, std::max({0.0, b, c}) + reach};
+    };
+    add(edges[0].cross(edges[1]));
+    for (const Eigen::Vector3d& edge : edges)
+      for (int k = 0; k < 3; ++k) add(edge.cross(Eigen::Vector3d::Unit(k)));
+  }
 
-// Separating axes of triangle and box (Akenine-Moeller 2001), the box's own axes left out: the
-// caller looks in the triangle's bounds only.
-bool overlaps(const Triangle& t, const Eigen::Vector3d& centre, const Eigen::Vector3d& half) {
-  const Triangle local = {t[0] - centre, t[1] - centre, t[2] - centre};
-  const Triangle edges = {t[1] - t[0], t[2] - t[1], t[0] - t[2]};
-  if (apartAlong(edges[0].cross(edges[1]), local, half)) return false;
-  for (const Eigen::Vector3d& edge : edges)
-    for (int k = 0; k < 3; ++k)
-      if (apartAlong(edge.cross(Eigen::Vector3d::Unit(k)), local, half)) return false;
-  return true;
-}
+  bool overlaps(const Eigen::Vector3d& centre) const {
+    const Eigen::Vector3d p = centre - origin_;
+    return std::all_of(slabs_.begin(), slabs_.end(), [&](const Slab& slab) {
+      const double at = slab.axis.dot(p);
+      return at >= slab.low && at <= slab.high;
+    });
+  }
+
+ private:
+  // Middles of boxes that are not apart from it along the axis.
+  struct Slab {
+    Eigen::Vector3d axis;
+    double low, high;
+  };
+  Eigen::Vector3d origin_;
+  std::array<Slab, 10> slabs_;
+};
 
 // Signed distance to a primitive's surface, in its frame; a lower bound outside is enough [m].
 struct SignedDistance {
@@ -122,8 +135,11 @@ void markTriangle(const VoxelGrid& grid, const Triangle& triangle, std::vector<u
   const Eigen::Array3i size = (range.high - range.low).array() + 1;
   if ((size <= 0).any()) return;
   if (size.cast<double>().prod() <= kFewVoxels || size.minCoeff() == 1) {
-    markWhere(grid, box, occupied,
-              [&](const Eigen::Vector3d& c) { return overlaps(triangle, c, half); });
+    std::optional<BoxTest> test;  // only where a voxel is not occupied yet
+    markWhere(grid, box, occupied, [&](const Eigen::Vector3d& c) {
+      if (!test) test.emplace(triangle, half);
+      return test->overlaps(c);
+    });
     return;
   }
   const auto& [a, b, c] = triangle;
@@ -180,60 +196,6 @@ void markBeyond(const VoxelGrid& grid, const Eigen::AlignedBox3d& obstacles,
   }
 }
 
-// Rows of the transform are so many voxels at a time, which compilers keep in registers; what is
-// over at a row's end is far from everything.
-constexpr size_t kBlock = 32;
-
-// Lines of voxels along one axis, where its next voxel is `stride` numbers on.
-struct Axis {
-  int count;
-  size_t stride;
-};
-
-// The first axis, x: squared distance in voxels of each voxel to the last and the next occupied one
-// in its row.
-void measureRow(const uint8_t* in, int16_t* out, size_t length, int window) {
-  const int far = window + 1;
-  int since = far;
-  for (size_t x = 0; x < length; ++x) {
-    since = in[x] ? 0 : std::min(since + 1, far);
-    out[x] = static_cast<int16_t>(since);
-  }
-  since = far;
-  for (size_t x = length; x-- > 0;) {
-    since = in[x] ? 0 : std::min(since + 1, far);
-    const int d = std::min<int>(out[x], since), apart = std::max(0, d - 1);
-    out[x] = d >= far ? kFarSquared : static_cast<int16_t>(apart * apart);
-  }
-}
-
-// A run of `out`, `at` along the axis: the least of `in` over a window of voxels, with the squared
-// distance in voxels added that points of the two voxels are apart at least. Outwards, until no
-// voxel of the block can gain.
-AMBLE_FOR_EACH_PROCESSOR
-void spreadRun(const int16_t* in, int16_t* out, size_t run, const Axis& axis, int at, int window) {
-  for (size_t x = 0; x < run; x += kBlock) {
-    std::array<int16_t, kBlock> least;
-    const int16_t* const own = in + x + at * axis.stride;
-    std::copy_n(own, kBlock, least.data());
-    for (int d = 1; d <= window; ++d) {
-      const int16_t add = static_cast<int16_t>((d - 1) * (d - 1));
-      int16_t most = 0;
-      for (size_t k = 0; k < kBlock; ++k) most = std::max(most, least[k]);
-      if (most <= add) break;
-      for (const int side : {-d, d}) {
-        if (at + side < 0 || at + side >= axis.count) continue;
-        const int16_t* const other = own + side * static_cast<ptrdiff_t>(axis.stride);
-        for (size_t k = 0; k < kBlock; ++k) {
-          const int16_t sum = static_cast<int16_t>(other[k] + add);
-          least[k] = std::min(least[k], sum);
-        }
-      }
-    }
-    std::copy_n(least.data(), kBlock, out + x);
-  }
-}
-
 }  // namespace
 
 ClearanceField::ClearanceField(const std::vector<Obstacle>& obstacles,
@@ -244,56 +206,27 @@ ClearanceField::ClearanceField(const std::vector<Obstacle>& obstacles,
   grid_.min = region.min();
   for (int k = 0; k < 3; ++k)
     grid_.count[k] = std::max(1, static_cast<int>(std::floor(region.sizes()[k] / grid_.size)));
-  std::vector<uint8_t> occupied(grid_.total(), 0);
+  bound_.assign(grid_.total(), 0);  // at first, what is occupied
   Eigen::AlignedBox3d all;
   for (const Obstacle& obstacle : obstacles) {
     stop.check();
-    markSurface(grid_, obstacle, occupied);
+    markSurface(grid_, obstacle, bound_);
     all.extend(boundsOf(obstacle));
   }
   for (const Obstacle& obstacle : obstacles) {
     stop.check();
-    fillSolid(grid_, obstacle, occupied);
+    fillSolid(grid_, obstacle, bound_);
   }
-  markBeyond(grid_, all, occupied);
-  transform(occupied);
-}
-
-void ClearanceField::transform(const std::vector<uint8_t>& occupied) {
-  const size_t nx = grid_.count.x(), ny = grid_.count.y(), nz = grid_.count.z();
-  const size_t row = (nx + kBlock - 1) / kBlock * kBlock, plane = row * ny;
+  markBeyond(grid_, all, bound_);
   // Farther than this many voxels is kFarthest anyway.
   const int window = 1 + static_cast<int>(std::ceil(kFarthest / grid_.size));
-  const auto squared = std::make_unique_for_overwrite<int16_t[]>(plane * nz);
-  // By height along x and y, in a plane for each thread.
-  std::vector<std::vector<int16_t>> rows(usualThreads());
-  parallelFor(grid_.count.z(), usualThreads(), [&](int k, int thread) {
-    rows[thread].resize(plane, kFarSquared);
-    int16_t* const own = rows[thread].data();
-    for (size_t j = 0; j < ny; ++j)
-      measureRow(&occupied[grid_.index(0, static_cast<int>(j), k)], own + j * row, nx, window);
-    const Axis axis{grid_.count.y(), row};
-    for (size_t j = 0; j < ny; ++j)
-      spreadRun(own, &squared[k * plane + j * row], row, axis, static_cast<int>(j), window);
-  });
-  // Along z.
-  const std::vector<uint8_t> quanta = quantaOfSquares(grid_.size);
-  bound_.resize(occupied.size());
-  parallelFor(grid_.count.y(), usualThreads(), [&](int j, int) {
-    std::vector<int16_t> least(row);
-    const Axis axis{grid_.count.z(), plane};
-    for (int k = 0; k < grid_.count.z(); ++k) {
-      spreadRun(&squared[j * row], least.data(), row, axis, k, window);
-      uint8_t* const bound = &bound_[grid_.index(0, j, k)];
-      for (size_t i = 0; i < nx; ++i) bound[i] = quanta[least[i]];
-    }
-  });
+  transformDistances(bound_, grid_.count, window, quantaOfSquares(grid_.size, window));
 }
 
 // Distances of so many squared voxels, rounded down, with a thousandth of a voxel against the
 // rounding of places.
-std::vector<uint8_t> ClearanceField::quantaOfSquares(double voxel) {
-  std::vector<uint8_t> table(static_cast<size_t>(kFarSquared) + 1);
+std::vector<uint8_t> ClearanceField::quantaOfSquares(double voxel, int window) {
+  std::vector<uint8_t> table(static_cast<size_t>(window) * window + 1);
   for (size_t i = 0; i < table.size(); ++i) {
     const double distance = std::max(0.0, (std::sqrt(static_cast<double>(i)) - 1e-3) * voxel);
     table[i] = static_cast<uint8_t>(std::min(255.0, std::floor(distance / kQuantum)));

@@ -38,7 +38,7 @@ class ClearanceField {
  public:
   static constexpr double kFarthest = 0.637;     ///< larger distances are not told apart [m]
   static constexpr double kFinestVoxel = 0.025;  ///< [m]
-  /// Coarser voxels where there would be more: 5 MB, 25 MB while built.
+  /// Coarser voxels where there would be more: 5 MB.
   static constexpr double kMostVoxels = 5e6;
 
   /// The part of space in which it answers; obstacles outside are taken care of. An empty region
@@ -70,8 +70,7 @@ class ClearanceField {
  private:
   static constexpr double kQuantum = kFarthest / 255.0;  // [m] of a byte
 
-  void transform(const std::vector<uint8_t>& occupied);
-  static std::vector<uint8_t> quantaOfSquares(double voxel);
+  static std::vector<uint8_t> quantaOfSquares(double voxel, int window);
   // @param square  of its axis' length [m^2]
   bool halvesAreFree(const Capsule& capsule, double square) const;
 

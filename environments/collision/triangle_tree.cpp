@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "environments/collision/segment_distance.h"
 
@@ -44,6 +43,12 @@ struct Question {
 
 }  // namespace
 
+// A triangle as it is sorted.
+struct TriangleTree::Item {
+  Eigen::Vector3d twice_middle;  // of its box [m]
+  int triangle;
+};
+
 TriangleTree::TriangleTree(const TriangleMesh& mesh) {
   std::vector<Triangle3> all;
   all.reserve(mesh.triangles.size());
@@ -54,17 +59,21 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
   for (const Triangle3& t : triangles_)
     for (const Eigen::Vector3d& corner : t)
       farthest_ = std::max(farthest_, corner.cwiseAbs().maxCoeff());
-  std::vector<int> order(triangles_.size());
-  std::iota(order.begin(), order.end(), 0);
-  build(order, 0, static_cast<int>(order.size()));
+  std::vector<Item> items;
+  items.reserve(triangles_.size());
+  for (const Triangle3& t : triangles_) {
+    const Eigen::AlignedBox3d box = boxOf(t);
+    items.push_back({box.min() + box.max(), static_cast<int>(items.size())});
+  }
+  build(items, 0, static_cast<int>(items.size()));
   std::vector<Triangle3> sorted;
-  sorted.reserve(order.size());
-  for (const int t : order) sorted.push_back(triangles_[t]);
+  sorted.reserve(items.size());
+  for (const Item& item : items) sorted.push_back(triangles_[item.triangle]);
   triangles_ = std::move(sorted);
 }
 
 // Halves at the middle along the widest axis, three times over.
-int TriangleTree::build(std::vector<int>& order, int begin, int end) {
+int TriangleTree::build(std::vector<Item>& items, int begin, int end) {
   const int node = static_cast<int>(nodes_.size());
   Node& empty = nodes_.emplace_back();
   for (std::array<float, kWide>& min : empty.min) min.fill(kNever);
@@ -80,33 +89,29 @@ int TriangleTree::build(std::vector<int>& order, int begin, int end) {
       cut[child + span / 2] = last;
       if (last - first <= kFew) continue;
       Eigen::AlignedBox3d middles;
-      for (int i = first; i < last; ++i)
-        middles.extend(Eigen::Vector3d(boxOf(triangles_[order[i]]).center()));
+      for (int i = first; i < last; ++i) middles.extend(items[i].twice_middle);
       Eigen::Index axis;
       middles.sizes().maxCoeff(&axis);
       const int half = first + (last - first) / 2;
-      const auto middle = [&](int t) {
-        const auto& [a, b, c] = triangles_[t];
-        return std::min({a[axis], b[axis], c[axis]}) + std::max({a[axis], b[axis], c[axis]});
-      };
-      std::nth_element(order.begin() + first, order.begin() + half, order.begin() + last,
-                       [&](int a, int b) {
-                         const double at = middle(a), bt = middle(b);
-                         return at != bt ? at < bt : a < b;
+      std::nth_element(items.begin() + first, items.begin() + half, items.begin() + last,
+                       [axis](const Item& a, const Item& b) {
+                         const double at = a.twice_middle[axis], bt = b.twice_middle[axis];
+                         return at != bt ? at < bt : a.triangle < b.triangle;
                        });
       cut[child + span / 2] = half;
     }
   }
   for (int child = 0; child < kWide; ++child)
-    if (cut[child] < cut[child + 1]) addChild(node, child, order, cut[child], cut[child + 1]);
+    if (cut[child] < cut[child + 1]) addChild(node, child, items, cut[child], cut[child + 1]);
   return node;
 }
 
-void TriangleTree::addChild(int node, int child, std::vector<int>& order, int begin, int end) {
+void TriangleTree::addChild(int node, int child, std::vector<Item>& items, int begin, int end) {
   Eigen::AlignedBox3d box;
-  for (int i = begin; i < end; ++i) box.extend(boxOf(triangles_[order[i]]));
+  for (int i = begin; i < end; ++i)
+    for (const Eigen::Vector3d& corner : triangles_[items[i].triangle]) box.extend(corner);
   const bool leaf = end - begin <= kFew;
-  const int first = leaf ? begin : build(order, begin, end);  // which moves the nodes
+  const int first = leaf ? begin : build(items, begin, end);  // which moves the nodes
   Node& parent = nodes_[node];
   for (int axis = 0; axis < 3; ++axis) {
     parent.min[axis][child] = roundedDown(box.min()[axis]);

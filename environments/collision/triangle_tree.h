@@ -35,8 +35,9 @@ class TriangleTree {
     std::array<int32_t, kWide> first;  // the child's node or, of a leaf, its first triangle
     std::array<int32_t, kWide> count;  // of a leaf's triangles; 0: a node
   };
-  int build(std::vector<int>& order, int begin, int end);
-  void addChild(int node, int child, std::vector<int>& order, int begin, int end);
+  struct Item;
+  int build(std::vector<Item>& items, int begin, int end);
+  void addChild(int node, int child, std::vector<Item>& items, int begin, int end);
   template <typename Leaf>
   void search(const Capsule& capsule, const double& reach, Leaf leaf) const;
 

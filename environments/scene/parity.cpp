@@ -80,15 +80,20 @@ void Parity::sortIntoCells() {
   count_ = {side, side};
   cell_ = (extent.sizes() / side).cwiseMax(1e-9);
   start_.assign(static_cast<size_t>(side) * side + 1, 0);
+  struct Range {
+    Eigen::Vector2i low, high;
+  };
+  std::vector<Range> ranges;  // of each triangle's cells
+  ranges.reserve(corners_.size());
+  for (const auto& [a, b, c] : corners_) {
+    const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+    ranges.push_back({cellOf(low.x(), low.y()), cellOf(high.x(), high.y())});
+  }
   const auto eachCell = [&](auto visit) {
-    for (size_t t = 0; t < corners_.size(); ++t) {
-      Eigen::AlignedBox2d box;
-      for (const Eigen::Vector3d& c : corners_[t]) box.extend(Eigen::Vector2d(c.head<2>()));
-      const Eigen::Vector2i low = cellOf(box.min().x(), box.min().y()),
-                            high = cellOf(box.max().x(), box.max().y());
-      for (int j = low.y(); j <= high.y(); ++j)
-        for (int i = low.x(); i <= high.x(); ++i) visit(j * count_.x() + i, static_cast<int>(t));
-    }
+    for (size_t t = 0; t < ranges.size(); ++t)
+      for (int j = ranges[t].low.y(); j <= ranges[t].high.y(); ++j)
+        for (int i = ranges[t].low.x(); i <= ranges[t].high.x(); ++i)
+          visit(j * count_.x() + i, static_cast<int>(t));
   };
   eachCell([&](int cell, int) { ++start_[cell + 1]; });
   for (size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
