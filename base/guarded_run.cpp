@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <malloc.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,7 +11,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
+#include <memory>
 #include <new>
 #include <string_view>
 #include <system_error>
@@ -88,12 +91,22 @@ GuardEnd endOf(int status) {
 }
 
 // Importers ask for the same tens of megabytes for each file, and what the system gives anew it
-// clears anew: what is freed stays for the next.
+// clears anew: what is freed stays for the next. The first of it comes in large pages, of which
+// each saves five hundred interruptions: Assimp fills 16 MB before it reads an OBJ.
 void keepFreedMemory() {
 #if defined(__GLIBC__)
   constexpr int kLargest = 32 << 20;  // that glibc lets be kept [bytes]
   mallopt(M_MMAP_THRESHOLD, kLargest);
   mallopt(M_TRIM_THRESHOLD, 4 * kLargest);
+#if defined(MADV_HUGEPAGE)
+  constexpr size_t kPage = size_t{2} << 20, kFirst = 10 * kPage;  // [bytes]
+  void* begin = std::malloc(kFirst);  // none where the work may not fill so much
+  void* const whole = begin;
+  size_t size = kFirst;
+  if (begin && std::align(kPage, kFirst - kPage, begin, size))
+    madvise(begin, kFirst - kPage, MADV_HUGEPAGE);
+  std::free(whole);
+#endif
 #endif
 }
 

@@ -13,64 +13,66 @@ namespace {
 
 // So many voxels at a time, which compilers keep in registers.
 constexpr size_t kBlock = 32;
-using Block = std::array<int16_t, kBlock>;
 
-// One step along z, in steps to the nearest occupied voxel so far.
+// Rows are read where they are: a block that is copied first is stored in halves and waited for.
+
+// One step up: of a row of voxels, steps to the nearest occupied one below, `far` at most.
 AMBLE_FOR_EACH_PROCESSOR
-void stepOn(const uint8_t* before, uint8_t* at, size_t length) {
+void stepUp(const uint8_t* __restrict below, uint8_t* __restrict at, size_t length, uint8_t far) {
+  const auto steps = [&](size_t x) {
+    const uint8_t next = std::min(far, static_cast<uint8_t>(below[x] + 1));
+    return at[x] ? uint8_t{0} : next;
+  };
   size_t x = 0;
-  for (; x + kBlock <= length; x += kBlock) {
-    std::array<uint8_t, kBlock> from, to;
-    std::copy_n(before + x, kBlock, from.data());
-    std::copy_n(at + x, kBlock, to.data());
-    for (size_t k = 0; k < kBlock; ++k) to[k] = std::min(to[k], static_cast<uint8_t>(from[k] + 1));
-    std::copy_n(to.data(), kBlock, at + x);
-  }
-  for (; x < length; ++x) at[x] = std::min(at[x], static_cast<uint8_t>(before[x] + 1));
+  for (; x + kBlock <= length; x += kBlock)
+    for (size_t k = 0; k < kBlock; ++k) at[x + k] = steps(x + k);
+  for (; x < length; ++x) at[x] = steps(x);
+}
+
+// One step down: to the nearest above, too.
+AMBLE_FOR_EACH_PROCESSOR
+void stepDown(const uint8_t* __restrict above, uint8_t* __restrict at, size_t length) {
+  const auto steps = [&](size_t x) { return std::min(at[x], static_cast<uint8_t>(above[x] + 1)); };
+  size_t x = 0;
+  for (; x + kBlock <= length; x += kBlock)
+    for (size_t k = 0; k < kBlock; ++k) at[x + k] = steps(x + k);
+  for (; x < length; ++x) at[x] = steps(x);
 }
 
 // Steps along z to the nearest occupied voxel of each, window + 1 where none is so near.
 void measureAlongZ(std::vector<uint8_t>& voxels, const Eigen::Vector3i& count, int window) {
   const size_t nx = count.x(), plane = nx * count.y();
   const uint8_t far = static_cast<uint8_t>(window + 1);
+  const std::vector<uint8_t> nothing(nx, far);
   parallelFor(count.y(), usualThreads(), [&](int j, int) {
     uint8_t* const row = &voxels[j * nx];
-    for (int k = 0; k < count.z(); ++k) {
-      uint8_t* const at = row + k * plane;
-      for (size_t x = 0; x < nx; ++x) at[x] = at[x] ? 0 : far;
-      if (k > 0) stepOn(at - plane, at, nx);
-    }
-    for (int k = count.z() - 1; k-- > 0;) stepOn(row + (k + 1) * plane, row + k * plane, nx);
+    for (int k = 0; k < count.z(); ++k)
+      stepUp(k > 0 ? row + (k - 1) * plane : nothing.data(), row + k * plane, nx, far);
+    for (int k = count.z() - 1; k-- > 0;) stepDown(row + (k + 1) * plane, row + k * plane, nx);
   });
 }
 
-// Squares of steps less one; what is over at the row's end is far. Returns by block whether any
-// is less than `far`.
+// Squares of steps less one; what is over at the row's end is far.
 AMBLE_FOR_EACH_PROCESSOR
-void squareRow(const uint8_t* steps, size_t length, size_t blocks, int16_t far, int16_t* out) {
-  for (size_t b = 0; b < blocks; ++b) {
-    const size_t begin = b * kBlock, size = std::min(kBlock, length - begin);
-    std::array<uint8_t, kBlock> in;
-    in.fill(0);
-    std::copy_n(steps + begin, size, in.data());
-    Block square;
-    for (size_t k = 0; k < kBlock; ++k) {
-      const int16_t apart = static_cast<int16_t>(std::max<int16_t>(in[k], 1) - 1);
-      square[k] = static_cast<int16_t>(apart * apart);
-    }
-    std::fill(square.begin() + size, square.end(), far);
-    std::copy_n(square.data(), kBlock, out + begin);
-  }
+void squareRow(const uint8_t* __restrict steps, size_t length, size_t blocks, int16_t far,
+               int16_t* __restrict out) {
+  const auto square = [&](size_t x) {
+    const int16_t apart = static_cast<int16_t>(std::max<int16_t>(steps[x], 1) - 1);
+    return static_cast<int16_t>(apart * apart);
+  };
+  size_t x = 0;
+  for (; x + kBlock <= length; x += kBlock)
+    for (size_t k = 0; k < kBlock; ++k) out[x + k] = square(x + k);
+  for (; x < length; ++x) out[x] = square(x);
+  std::fill(out + x, out + blocks * kBlock, far);
 }
 
-// By block of a row whether all of it is no less than `far`.
+// By block of a row whether all of it is `far`, which nothing is farther than.
 AMBLE_FOR_EACH_PROCESSOR
 void findFar(const int16_t* in, size_t blocks, int16_t far, uint8_t* is_far) {
   for (size_t b = 0; b < blocks; ++b) {
-    Block block;
-    std::copy_n(in + b * kBlock, kBlock, block.data());
     int16_t least = far;
-    for (size_t k = 0; k < kBlock; ++k) least = std::min(least, block[k]);
+    for (size_t k = 0; k < kBlock; ++k) least = std::min(least, in[b * kBlock + k]);
     is_far[b] = least == far;
   }
 }
@@ -81,11 +83,12 @@ void findFar(const int16_t* in, size_t blocks, int16_t far, uint8_t* is_far) {
 AMBLE_FOR_EACH_PROCESSOR
 void spreadRow(const int16_t* in, int16_t* out, size_t blocks, size_t stride, const uint8_t* first,
                int window) {
+  const int16_t far = static_cast<int16_t>(window * window);
   constexpr int kLook = 3;  // steps from one look at what can still gain to the next; by trial
   for (size_t b = 0; b < blocks; ++b) {
     const int16_t* const own = in + b * kBlock;
-    Block least;
-    std::copy_n(own, kBlock, least.data());
+    std::array<int16_t, kBlock> least;
+    for (size_t k = 0; k < kBlock; ++k) least[k] = std::min(own[k], far);
     for (int d = std::max<int>(1, first[b]); d <= window;) {
       int16_t most = 0;
       for (size_t k = 0; k < kBlock; ++k) most = std::max(most, least[k]);
@@ -135,7 +138,13 @@ class Plane {
       findFirstOfLine(line);
       spreadRow(line, done_.data(), blocks_, 1, first_of_line_.data(), window_);
       uint8_t* const out = voxels + j * nx_;
-      for (size_t x = 0; x < nx_; ++x) out[x] = of_square[done_[x]];
+      for (size_t b = 0; b < blocks_; ++b) {
+        const size_t begin = b * kBlock, end = std::min(nx_, begin + kBlock);
+        if (first_of_line_[b] > window_)
+          std::fill(out + begin, out + end, of_square.back());
+        else
+          for (size_t x = begin; x < end; ++x) out[x] = of_square[done_[x]];
+      }
     }
   }
 

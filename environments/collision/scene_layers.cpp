@@ -18,6 +18,13 @@ constexpr double kFieldMargin = 0.7;   // beyond what can be walked on: an arm's
 // risers, edges of slabs, undersides. Higher than what is climbed in a step, lower than walls [m].
 constexpr double kTallestRiser = 0.35;
 
+Eigen::AlignedBox3d boundsOfAll(const std::vector<Obstacle>& obstacles) {
+  Eigen::AlignedBox3d bounds;
+  for (const Obstacle& obstacle : obstacles)
+    bounds.extend(worldBounds(obstacle.shape, obstacle.X_WO));
+  return bounds;
+}
+
 // Where bodies can be: around the ground, not higher than they are; and no larger than what there
 // is to touch.
 Eigen::AlignedBox3d fieldRegion(const Eigen::AlignedBox3d& obstacles, const SceneGround& ground) {
@@ -113,16 +120,17 @@ SceneLayers::SceneLayers(const Scene& scene, const SceneGround& ground, const St
                          Checker checker) {
   Split split(scene, ground, stop);
   const std::vector<Obstacle> standing = split.standing();
-  obstacles_.emplace(split.obstacles, stop, checker);
-  banks_.emplace(split.banks, stop, checker);
-  Eigen::AlignedBox3d bounds = obstacles_->bounds();
-  bounds.extend(banks_->bounds());
+  const Eigen::AlignedBox3d bounds = boundsOfAll(standing);
   empty_ = bounds.isEmpty();
-  parallelFor(2, 2, [&](int part, int) {
-    if (part == 0)
+  parallelFor(3, usualThreads(), [&](int part, int) {
+    if (part == 0) {
       field_.emplace(standing, fieldRegion(bounds, ground), stop);
-    else
+    } else if (part == 1) {
+      obstacles_.emplace(split.obstacles, stop, checker);
+      banks_.emplace(split.banks, stop, checker);
+    } else {
       ground_.emplace(std::move(split.ground), stop, checker);
+    }
   });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/parallel.h"
 #include "environments/scene/hollows.h"
 
 namespace amble {
@@ -56,12 +57,15 @@ SolidMesh solidOf(int object, const ScenePieces& pieces) {
 
 ScenePieces splitScene(const Scene& scene, const StopRequest& stop) {
   ScenePieces all;
-  size_t count = 0;
-  for (size_t i = 0; i < scene.objects.size(); ++i) {
+  std::vector<std::vector<MeshComponent>> parts(scene.objects.size());
+  parallelFor(static_cast<int>(parts.size()), usualThreads(), [&](int i, int) {
     stop.check();
-    if (scene.objects[i].role == Role::kIgnore) continue;
+    if (scene.objects[i].role != Role::kIgnore) parts[i] = partsOf(scene.objects[i]);
+  });
+  size_t count = 0;
+  for (size_t i = 0; i < parts.size(); ++i) {
     const int object = static_cast<int>(i);
-    for (MeshComponent& part : partsOf(scene.objects[i])) {
+    for (MeshComponent& part : parts[i]) {
       const int first = static_cast<int>(count);
       count += part.mesh.triangles.size();
       all.pieces.push_back({object, std::move(part.mesh), part.closed, false, object, first});

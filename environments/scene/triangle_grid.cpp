@@ -148,6 +148,13 @@ TriangleGrid::TriangleGrid(std::vector<Triangle3> triangles) : triangles_(std::m
   cell_ = std::max({cell_, extent_.sizes().maxCoeff() / kMostCells, leastCell()});
   for (int k = 0; k < 2; ++k) count_[k] = 1 + static_cast<int>(extent_.sizes()[k] / cell_);
   // Counting sort: once to count, once to place.
+  const std::vector<Run> runs = findRuns();
+  const auto eachSquare = [&](auto visit_one) {
+    for (const Run& run : runs) {
+      const size_t row = static_cast<size_t>(run.row) * count_[0];
+      for (int i = run.first; i <= run.last; ++i) visit_one(row + i, run.triangle);
+    }
+  };
   start_.assign(static_cast<size_t>(count_[0]) * count_[1] + 1, 0);
   eachSquare([&](size_t cell, int) { ++start_[cell + 1]; });
   for (size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
@@ -190,11 +197,12 @@ std::pair<int, int> TriangleGrid::columnsWithin(const Triangle3& t, const Range&
   return {column(low->at[0] - margin, 0), column(high->at[0] + margin, 0)};
 }
 
-// A large triangle's bounds hold squares that it does not overlap: most of them for a slanted
-// sliver.
-template <typename Visit>
-void TriangleGrid::eachSquare(Visit visit_one) const {
+// By triangle. A large one's bounds hold squares that it does not overlap: most of them for a
+// slanted sliver.
+std::vector<TriangleGrid::Run> TriangleGrid::findRuns() const {
   constexpr int kFewSquares = 4;
+  std::vector<Run> runs;
+  runs.reserve(triangles_.size());
   for (size_t t = 0; t < triangles_.size(); ++t) {
     const Range range = rangeOf(grown(planOf(triangles_[t]), kSeam));
     const bool few =
@@ -202,10 +210,10 @@ void TriangleGrid::eachSquare(Visit visit_one) const {
     for (int j = range.low[1]; j <= range.high[1]; ++j) {
       const auto [first, last] =
           few ? std::pair(range.low[0], range.high[0]) : columnsWithin(triangles_[t], range, j);
-      for (int i = first; i <= last; ++i)
-        visit_one(static_cast<size_t>(j) * count_[0] + i, static_cast<int>(t));
+      if (first <= last) runs.push_back({static_cast<int>(t), j, first, last});
     }
   }
+  return runs;
 }
 
 }  // namespace amble

@@ -91,9 +91,12 @@ class TriangleGrid {
   }
   double leastCell() const;
   Eigen::AlignedBox2d squareOf(int i, int j) const;
+  // Squares of a row that one triangle lies over, last included.
+  struct Run {
+    int triangle, row, first, last;
+  };
   std::pair<int, int> columnsWithin(const Triangle3& t, const Range& range, int row) const;
-  template <typename Visit>
-  void eachSquare(Visit visit_one) const;
+  std::vector<Run> findRuns() const;
 
   std::vector<Triangle3> triangles_;
   Eigen::AlignedBox2d extent_;
