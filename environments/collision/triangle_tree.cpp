@@ -43,37 +43,41 @@ struct Question {
 
 }  // namespace
 
-// A triangle as it is sorted.
-struct TriangleTree::Item {
-  Eigen::Vector3d twice_middle;  // of its box [m]
-  int triangle;
+struct TriangleTree::Order {
+  struct Item {
+    Eigen::Vector3d twice_middle;  // of the triangle's box [m]
+    int triangle;
+  };
+  const TriangleMesh& mesh;
+  std::vector<Item> items;
+
+  explicit Order(const TriangleMesh& of) : mesh(of) {
+    items.reserve(mesh.triangles.size());
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+      const Eigen::AlignedBox3d box = boxOf(cornersOf(t));
+      items.push_back({box.min() + box.max(), t});
+    }
+  }
+  Triangle3 cornersOf(int triangle) const {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+  }
 };
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh) {
-  std::vector<Triangle3> all;
-  all.reserve(mesh.triangles.size());
-  for (const std::array<int, 3>& t : mesh.triangles)
-    all.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
-  if (all.empty()) return;
-  triangles_ = std::move(all);
-  for (const Triangle3& t : triangles_)
-    for (const Eigen::Vector3d& corner : t)
+  if (mesh.triangles.empty()) return;
+  Order order(mesh);
+  build(order, 0, static_cast<int>(order.items.size()));
+  triangles_.reserve(order.items.size());
+  for (const Order::Item& item : order.items) {
+    triangles_.push_back(order.cornersOf(item.triangle));
+    for (const Eigen::Vector3d& corner : triangles_.back())
       farthest_ = std::max(farthest_, corner.cwiseAbs().maxCoeff());
-  std::vector<Item> items;
-  items.reserve(triangles_.size());
-  for (const Triangle3& t : triangles_) {
-    const Eigen::AlignedBox3d box = boxOf(t);
-    items.push_back({box.min() + box.max(), static_cast<int>(items.size())});
   }
-  build(items, 0, static_cast<int>(items.size()));
-  std::vector<Triangle3> sorted;
-  sorted.reserve(items.size());
-  for (const Item& item : items) sorted.push_back(triangles_[item.triangle]);
-  triangles_ = std::move(sorted);
 }
 
 // Halves at the middle along the widest axis, three times over.
-int TriangleTree::build(std::vector<Item>& items, int begin, int end) {
+int TriangleTree::build(Order& order, int begin, int end) {
   const int node = static_cast<int>(nodes_.size());
   Node& empty = nodes_.emplace_back();
   for (std::array<float, kWide>& min : empty.min) min.fill(kNever);
@@ -89,12 +93,13 @@ int TriangleTree::build(std::vector<Item>& items, int begin, int end) {
       cut[child + span / 2] = last;
       if (last - first <= kFew) continue;
       Eigen::AlignedBox3d middles;
-      for (int i = first; i < last; ++i) middles.extend(items[i].twice_middle);
+      for (int i = first; i < last; ++i) middles.extend(order.items[i].twice_middle);
       Eigen::Index axis;
       middles.sizes().maxCoeff(&axis);
       const int half = first + (last - first) / 2;
-      std::nth_element(items.begin() + first, items.begin() + half, items.begin() + last,
-                       [axis](const Item& a, const Item& b) {
+      const auto items = order.items.begin();
+      std::nth_element(items + first, items + half, items + last,
+                       [axis](const Order::Item& a, const Order::Item& b) {
                          const double at = a.twice_middle[axis], bt = b.twice_middle[axis];
                          return at != bt ? at < bt : a.triangle < b.triangle;
                        });
@@ -102,16 +107,15 @@ int TriangleTree::build(std::vector<Item>& items, int begin, int end) {
     }
   }
   for (int child = 0; child < kWide; ++child)
-    if (cut[child] < cut[child + 1]) addChild(node, child, items, cut[child], cut[child + 1]);
+    if (cut[child] < cut[child + 1]) addChild(node, child, order, cut[child], cut[child + 1]);
   return node;
 }
 
-void TriangleTree::addChild(int node, int child, std::vector<Item>& items, int begin, int end) {
+void TriangleTree::addChild(int node, int child, Order& order, int begin, int end) {
   Eigen::AlignedBox3d box;
-  for (int i = begin; i < end; ++i)
-    for (const Eigen::Vector3d& corner : triangles_[items[i].triangle]) box.extend(corner);
+  for (int i = begin; i < end; ++i) box.extend(boxOf(order.cornersOf(order.items[i].triangle)));
   const bool leaf = end - begin <= kFew;
-  const int first = leaf ? begin : build(items, begin, end);  // which moves the nodes
+  const int first = leaf ? begin : build(order, begin, end);  // which moves the nodes
   Node& parent = nodes_[node];
   for (int axis = 0; axis < 3; ++axis) {
     parent.min[axis][child] = roundedDown(box.min()[axis]);

@@ -35,9 +35,9 @@ class TriangleTree {
     std::array<int32_t, kWide> first;  // the child's node or, of a leaf, its first triangle
     std::array<int32_t, kWide> count;  // of a leaf's triangles; 0: a node
   };
-  struct Item;
-  int build(std::vector<Item>& items, int begin, int end);
-  void addChild(int node, int child, std::vector<Item>& items, int begin, int end);
+  struct Order;  // of the triangles while they are sorted
+  int build(Order& order, int begin, int end);
+  void addChild(int node, int child, Order& order, int begin, int end);
   template <typename Leaf>
   void search(const Capsule& capsule, const double& reach, Leaf leaf) const;
 

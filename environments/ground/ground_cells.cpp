@@ -3,9 +3,11 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
+#include "base/parallel.h"
 #include "base/union_find.h"
 #include "environments/ground/ground_column.h"
 
@@ -42,17 +44,25 @@ struct GroundCells::Builder {
   const StopRequest& stop;
   Eigen::Vector2d extent;  // of what could be ground [m]
   const TriangleGrid& all = pieces.grid;
-  GroundColumn over{scene, pieces, up, settings};
   std::vector<bool> said = {};  // of each span: of an object that is said to be ground
+
+  // What a row of tiles holds, by numbers within it.
+  struct Filled {
+    std::vector<Span> spans;
+    std::vector<bool> said;
+    std::vector<int> start;
+  };
 
   using Open = std::vector<std::pair<int, Eigen::Vector2i>>;  // spans, squares
 
   void build();
   void makeTiles();
-  bool isPlain(int i, int j);
+  bool isPlain(int i, int j) const;
   double surfacesOf(int i, int j) const;
-  void fillTile(int i, int j);
-  void addSpans(int column, int row);
+  void fillTiles();
+  void fillTile(int i, int j, GroundColumn& over, Filled& filled) const;
+  void addSpans(int column, int row, GroundColumn& over, Filled& filled) const;
+  void append(const Filled& filled, int j);
   void joinSteps();
   bool isAsked(int column, int row) const;
   template <typename Visit>
@@ -68,10 +78,10 @@ struct GroundCells::Builder {
   void measure();
 };
 
-void GroundCells::Builder::addSpans(int column, int row) {
+void GroundCells::Builder::addSpans(int column, int row, GroundColumn& over, Filled& filled) const {
   for (const GroundColumn::Surface& surface : over.surfacesAt(cells.middle(column, row))) {
-    cells.spans_.push_back({surface.height, surface.standable});
-    said.push_back(surface.said);
+    filled.spans.push_back({surface.height, surface.standable});
+    filled.said.push_back(surface.said);
   }
 }
 
@@ -243,7 +253,7 @@ void GroundCells::Builder::measure() {
 
 // Whether over a tile, and a foot's length beyond, there are level surfaces only, each over all of
 // it.
-bool GroundCells::Builder::isPlain(int i, int j) {
+bool GroundCells::Builder::isPlain(int i, int j) const {
   const double side = kTile * cells.cell_;
   const Eigen::Vector2d low = cells.min_ + side * Eigen::Vector2d(i, j);
   const Eigen::Vector2d reach = Eigen::Vector2d::Constant(
@@ -294,21 +304,50 @@ double GroundCells::Builder::surfacesOf(int i, int j) const {
   return surfaces;
 }
 
-void GroundCells::Builder::fillTile(int i, int j) {
+void GroundCells::Builder::fillTile(int i, int j, GroundColumn& over, Filled& filled) const {
   Tile& tile = cells.tiles_[static_cast<size_t>(j) * cells.tile_count_.x() + i];
   if (tile.plain >= 0) {
-    tile.first = static_cast<int>(cells.spans_.size());
-    addSpans(i * kTile, j * kTile);
-    tile.plain = static_cast<int>(cells.spans_.size()) - tile.first;
+    tile.first = static_cast<int>(filled.spans.size());
+    addSpans(i * kTile, j * kTile, over, filled);
+    tile.plain = static_cast<int>(filled.spans.size()) - tile.first;
     return;
   }
-  tile.first = static_cast<int>(cells.start_.size());
+  tile.first = static_cast<int>(filled.start.size());
   for (int k = 0; k < kTile * kTile; ++k) {
-    cells.start_.push_back(static_cast<int>(cells.spans_.size()));
+    filled.start.push_back(static_cast<int>(filled.spans.size()));
     const int column = i * kTile + k % kTile, row = j * kTile + k / kTile;
-    if (column < cells.count_.x() && row < cells.count_.y()) addSpans(column, row);
+    if (column < cells.count_.x() && row < cells.count_.y()) addSpans(column, row, over, filled);
   }
-  cells.start_.push_back(static_cast<int>(cells.spans_.size()));
+  filled.start.push_back(static_cast<int>(filled.spans.size()));
+}
+
+void GroundCells::Builder::append(const Filled& filled, int j) {
+  const int spans = static_cast<int>(cells.spans_.size());
+  const int starts = static_cast<int>(cells.start_.size());
+  for (int i = 0; i < cells.tile_count_.x(); ++i) {
+    Tile& tile = cells.tiles_[static_cast<size_t>(j) * cells.tile_count_.x() + i];
+    tile.first += tile.plain >= 0 ? spans : starts;
+  }
+  cells.spans_.insert(cells.spans_.end(), filled.spans.begin(), filled.spans.end());
+  said.insert(said.end(), filled.said.begin(), filled.said.end());
+  for (const int start : filled.start) cells.start_.push_back(spans + start);
+}
+
+// Rows of tiles are filled apart from one another and put together in their order.
+void GroundCells::Builder::fillTiles() {
+  std::vector<Filled> rows(cells.tile_count_.y());
+  std::vector<std::optional<GroundColumn>> over(usualThreads());  // one for each thread
+  parallelFor(cells.tile_count_.y(), usualThreads(), [&](int j, int thread) {
+    if (!over[thread]) over[thread].emplace(scene, pieces, up, settings);
+    for (int i = 0; i < cells.tile_count_.x(); ++i) {
+      stop.check();
+      fillTile(i, j, *over[thread], rows[j]);
+    }
+  });
+  for (int j = 0; j < cells.tile_count_.y(); ++j) {
+    append(rows[j], j);
+    rows[j] = {};
+  }
 }
 
 // Finds the plain tiles, with squares that are larger where too many others are left.
@@ -322,14 +361,18 @@ void GroundCells::Builder::makeTiles() {
     long long squares = 0;
     double surfaces = 0.0;
     const auto fits = [&] { return squares <= kMostSquares && surfaces <= kMostSurfaces; };
-    for (size_t t = 0; t < cells.tiles_.size() && fits(); ++t) {
-      stop.check();
-      const int i = static_cast<int>(t) % cells.tile_count_.x();
-      const int j = static_cast<int>(t) / cells.tile_count_.x();
-      cells.tiles_[t].plain = isPlain(i, j) ? 0 : -1;
-      if (cells.tiles_[t].plain >= 0) continue;
-      squares += kTile * kTile;
-      surfaces += surfacesOf(i, j);
+    std::vector<double> found(cells.tile_count_.x());  // surfaces over each tile of a row
+    for (int j = 0; j < cells.tile_count_.y() && fits(); ++j) {
+      Tile* const row = &cells.tiles_[static_cast<size_t>(j) * cells.tile_count_.x()];
+      parallelFor(cells.tile_count_.x(), usualThreads(), [&](int i, int) {
+        stop.check();
+        row[i].plain = isPlain(i, j) ? 0 : -1;
+        found[i] = row[i].plain < 0 ? surfacesOf(i, j) : 0.0;
+      });
+      for (int i = 0; i < cells.tile_count_.x(); ++i) {
+        if (row[i].plain < 0) squares += kTile * kTile;
+        surfaces += found[i];
+      }
     }
     if (fits() || cells.count_.maxCoeff() == 1) return;
   }
@@ -337,12 +380,7 @@ void GroundCells::Builder::makeTiles() {
 
 void GroundCells::Builder::build() {
   makeTiles();
-  for (int j = 0; j < cells.tile_count_.y(); ++j) {
-    for (int i = 0; i < cells.tile_count_.x(); ++i) {
-      stop.check();
-      fillTile(i, j);
-    }
-  }
+  fillTiles();
   joinSteps();
   choose();
   goOn();

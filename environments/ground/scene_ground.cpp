@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/parallel.h"
 #include "environments/ground/ground_cells.h"
 #include "environments/ground/ground_patches.h"
 
@@ -168,6 +169,22 @@ struct SceneGround::Parts {
   std::vector<HeightRange> heights = {};      // of all triangles
   std::optional<GroundCells> cells = {};
   std::unique_ptr<const GroundPatches> patches = {};
+
+  // Of each triangle whether it is ground; each thread has its own bytes.
+  std::vector<uint8_t> groundOf(const Scene& scene, const std::vector<bool>& up) const {
+    constexpr size_t kAtATime = 256;
+    std::vector<uint8_t> is_ground(up.size(), 0);
+    const size_t shares = (up.size() + kAtATime - 1) / kAtATime;
+    parallelFor(static_cast<int>(shares), usualThreads(), [&](int share, int) {
+      const size_t begin = share * kAtATime, end = std::min(up.size(), begin + kAtATime);
+      for (size_t t = begin; t < end; ++t) {
+        const int object = pieces->pieceOf(static_cast<int>(t)).object;
+        is_ground[t] = up[t] && (scene.objects[object].role == Role::kGround ||
+                                 cells->isGround(pieces->triangles()[t]));
+      }
+    });
+    return is_ground;
+  }
 };
 
 SceneGround::SceneGround(const Scene& scene, double level) : SceneGround(scene, atLevel(level)) {}
@@ -186,13 +203,11 @@ SceneGround::SceneGround(const Scene& scene, std::shared_ptr<const ScenePieces> 
       ground_objects_(scene.objects.size(), false) {
   const ScenePieces& of_scene = *parts_->pieces;
   parts_->cells.emplace(scene, of_scene, up_, settings, stop);
+  const std::vector<uint8_t> is_ground = parts_->groundOf(scene, up_);
   std::vector<Triangle3> ground;
   for (size_t t = 0; t < up_.size(); ++t) {
+    if (!is_ground[t]) continue;
     const int object = of_scene.pieceOf(static_cast<int>(t)).object;
-    if (!up_[t]) continue;
-    if (scene.objects[object].role != Role::kGround &&
-        !parts_->cells->isGround(of_scene.triangles()[t]))
-      continue;
     ground_triangles_[t] = true;
     ground_objects_[object] = true;
     ground.push_back(of_scene.triangles()[t]);
