@@ -43,6 +43,35 @@ TEST_F(RunScenario, WhatIsNotThereIsNamedWithItsLine) {
   EXPECT_TRUE(holds(error, "case.yaml:5:") && holds(error, "'visibility'")) << error;
 }
 
+// Parts are read at the same time; what is told is the first in the order of scene file, library,
+// meshes and the rest of the scene, ground, however soon the others are found.
+TEST_F(RunScenario, OfSeveralThingsThatAreWrongTheSameOneIsToldEachTime) {
+  const std::string room = kScene, bad_mesh = "  - {name: a, mesh: bad.obj, up: z}\n",
+                    worse = "  - {name: b, mesh: worse.obj, up: z}\n",
+                    bad_key = "  - {name: c, colour: red}\n",
+                    no_floor = "objects:\n  - {name: a, box: {size: [1, 1, 1]}, role: obstacle}\n";
+  write("bad.obj", "v 0 0 0\nf 1 2 3\n");
+  write("worse.obj", "nothing\n");
+  write("bad.yaml", "colour: red\n");
+  const std::string both = std::string(kScenario) + "character:\n  library: bad.yaml\n";
+  struct Case {
+    std::string scene, scenario, told;
+  };
+  for (const Case& one : {Case{"objects: [\n", both, "scene.yaml:"},
+                          Case{room + bad_mesh + worse + bad_key, both, "bad.yaml:"},
+                          Case{room + bad_key + bad_mesh, both, "bad.yaml:"},
+                          Case{room + bad_mesh + worse + bad_key, kScenario, "bad.obj:"},
+                          Case{room + worse + bad_mesh, kScenario, "worse.obj:"},
+                          Case{room + bad_key + worse, kScenario, "scene.yaml:9:"},
+                          Case{no_floor, kScenario, "case.yaml:1: the scene"}}) {
+    write("scene.yaml", one.scene);
+    for (int n = 0; n < 5; ++n) {
+      const std::string error = errorOf(one.scenario);
+      EXPECT_TRUE(holds(error, one.told.c_str())) << one.scene << error;
+    }
+  }
+}
+
 TEST_F(RunScenario, APlaceOutsideOfTheSceneIsNamedWithItsLine) {
   const std::string error =
       errorOf("scene: scene.yaml\nstart: {at: [1, 1]}\ngoal:\n  at: [12, 1]\n");
