@@ -127,6 +127,24 @@ class Clips(unittest.TestCase):
         self.assertEqual(walk.speeds.shape, (walk.clip.frames,))
         self.assertGreater(walk.speeds[-1], walk.speeds[0])
 
+    def test_walks_of_an_engine_in_a_library_are_the_programs(self):
+        engine = self.here / "person.yaml"
+        run("library", "engine", "build", self.here / "straight.bvh", "-o", engine)
+        made = {name: self.here / name / "walks.yaml" for name in ("by-program", "by-module")}
+        run("library", "add", made["by-program"], engine, "--speed", "0.6,0.9")
+        library = amble.Library.new(made["by-module"])
+        library.add(engine, speed=[0.6, 0.9])
+        made["by-module"].parent.mkdir()
+        library.write(made["by-module"])
+        self.assertEqual(made["by-module"].read_bytes(), made["by-program"].read_bytes())
+        self.assertEqual(library.motions[1]["source"]["speed"], 0.6)
+        with self.assertRaisesRegex(ValueError, "speed"):
+            library.add(engine, speed=[0.1])
+        with self.assertRaisesRegex(amble.InputError, "is a speed engine"):
+            library.add(engine)
+        with self.assertRaisesRegex(amble.InputError, "is no speed engine"):
+            library.add(self.here / "straight.bvh", speed=[1])
+
     def test_a_validation_is_the_programs(self):
         scene = write_floor(self.here)
         amble.plan(short_walk(scene)).write(self.here / "walk.bvh")

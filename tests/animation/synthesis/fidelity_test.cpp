@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "animation/body/foot_shape.h"
 #include "animation/preparation/mirror_cycle.h"
 #include "animation/preparation/motion_library_add.h"
 #include "animation/synthesis/walk_synthesizer.h"
