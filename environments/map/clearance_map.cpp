@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "environments/ground/ground_cells.h"
 
@@ -22,6 +25,10 @@ constexpr int kBesideGround = 3;
 ClearanceMap::ClearanceMap(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
                            const Breadth& body, const std::function<bool()>& stopped)
     : body_(body), step_(ground.settings().limits.highestStep()) {
+  static_assert(kMostBands <= std::numeric_limits<decltype(Source::band)>::max());
+  if (body.bands.size() > kMostBands) {
+    throw std::invalid_argument("at most " + std::to_string(kMostBands) + " bands of a body");
+  }
   bool made = layPlaces(ground, bounds, stopped);
   if (made) {
     source_.resize(size());

@@ -36,17 +36,18 @@ class ClearanceMap {
   /// Of the body: what beside its feet is in the way, from the lowest on, and how far its feet are
   /// from the path.
   struct Breadth {
-    std::vector<Band> bands;
-    double feet = 0.0;  ///< [m, >= 0]
+    std::vector<Band> bands;  ///< at most kMostBands
+    double feet = 0.0;        ///< [m, >= 0]
   };
 
+  static constexpr int kMostBands = 100;
   static constexpr double kFarthest = 0.5;  ///< more room is not told apart [m]
   static constexpr double kCell = 0.05;     ///< [m]
   /// Coarser ones where there would be more: beyond 210 x 210 m.
   static constexpr double kMostCells = 18e6;
 
   /// Of the ground within `bounds`. @param stopped  asked now and then: where it says so the map is
-  /// left empty
+  /// left empty. @throws std::invalid_argument for more bands than kMostBands
   ClearanceMap(
       const SceneGround& ground, const Eigen::AlignedBox2d& bounds, const Breadth& body,
       const std::function<bool()>& stopped = [] { return false; });
@@ -80,7 +81,7 @@ class ClearanceMap {
   // What a place's spare room is measured to: so many cells away.
   struct Source {
     std::int16_t dx = 0, dy = 0;
-    std::int8_t band = kFeet;  // of the body
+    std::int8_t band = kFeet;  // of the body; kMostBands fit
     bool waits = false;        // the place is in the queue
   };
   static constexpr int kFeet = -1;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "base/sample_stream.h"
 #include "tests/environments/test_scenes.h"
@@ -113,6 +114,26 @@ TEST(ClearanceMap, FeetStayOnTheGround) {
   EXPECT_NEAR(pier.spareAt(0, 0), 0.5 - 0.15, 1.5 * kCell);
   EXPECT_LT(pier.spareAt(0, 0.45), 0.0);
   EXPECT_EQ(pier.map.placeAt({0, 2, 0}), -1);
+}
+
+// As many as there may be, each as broad as the band that they are cut from.
+TEST(ClearanceMap, ManyThinBandsAreAsOneAndMoreAreRefused) {
+  const Scene scene = sceneOf(
+      {floorSlab(), wall(-0.6, -4, 4), makeObject("shelf", Box{{0.4, 2, 0.1}}, {0.7, 0, 1.2})});
+  const SceneGround ground(scene);
+  const auto cutInto = [](int count) {
+    ClearanceMap::Breadth body{{}, 0.15};
+    for (int i = 0; i < count; ++i)
+      body.bands.push_back({0.25 + 1.5 * i / count, 0.25 + 1.5 * (i + 1) / count, 0.33});
+    return body;
+  };
+  const ClearanceMap one(ground, kAround, cutInto(1)),
+      many(ground, kAround, cutInto(ClearanceMap::kMostBands));
+  ASSERT_EQ(one.size(), many.size());
+  for (int place = 0; place < one.size(); ++place)
+    EXPECT_NEAR(one.spare(place), many.spare(place), 1e-3) << one.at(place).transpose();
+  EXPECT_THROW(ClearanceMap(ground, kAround, cutInto(ClearanceMap::kMostBands + 1)),
+               std::invalid_argument);
 }
 
 TEST(ClearanceMap, IsEmptyWhereItIsStopped) {
