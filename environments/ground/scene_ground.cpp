@@ -47,17 +47,6 @@ HeightRange heightsOf(const Triangle3& t) {
   return {low, high};
 }
 
-// Whether all of a triangle is beside a box of the plane.
-bool liesBeside(const Triangle3& t, const Eigen::AlignedBox2d& box) {
-  constexpr double kRounding = 1e-6;  // [m]
-  const auto isBeyond = [&](int axis) {
-    const double p = t[0][axis], q = t[1][axis], r = t[2][axis];
-    return std::max(p, std::max(q, r)) < box.min()[axis] - kRounding ||
-           std::min(p, std::min(q, r)) > box.max()[axis] + kRounding;
-  };
-  return isBeyond(0) || isBeyond(1);
-}
-
 // Whether a triangle may have its highest point over some strip between two heights.
 bool mayEndBetween(const Triangle3& t, const HeightRange& own, double low, double high) {
   if (own.high < low || own.low > high) return false;  // which most are
@@ -335,14 +324,16 @@ void SceneGround::visitEnding(const Eigen::AlignedBox2d& plan, double low, doubl
 
 double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
                           double low, double high) const {
+  constexpr double kRounding = 1e-6;  // [m]
   const Strip strip({a, b}, half_width);
   const Eigen::AlignedBox2d plan = strip.plan();
+  const Eigen::AlignedBox2d around(plan.min().array() - kRounding, plan.max().array() + kRounding);
   double highest = kNone;
   visitEnding(plan, low, high, [&](int t) {
     const Triangle3& thing = all().triangles()[t];
     const HeightRange& own = parts_->heights[t];
     const double needed = std::max(highest, low);
-    if (own.high < needed || liesBeside(thing, plan) || !mayEndBetween(thing, own, low, high))
+    if (own.high < needed || isBeside(thing, around) || !mayEndBetween(thing, own, low, high))
       return;
     if (strip.planeOf(thing).highestOver(0.0, strip.box.max().x(), half_width) < needed) return;
     highest = std::max(highest, strip.crestOf(thing, low, high));

@@ -28,15 +28,6 @@ struct Polygon {
   int count = 0;
 };
 
-// Whether a triangle lies beside a box of the plane, all of it beyond one of its sides.
-bool isBeside(const Triangle3& t, const Eigen::AlignedBox2d& box) {
-  for (int axis = 0; axis < 2; ++axis) {
-    const auto [low, high] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
-    if (high < box.min()[axis] || low > box.max()[axis]) return true;
-  }
-  return false;
-}
-
 // What of a polygon is on the one side of a line across an axis, where sign * x >= limit there.
 // @return false where all of it is, and `out` is not written
 bool cut(const Polygon& in, int axis, double sign, double limit, Polygon& out) {

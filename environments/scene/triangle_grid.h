@@ -28,6 +28,16 @@ inline constexpr double kTouching = 1e-3;
 /// Height of the triangle over (x, y), or none beside it. One that stands upright has none [m].
 std::optional<double> heightOver(const Triangle3& t, double x, double y);
 
+/// Whether all of the triangle is beside a box of the plane, beyond one of its sides.
+inline bool isBeside(const Triangle3& t, const Eigen::AlignedBox2d& box) {
+  const auto isBeyond = [&](int axis) {
+    const double a = t[0][axis], b = t[1][axis], c = t[2][axis];
+    return std::max(a, std::max(b, c)) < box.min()[axis] ||
+           std::min(a, std::min(b, c)) > box.max()[axis];
+  };
+  return isBeyond(0) || isBeyond(1);
+}
+
 /// Extent of what of the triangle is within a box of the plane; none where they are apart [m].
 std::optional<Eigen::AlignedBox3d> boundsWithin(const Triangle3& t, const Eigen::AlignedBox2d& box);
 /// Highest and lowest point of that [m].

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -28,6 +29,25 @@ TEST(HeightOver, OfAnUprightTriangleIsNone) {
   const Triangle3 t = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
                        Eigen::Vector3d(0, 0, 1)};
   EXPECT_FALSE(heightOver(t, 0.2, 0.0).has_value());
+}
+
+TEST(IsBeside, WhereTheBoundsInThePlaneAreApart) {
+  std::mt19937_64 generator(5);
+  std::uniform_int_distribution<int> place(-6, 6);  // often on the box's sides
+  const Eigen::AlignedBox2d box(Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 2));
+  int beside = 0, over = 0;
+  for (int n = 0; n < 2000; ++n) {
+    Triangle3 t;
+    Eigen::AlignedBox2d bounds;
+    for (Eigen::Vector3d& corner : t) {
+      corner = Eigen::Vector3d(place(generator), place(generator), place(generator));
+      bounds.extend(Eigen::Vector2d(corner.head<2>()));
+    }
+    EXPECT_EQ(isBeside(t, box), !bounds.intersects(box));
+    ++(isBeside(t, box) ? beside : over);
+    EXPECT_FALSE(isBeside(t, box) && heightsWithin(t, box).has_value());
+  }
+  EXPECT_GT(std::min(beside, over), 200);
 }
 
 TEST(HeightsWithin, AreThoseOfThePartInTheBox) {
