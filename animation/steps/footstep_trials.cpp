@@ -15,15 +15,15 @@ FootPlace placeBeside(const GroundPoint& point, PrintPlace print, Side side, dou
 }
 
 // The nearest to its line on which a foot stands; where none does, the farthest that was tried.
+// @param point  of the path, at the arc and at the ground's height
 FootTrial tryPlace(const TrialRequest& request, const FootholdFinder& holds, Side side, double arc,
-                   double z, double reach) {
+                   const GroundPoint& point, double reach) {
   FootTrial trial;
   trial.arc = arc;
-  const GroundPoint point = pathPoint(request.path, arc, z);
   const PrintPlace print = request.print(side, arc);
   for (const double aside : TrialGrid::kAside) {
     FootPlace place = placeBeside(point, print, side, aside);
-    place.position.z() = z;
+    place.position.z() = point.position.z();
     trial.hold = holds.at(place, side, reach);
     trial.aside = aside;
     if (trial.stands()) break;
@@ -49,12 +49,12 @@ FootTrials tryPlaces(const TrialRequest& request, const FootholdFinder& holds) {
   double z = request.from_height;
   for (int k = 1; k < count; ++k) {
     const double arc = request.begin + k * TrialGrid::kSpacing;
-    const GroundPoint point = pathPoint(request.path, arc, z);
+    GroundPoint point = pathPoint(request.path, arc, z);
     const auto near = holds.heightNear(point.position, reach);
     if (!near && holds.heightNear(point.position, TrialGrid::kFar)) ++trials.out_of_step;
-    z = near.value_or(z);
+    point.position.z() = z = near.value_or(z);
     for (const Side side : {kLeft, kRight}) {
-      const FootTrial trial = tryPlace(request, holds, side, arc, z, reach);
+      const FootTrial trial = tryPlace(request, holds, side, arc, point, reach);
       if (!trial.stands()) ++trials.refusals[static_cast<int>(trial.hold.refusal)];
       trials.lines[side].push_back(trial);
     }

@@ -87,7 +87,7 @@ class GroundPatches::Maker {
     const int left = within(t.box().min().x() - more, 0),
               right = within(t.box().max().x() + more, 0);
     const int low = within(t.box().min().y() - more, 1), high = within(t.box().max().y() + more, 1);
-    const bool few = right - left < 2 && high - low < 2;
+    const bool few = right - left < 3 && high - low < 3;
     for (int j = low; j <= high; ++j) {
       for (int i = left; i <= right; ++i) {
         const Eigen::AlignedBox2d at = box(j * kTile + i);
@@ -160,7 +160,7 @@ class GroundPatches::Maker {
       const HeightRange own{upright ? high : low, high};
       if (own.low > tile.highest) continue;
       const PlanTriangle seen(corners);
-      const bool large = own.low < own.high && seen.box().sizes().maxCoeff() > 2.0 * kPatch;
+      const bool large = own.low < own.high && seen.box().sizes().maxCoeff() > 4.0 * kPatch;
       eachMet(seen, [&](int patch, const Eigen::AlignedBox2d& at) {
         const auto here = large ? heightsWithin(corners, grown(at)) : own;
         if (here) ends[patch].push_back({below(here->low), above(here->high), t});

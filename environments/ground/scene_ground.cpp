@@ -136,6 +136,22 @@ struct Strip {
   }
 };
 
+// A triangle along a line.
+struct Thing {
+  double top, begin, end;  // along the line
+  Plane plane;
+  int triangle;
+  // Pieces that reach beyond both have some of it in them; empty where that is not known.
+  double sure_begin, sure_end;
+
+  // The highest first, of those the ones that are level: they are quick.
+  bool operator<(const Thing& other) const {
+    if (top != other.top) return top > other.top;
+    const bool is_level = sure_begin < sure_end, others = other.sure_begin < other.sure_end;
+    return is_level != others ? is_level : triangle < other.triangle;
+  }
+};
+
 // The highest of the levels, lowest first, that is within reach.
 std::optional<SurfacePoint> highestWithin(std::span<const double> levels, double z, double reach) {
   for (size_t k = levels.size(); k-- > 0;)
@@ -346,35 +362,25 @@ double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, do
 std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, double half_width,
                                         double low, double high) const {
   constexpr double kRounding = 1e-6;  // [m]
-  struct Thing {
-    double top, begin, end;  // along the line
-    Plane plane;
-    int triangle;
-    // Pieces that reach beyond both have some of it in them; empty where that is not known.
-    double sure_begin, sure_end;
-  };
   std::vector<double> crests(pieces.size(), kNone);
   if (pieces.empty()) return crests;
   const Strip whole({pieces.front().from, pieces.back().to}, half_width + kRounding);
-  std::vector<Thing> things;
+  std::vector<int> near;
   visitEnding(whole.plan(), low, high, [&](int t) {
+    if (mayEndBetween(all().triangles()[t], parts_->heights[t], low, high)) near.push_back(t);
+  });
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  std::vector<Thing> things;
+  for (const int t : near) {
     const Triangle3& thing = all().triangles()[t];
-    const HeightRange& own = parts_->heights[t];
-    if (!mayEndBetween(thing, own, low, high)) return;
     const Eigen::AlignedBox2d at = whole.extentOf(thing);
-    if (!at.intersects(whole.box)) return;
+    if (!at.intersects(whole.box)) continue;
     const auto [sure_begin, sure_end] = whole.surelyMet(thing, half_width);
-    things.push_back({own.high, at.min().x() - kRounding, at.max().x() + kRounding,
+    things.push_back({parts_->heights[t].high, at.min().x() - kRounding, at.max().x() + kRounding,
                       whole.planeOf(thing), t, sure_begin, sure_end});
-  });
-  std::sort(things.begin(), things.end(), [](const Thing& a, const Thing& b) {
-    if (a.top != b.top) return a.top > b.top;
-    const bool level = a.sure_begin < a.sure_end, other = b.sure_begin < b.sure_end;
-    return level != other ? level : a.triangle < b.triangle;  // the quick ones first
-  });
-  things.erase(std::unique(things.begin(), things.end(),
-                           [](const Thing& a, const Thing& b) { return a.triangle == b.triangle; }),
-               things.end());
+  }
+  std::sort(things.begin(), things.end());
   struct Piece {
     Strip strip;
     double begin, end;  // along the line
