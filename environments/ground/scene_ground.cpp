@@ -321,8 +321,8 @@ void SceneGround::surfaces(std::span<const Eigen::Vector2d> points, double z, do
       out[i] = highestWithin(*levels, z, reach);
     else
       left.push_back(static_cast<int>(i));
+    if (left.size() > kFew) return surfacesOfTriangles(points, z, reach, out);
   }
-  if (left.size() > kFew) return surfacesOfTriangles(points, z, reach, out);
   for (const int i : left) out[i] = surfaceOfTriangles(points[i].x(), points[i].y(), z, reach);
 }
 
