@@ -27,8 +27,6 @@ Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box) {
   return {box.min().array() - PlanTriangle::kSeen, box.max().array() + PlanTriangle::kSeen};
 }
 
-bool isLevel(const Triangle3& t) { return t[0].z() == t[1].z() && t[1].z() == t[2].z(); }
-
 }  // namespace
 
 struct GroundPatches::Tile {

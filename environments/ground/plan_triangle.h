@@ -9,6 +9,9 @@
 
 namespace amble {
 
+/// Whether its corners are at one height, to the bit.
+inline bool isLevel(const Triangle3& t) { return t[0].z() == t[1].z() && t[1].z() == t[2].z(); }
+
 using BoxCorners = std::array<Eigen::Vector2d, 4>;  ///< one after another around a box [m]
 BoxCorners cornersOf(const Eigen::AlignedBox2d& box);
 

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "environments/ground/ground_cells.h"
 #include "environments/ground/ground_patches.h"
+#include "environments/ground/plan_triangle.h"
 
 namespace amble {
 namespace {
@@ -116,7 +117,7 @@ struct Strip {
   // none.
   std::pair<double, double> surelyMet(const Triangle3& t, double half_width) const {
     constexpr double kSure = 1e-6;  // against rounding, of one frame against the other [m]
-    if (t[0].z() != t[1].z() || t[1].z() != t[2].z()) return {HUGE_VAL, -HUGE_VAL};
+    if (!isLevel(t)) return {HUGE_VAL, -HUGE_VAL};
     Triangle3 own = t;
     for (Eigen::Vector3d& corner : own) corner.head<2>() = local(corner);
     Eigen::AlignedBox2d band = extentOf(t);
@@ -224,9 +225,7 @@ SceneGround::SceneGround(const Scene& scene, std::shared_ptr<const ScenePieces> 
   for (const Triangle3& t : of_scene.triangles()) parts_->heights.push_back(heightsOf(t));
   parts_->surfaces = TriangleGrid(std::move(ground));
   parts_->patches = std::make_unique<const GroundPatches>(parts_->surfaces, of_scene.grid);
-  all_level_ = std::ranges::all_of(parts_->surfaces.triangles(), [](const Triangle3& t) {
-    return t[0].z() == t[1].z() && t[1].z() == t[2].z();
-  });
+  all_level_ = std::ranges::all_of(parts_->surfaces.triangles(), amble::isLevel);
   is_level_ = heights_.isEmpty() || heights_.sizes()[0] <= kLevel;
 }
 
