@@ -37,8 +37,8 @@ struct FootCycle {
   static constexpr int kStanceSamples = 32;
   static constexpr int kSwingSamples = 32;
   /// Here of its stance every foot is flat: its pitch is that of the landing before, that of the
-  /// rise after.
-  static constexpr double kFlat = 0.4;
+  /// rise after. So long before and after, that a frame shows it.
+  static constexpr double kFlat = 0.4, kFlatFor = 0.1;
   static constexpr int kToesFrom = 20;
 };
 

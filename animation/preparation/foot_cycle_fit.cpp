@@ -139,7 +139,8 @@ std::vector<double> pitchSamples(const SwingView& view, const SwingTerms& yaw) {
   // About the heel until it is flat, about the ball from then on.
   for (int i = 0; i < kStance; ++i) {
     const double x = static_cast<double>(i) / kStance;
-    smooth[i] = x < FootCycle::kFlat ? std::min(smooth[i], 0.0) : std::max(smooth[i], 0.0);
+    if (x < FootCycle::kFlat + FootCycle::kFlatFor) smooth[i] = std::min(smooth[i], 0.0);
+    if (x > FootCycle::kFlat - FootCycle::kFlatFor) smooth[i] = std::max(smooth[i], 0.0);
   }
   return smooth;
 }

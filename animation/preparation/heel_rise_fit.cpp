@@ -27,9 +27,9 @@ constexpr int kForward = kPitches, kRolls = kForward + 1, kProgress = kRolls + k
 // What squares are weighed with against those of knee and hip, whose weights over a cycle are 1
 // together. By trial, on walks of seven persons.
 struct Weight {
-  static constexpr double kStraight = 150.0;  // of straight knees, which are seen, more
-  static constexpr double kAnkle = 0.25;      // of the ankle
-  static constexpr double kPitch = 0.25;      // of the pitch against the captured one
+  static constexpr double kStraight = 200.0;  // of straight knees, which are seen, more
+  static constexpr double kAnkle = 0.3;       // of the ankle
+  static constexpr double kPitch = 0.3;       // of the pitch against the captured one
   static constexpr double kFlat = 100.0;      // the same of a foot that stands flat
   static constexpr double kBends = 0.5;       // of what the pitch's second differences are more
   static constexpr double kToes = 0.1;        // of the toes against the captured ones
@@ -39,17 +39,16 @@ struct Weight {
   static constexpr double kTooFar = 3000.0;   // of a leg in front that is too long, in its lengths
   static constexpr double kTooLow = 3000.0;   // of a sole that does not clear the ground, in metres
   // Of the pelvis against where it was, in metres: a wave a cycle, and how much more faster ones.
-  static constexpr double kAlong = 1.0, kUp = 25.0, kWaves = 0.01;
+  static constexpr double kAlong = 3.0, kUp = 25.0, kWaves = 0.01;
   static constexpr double kNone = 1e3;  // of what is 0: may not be less and would, feet that are
                                         // flat, waves that a series lacks
 };
 
 double weightOf(int sample) { return sample < kStance ? 0.6 / kStance : 0.4 / kSwing; }
 
-// Whether every foot is flat at a sample, so long that a frame shows it.
+// Whether every foot is flat at a sample.
 bool isFlat(int sample) {
-  constexpr double kFor = 0.1;  // of the stance, before and after
-  return std::abs(LegTrack::timeOf(sample) - FootCycle::kFlat) < kFor;
+  return std::abs(LegTrack::timeOf(sample) - FootCycle::kFlat) < FootCycle::kFlatFor;
 }
 
 // How flat a foot stands at a time of it [0, 1], where it was captured so: this is its pitch [rad].

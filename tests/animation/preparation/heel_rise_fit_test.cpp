@@ -165,15 +165,8 @@ double legError(const MotionLibrary& library, const WalkCycle& cycle) {
   return std::sqrt(squares);
 }
 
-/// Height of the left ankle over its sole's ground as the foot leaves [m].
-double liftedAnkle(const MotionLibrary& library, const WalkCycle& cycle) {
-  const FootShape shape = library.feet()[kLeft];
-  const FootCycle& foot = cycle.feet[kLeft];
-  return rolledBall(shape, toeRoll(foot, 1.0)).z() + rolledAnkle(shape, footPitch(foot, 1.0)).z();
-}
-
 // The captured walks of the library, with heels that rise half as far as they do there, and toes
-// that lie: the fit raises them again.
+// that lie: heels, toes, prints and the pelvis make up for it.
 TEST(HeelRise, BringsLegsNearerToTheirCapturedLength) {
   for (const Motion& motion : defaultLibrary().motions) {
     if (motion.kind != MotionKind::kWalk || motion.turning) continue;
@@ -185,8 +178,7 @@ TEST(HeelRise, BringsLegsNearerToTheirCapturedLength) {
     WalkCycle fitted = lower;
     fitHeelRise(defaultLibrary().skeleton, defaultLibrary().roles, defaultLibrary().feet(),
                 defaultLibrary().stand().rotations, fitted);
-    EXPECT_LT(legError(defaultLibrary(), fitted), legError(defaultLibrary(), lower)) << motion.name;
-    EXPECT_GT(liftedAnkle(defaultLibrary(), fitted), liftedAnkle(defaultLibrary(), lower) + 0.01)
+    EXPECT_LT(legError(defaultLibrary(), fitted), 0.75 * legError(defaultLibrary(), lower))
         << motion.name;
   }
 }

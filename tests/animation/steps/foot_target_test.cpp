@@ -105,7 +105,7 @@ TEST(FootTarget, TheTipOfAPlantedFootStaysAsItsToesRoll) {
 // four fifths of the stance, the more the steeper; the ankle is as high by then, of the heel.
 TEST(FootTarget, DownhillTheBallStaysDownForLongerAndTheHeelRisesForIt) {
   FootCycle rolls = foot().cycle;
-  for (int k = 0; k < FootCycle::kToeSplines; ++k) rolls.toes[k] = 0.01 * k;
+  for (int k = 0; k < FootCycle::kToeSplines; ++k) rolls.toes[k] = 0.02 * k;
   const FootShape& shape = foot().shape;
   FootState state = stateAt(0.79);
   struct Joints {
