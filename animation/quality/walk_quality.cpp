@@ -15,7 +15,8 @@
 namespace amble {
 namespace {
 
-// QUALITY.md's bars.
+// QUALITY.md's bars, of which those of a path and of feet that turn are for grown bodies:
+// bodyScale.
 constexpr double kToeSkate = 0.010;         // with foot lock [m/s]
 constexpr double kDrift = 0.002;            // with foot lock [m]
 constexpr double kPenetration = 0.005;      // [m]
@@ -38,6 +39,14 @@ constexpr double kUnsupported = 0.3;     // of its length, on stairs
 constexpr double kFlip = 10.0;   // more pops than this is a joint that flips over: no anchor
 constexpr double kPace = 0.8;    // of the walk's top speed: slower is starting, stopping or turning
 constexpr double kTurns = 0.15;  // slower is straight: walkers sway by as much [rad/s]
+
+// Legs of most grown people, from the 5th percentile of women to the 95th of men: theirs are the
+// captures that the bars come from [m].
+constexpr double kShortLeg = 0.75, kLongLeg = 1.0;
+
+// Of a body to the nearest grown one: 1 for all of those [1, > 0]. With it lengths grow, and by
+// Froude's law times with its root.
+double bodyScale(double leg) { return leg / std::clamp(leg, kShortLeg, kLongLeg); }
 
 FootPlants plantsOfWalk(const AnimationBuffer& walk) {
   std::array<std::vector<bool>, 2> planted;
@@ -188,6 +197,9 @@ std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
   const GaitMeasures gait = measureGait(clip, roles, plantsOfWalk(walk), &ground);
   const PathError path = pathErrorOf(clip, roles, walk);
   const Asked asked = askedOver(walk, gait);
+  const double leg =
+      0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
+  const double scale = bodyScale(leg);
   std::vector<QualityLine> lines = {
       {"toe skate", gait.toe_skate, kToeSkate, "m/s"},
       {"drift per plant", gait.largest_drift, kDrift, "m"},
@@ -196,12 +208,13 @@ std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
        "m/s2"},
       {"joint jerk", gait.joint_jerk, kJointJerk * anchors.joint_jerk, "m/s3"},
       {"pops", gait.pops, std::max(kPops, kPopsOfAnchor * anchors.pops), "1"},
-      {"foot turn", fastestFootTurn(clip, roles) / kDegree, kFootTurn, "degrees/s"},
+      {"foot turn", fastestFootTurn(clip, roles) / kDegree, kFootTurn / std::sqrt(scale),
+       "degrees/s"},
       {"knee backwards", gait.knee_backwards, 0.0, "1"},
       {"bone length change", gait.bone_length_change, 1e-9, "m"},
-      {"path error, mean", path.mean, kPathMean, "m"},
-      {"path error, largest", path.largest, kPathLargest, "m"},
-      {"path error, end", path.end, kPathEnd, "m"},
+      {"path error, mean", path.mean, kPathMean * scale, "m"},
+      {"path error, largest", path.largest, kPathLargest * scale, "m"},
+      {"path error, end", path.end, kPathEnd * scale, "m"},
       {"end heading", path.end_heading / kDegree, kEndHeading, "degrees"},
   };
   if (asked.speed <= 0.0) return lines;  // turned on the spot, or stood
@@ -212,8 +225,6 @@ std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
       lines.push_back({"turn rate, achieved against asked", turnMiss(clip, roles, walk, support),
                        kAchieved, "1"});
     }
-    const double leg =
-        0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
     lines.push_back({"double support, from its norm",
                      std::abs(support.share - doubleSupportNorm(support.speed, leg)),
                      kDoubleSupport, "1"});

@@ -1,7 +1,9 @@
 /// A walk of ours against QUALITY.md's bars.
 ///
 /// Plants are the walk's own, not detected ones. A bar that is a share of an anchor uses what the
-/// captures measure that the walk is made from.
+/// captures measure that the walk is made from. Bars of the path and of feet that turn are those of
+/// grown people, with legs of 0.75 to 1 m: of others lengths are their legs' share of the nearest
+/// of these, rates fall with its root (Froude).
 #pragma once
 
 #include <string>

@@ -165,6 +165,30 @@ TEST_F(JudgeWalk, NoSpeedTurnsAFootOver) {
   }
 }
 
+// At speeds that look alike (Froude) people of any height are judged alike; of grown ones, whose
+// legs are 0.75 to 1 m long, the bars are those of the captures.
+TEST_F(JudgeWalk, BarsOfThePathAndOfFeetThatTurnGrowAndShrinkWithTheBody) {
+  const QualityLine grown_turn = line("foot turn"), grown_path = line("path error, mean");
+  for (const double height : {0.6, 1.0, 1.3, 1.75, 2.5}) {
+    const double speed = 1.4 * std::sqrt(height / library_.stature);
+    const WalkSynthesizer walker(library_, ground_, {.height = height, .speed = speed});
+    Stance from, to;
+    to.position.x() = 6.0 * height / library_.stature;
+    const RootPath path({makeBezier(from.position.head<2>(), 0.0, to.position.head<2>(), 0.0)});
+    ASSERT_EQ(walker.walk(from, to, path, true, walk_).refused, WalkRule::kNone) << height;
+    clip_ = {"walk", walker.skeleton(), walk_.frame_time, walk_.poses, {}};
+    const JointRoles& roles = walker.roles();
+    const double leg = 0.5 * (roles.legLength(walker.skeleton(), kLeft) +
+                              roles.legLength(walker.skeleton(), kRight));
+    const double scale = leg < 0.75 ? leg / 0.75 : leg > 1.0 ? leg : 1.0;
+    const QualityLine turn = line("foot turn"), mean = line("path error, mean");
+    EXPECT_TRUE(turn.holds()) << height << ": " << turn.value << " of " << turn.bar;
+    EXPECT_TRUE(mean.holds()) << height << ": " << mean.value << " of " << mean.bar;
+    EXPECT_NEAR(turn.bar, grown_turn.bar / std::sqrt(scale), 1e-6 * turn.bar) << height;
+    EXPECT_NEAR(mean.bar, grown_path.bar * scale, 1e-6) << height;
+  }
+}
+
 TEST_F(JudgeWalk, ASunkenFrameIsPenetration) {
   clip_.poses.p_WR(clip_.frames() / 2).z() -= 0.05;
   EXPECT_FALSE(line("penetration").holds());
