@@ -65,7 +65,6 @@ void timeAsCaptured(const SpotTurnRequest& request, SpotTurn& turn) {
   turn.done = shareTurned(sequence);
   CapturedTurnTime& captured = turn.captured.emplace();
   captured.turn = request.captured;
-  captured.frame_time = request.frame_time;
   const int parts = kPartsOfStep * turn.steps;
   std::vector<double> clocks = {0.0}, times = {0.0};
   for (int i = 1; i <= parts; ++i) {
@@ -101,10 +100,11 @@ struct SpotTurnPlace {
 SpotTurnPlace placeAt(const SpotTurn& turn, int frame) {
   if (!turn.captured) {
     const double progress = turn.steps * (static_cast<double>(frame) / turn.frames);
-    return {progress, turn.done.at(progress), turn.done.slope(progress), {}};
+    const double pace = turn.steps / (turn.frames * turn.frame_time);  // [steps/s]
+    return {progress, turn.done.at(progress), turn.done.slope(progress) * pace, {}};
   }
   const CapturedTurnTime& captured = *turn.captured;
-  const double time = frame * captured.frame_time, clock = captured.clock.at(time);
+  const double time = frame * turn.frame_time, clock = captured.clock.at(time);
   return {progressAt(captured.nodes, time),
           turn.done.at(clock),
           turn.done.slope(clock) * captured.clock.slope(time),
@@ -123,6 +123,7 @@ SpotTurn planSpotTurn(const StepPlacer& placer, const SpotTurnRequest& request) 
   turn.first = angle > 0.0 ? kLeft : kRight;
   turn.angle = angle;
   turn.scale = request.scale;
+  turn.frame_time = request.frame_time;
   turn.from = turn.end = at;
   turn.shift = request.shift;
   turn.end.position += request.shift;
@@ -166,7 +167,6 @@ FrameState spotTurnState(const SpotTurn& turn, const FrameState& standing, int f
   state.arc = place.done * turn.shift.head<2>().norm();
   state.heading = turn.from.heading + turn.angle * place.done;
   state.turn_rate = turn.angle * place.rate;
-  if (!turn.captured) state.turn_rate /= turn.step_time;
   state.feet = turn.feet->at(progress);
   for (FootState& foot : state.feet) foot.strike_roll = foot.lift_roll = 1.0;  // all of SpotStep's
   // Towards the foot that stands: to the right while the left one swings.

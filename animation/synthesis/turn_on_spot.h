@@ -50,7 +50,6 @@ struct CapturedTurnTime {
   int turn = 0;               ///< of CapturedTurns
   CubicSpline clock;          ///< TurnSequence's, over time [s]
   std::vector<double> nodes;  ///< when each step begins, and when the last one ends [s]
-  double frame_time = 0.0;    ///< [s]
 };
 
 /// The steps of a turn. Where refused, nothing but `steps` and `first` may be asked.
@@ -62,9 +61,10 @@ struct SpotTurn {
   StanceFeet from_feet, end_feet;
   double angle = 0.0;                               ///< [rad, left positive]
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< from begin to end, on the ground [m]
-  double step_time = 0.0;  ///< of a captured turn: its first and last step at most [s]
-  int frames = 0;          ///< intervals; there is one frame more
-  double scale = 1.0;      ///< of the character to the captured subject
+  double step_time = 0.0;   ///< of a captured turn: its first and last step at most [s]
+  int frames = 0;           ///< intervals; there is one frame more
+  double frame_time = 0.0;  ///< [s]
+  double scale = 1.0;       ///< of the character to the captured subject
   std::optional<Footsteps> feet;
   /// Share of the turn that the pelvis has done at a progress [steps], or of a captured turn at a
   /// moment of its clock: halfway between the feet as each is put down, so that neither is twisted

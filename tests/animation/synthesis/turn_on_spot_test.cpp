@@ -80,6 +80,22 @@ TEST(TurnOnSpot, TheTurnRateIsTheRateOfTheHeadingAndNearWhatPeopleReachAtMost) {
   EXPECT_LT(fastest, 100.0 * kDegree);
 }
 
+// A turn takes whole frames, its steps somewhat more or less than theirs: so is its rate.
+TEST(TurnOnSpot, InWhateverFramesItIsMadeTheRatesOfATurnAddUpToIt) {
+  const FlatGround floor;
+  for (const double frame_time : {1.0 / 24.0, 1.0 / 30.0, 1.0 / 60.0}) {
+    for (const double degrees : {20.0, -40.0, 45.0, 90.0, 130.0}) {
+      const double angle = degrees * kDegree;
+      const SpotTurn turn = planSpotTurn(stepCharacter().placer(floor),
+                                         {{{0.0, 0.0, 0.0}, 0.0}, angle, angle, 1.0, frame_time});
+      double sum = 0.0;
+      for (int k = 0; k <= turn.frames; ++k)
+        sum += spotTurnState(turn, {}, k).turn_rate * frame_time;
+      EXPECT_NEAR(sum, angle, 0.005 * std::abs(angle)) << degrees << " " << frame_time;
+    }
+  }
+}
+
 TEST(TurnOnSpot, NoFootIsTwistedFarAgainstThePelvis) {
   const FlatGround floor;
   for (const double degrees : {45.0, -90.0, 180.0, 270.0, -360.0}) {
