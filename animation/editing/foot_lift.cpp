@@ -119,6 +119,8 @@ void liftSwing(const Swing& swing, double factor, double heel, double frame_time
       share = std::min(share, (factor * lift - height[i]) / change[i]);
     }
   }
+  // Nor does any get under the line, where a curve under a sharp peak would ask for that.
+  if (factor < 1.0) share = std::max(share, -1.0);
   for (size_t i = 0; i < change.size(); ++i) {
     change[i] *= share;
     foot.move(static_cast<int>(i), {0.0, 0.0, change[i]});

@@ -162,6 +162,25 @@ TEST_P(FootLifts, AskedByFrameAreThoseOfTheMiddleOfEachSwing) {
   });
 }
 
+// A foot that comes up for a moment only has little else that can be lowered.
+TEST(FootLift, OfSharpSwingsLoweredPutsNoFootUnderTheLineBetweenItsPrints) {
+  AMBLE_NEEDS_CAPTURES();
+  for (const char* clip :
+       {"mocap/cmu_mb2/06_10.bvh", "mocap/accad_male1/Male1_B13_WalkTurnRight45.bvh"}) {
+    const CapturedWalk walk = capturedWalk(clip);
+    for (const double factor : {0.5, 0.8}) {
+      const Lifted lifted(walk, factor);
+      lifted.swings([&](const PlantMeasures& from, const PlantMeasures& to) {
+        for (int i = from.plant.last; i <= to.plant.first; ++i) {
+          const double captured = lifted.height(lifted.before, from, to, i);
+          EXPECT_GE(lifted.height(lifted.after, from, to, i), std::min(captured, 0.0) - 1e-4)
+              << clip << " " << factor << " " << i;
+        }
+      });
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(, FootLifts,
                          testing::Values("mocap/accad_female1/Female1_B03_Walk1.bvh",
                                          "mocap/accad_male1/Male1_B3_Walk.bvh",
