@@ -6,11 +6,15 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <utility>
 
 #include "base/parallel.h"
+#include "environments/ground/ground_cells.h"
+#include "planner/steering/ground_chords.h"
 #include "planner/steering/ground_range.h"
+#include "planner/steering/near_ground.h"
 #include "planner/steering/open_way.h"
 
 namespace amble {
@@ -35,6 +39,7 @@ constexpr double kOpenSquare = 0.2, kFinerOpenSquare = 0.04;
 // The axis of a part over a walk: heights over the ground, and how far it is from the path.
 struct PartWay {
   Eigen::AlignedBox1d middle;  // of its middle [m]
+  Eigen::AlignedBox1d upper;   // of its upper end [m]
   double aside = 0.0;          // of any of its points, in plan [m]
 };
 
@@ -51,6 +56,7 @@ std::vector<PartWay> waysOfParts(const StraightWalk& walk, const Skeleton& skele
       PartWay& way = ways[part];
       const Eigen::Vector3d a = from[part] - path, b = to[part] - path;
       way.middle.extend(Eigen::Matrix<double, 1, 1>(0.5 * (a.z() + b.z())));
+      way.upper.extend(Eigen::Matrix<double, 1, 1>(std::max(a.z(), b.z())));
       way.aside = std::max({way.aside, a.head<2>().norm(), b.head<2>().norm()});
     }
   }
@@ -67,20 +73,30 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
   for (int part = 0; part < static_cast<int>(body.parts.size()); ++part) {
     const BodyPart& own = body.parts[part];
     const PartWay& way = ways[part];
-    const double low = way.middle.min()[0] - kDip, high = way.middle.max()[0] + kRise;
-    const double aside = way.aside + kDip;
+    Ball ball;
+    ball.part = part;
+    ball.radius = own.radius;
+    ball.aside = way.aside + kDip;
+    ball.height = way.middle.min()[0] - kDip;
+    ball.highest = ball.top = way.middle.max()[0] + kRise;
+    ball.carried = {way.middle.min()[0] - kUnevenDip, way.middle.max()[0] + kUnevenRise};
     if (part == body.head) {
-      const double top = std::max(high, body.upright - own.radius);
-      balls_.push_back({high, high, top, HUGE_VAL, own.radius, aside, part});
-    } else if (own.joint == roles.hips || own.name == "chest") {
-      balls_.push_back({low, high, high, HUGE_VAL, own.radius, aside, part});
+      ball.height = ball.highest;
+      if (body.upright > 0.0) ball.upright = body.upright - own.radius;
+      ball.top = std::max(ball.highest, ball.upright);
+      ball.carried = {way.upper.min()[0] - kUnevenDip, way.upper.max()[0] + kUnevenRise};
     } else if (own.joint == roles.legs[kLeft].leg || own.joint == roles.legs[kRight].leg) {
       // The leg, from the hip to the ankle, crosses this height once, with the thigh or the shank.
-      const double height = highest_step + kAnkle * stature;
-      if (height < kLowestHips * stature)
-        balls_.push_back(
-            {height, height, height, kLowestHips * stature - height, own.radius, kOfLegs, part});
+      ball.height = ball.highest = ball.top = highest_step + kAnkle * stature;
+      ball.most_rise = kLowestHips * stature - ball.height;
+      ball.aside = kOfLegs;
+      ball.beyond = kLegsBeyond;
+      ball.carried = {};
+      if (ball.most_rise <= 0.0) continue;
+    } else if (own.joint != roles.hips && own.name != "chest") {
+      continue;
     }
+    balls_.push_back(ball);
   }
   std::stable_sort(balls_.begin(), balls_.end(), [](const Ball& a, const Ball& b) {
     if (a.isTrunk() != b.isTrunk()) return b.isTrunk();
@@ -100,19 +116,36 @@ UprightPost BodyReach::postAround(std::span<const Ball> balls) const {
   return post;
 }
 
+// What the floods ask of the ground.
+struct BodyReach::Around {
+  Around(const SceneGround& ground, const ReachedGround& reached, double stature,
+         double longest_step)
+      : range(ground, reached, kFeet * stature),
+        chords(ground, reached, longest_step),
+        near_body(ground, reached, longest_step, kBeyond),
+        near_legs(ground, reached, longest_step, kLegsBeyond) {}
+  const NearGround& near(const Ball& ball) const { return ball.isLeg() ? near_legs : near_body; }
+
+  GroundRange range;
+  GroundChords chords;
+  NearGround near_body, near_legs;
+};
+
 // Of one ball, from both ends in turn.
 class BodyReach::Flood {
  public:
   Flood(const Ball& ball, double square, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-        const CollisionWorld& world, const SceneGround& ground, const GroundRange& range,
-        double beyond, CollisionScratch& scratch)
+        const CollisionWorld& world, const SceneGround& ground, const Around& around, double beyond,
+        CollisionScratch& scratch)
       : ball_(ball),
-        range_(range),
+        around_(around),
+        cells_(ground.cells()),
         square_(square),
         from_(from),
         to_(to),
         world_(world),
         scratch_(scratch) {
+    beyond = std::min(beyond, ball.beyond);
     Eigen::AlignedBox2d region = ground.extent();
     region.extend(from.head<2>().eval()).extend(to.head<2>().eval());
     min_ = region.min().array() - beyond;
@@ -127,7 +160,8 @@ class BodyReach::Flood {
   Barrier barrier();  // @pre isShut
 
  private:
-  static constexpr std::uint8_t kUnknown = 0, kShut = 3;  // reached from: 1, 2
+  static constexpr std::uint8_t kUnknown = 0, kShut = 3, kFar = 4;  // reached from: 1, 2
+  static constexpr int kNothing = -1, kNoGround = -2;               // in place of objects
 
   Eigen::Vector2d middle(int square) const {
     return min_ + square_ * Eigen::Vector2d(square % count_.x() + 0.5, square / count_.x() + 0.5);
@@ -140,15 +174,19 @@ class BodyReach::Flood {
     return world_.touched({p.x(), p.y(), low}, {p.x(), p.y(), high}, radius, scratch_);
   }
   int touchedAtAll(const Eigen::Vector2d& p, double low, double high, double radius) const;
-  int object(const Eigen::Vector2d& p) const;
-  Barrier between(const std::vector<int>& before, int last) const;
+  Eigen::AlignedBox1d carried(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet);
+  int touchedOnUneven(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet, double radius);
+  int object(const Eigen::Vector2d& p);
+  std::vector<int> wayOut(bool over_ground);
+  Barrier between(std::vector<int> way);
   bool begin(const Eigen::Vector3d& end, int side);
   bool reach(int square, int side);
   bool spread(int square, int side);
   bool flood(int side, size_t most);
 
   const Ball& ball_;
-  const GroundRange& range_;
+  const Around& around_;
+  const GroundCells& cells_;
   const double square_;  // side [m]
   const Eigen::Vector3d from_, to_;
   const CollisionWorld& world_;
@@ -158,6 +196,7 @@ class BodyReach::Flood {
   std::vector<std::uint8_t> reached_;        // by square
   std::array<std::vector<int>, 2> squares_;  // reached from each end, in order
   std::array<size_t, 2> next_ = {0, 0};      // of them whose neighbours are to be looked at
+  std::map<std::pair<int, int>, Eigen::AlignedBox1d> chords_;  // by square of the cells
 };
 
 // What a ball touches there at every height between: all of one that is smaller by the distance of
@@ -185,29 +224,51 @@ int BodyReach::Flood::touchedAtAll(const Eigen::Vector2d& p, double low, double 
   return everywhere(few) || everywhere(kFinerLevels * few) ? first : -1;
 }
 
+// Between these heights over the ground the body is carried there.
+Eigen::AlignedBox1d BodyReach::Flood::carried(const Eigen::Vector2d& p,
+                                              const Eigen::AlignedBox1d& feet) {
+  const Eigen::Vector2i at = cells_.squareAt(p);
+  const auto [known, is_new] = chords_.try_emplace(std::pair(at.x(), at.y()));
+  if (is_new) known->second = around_.chords.through(p);
+  const Eigen::AlignedBox1d both = known->second.intersection(feet);
+  return both.isEmpty() ? feet : both;
+}
+
+// Of what is carried over stairs and slopes. What is over an upright head goes on up to a height
+// over the lower foot: where the head's upper end is anywhere below that, it is there.
+int BodyReach::Flood::touchedOnUneven(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet,
+                                      double radius) {
+  const Eigen::AlignedBox1d body = carried(p, feet);
+  const double low = body.min()[0] + ball_.carried.min()[0];
+  const double high = body.max()[0] + ball_.carried.max()[0];
+  const double upright = feet.min()[0] + ball_.upright;
+  return upright > high ? touched(p, high, upright, radius)
+                        : touchedAtAll(p, std::max(low, upright), high, radius);
+}
+
 // What the ball touches wherever in the square it is, and whatever of the ground around the feet
-// stand on; -1: perhaps nothing.
-int BodyReach::Flood::object(const Eigen::Vector2d& p) const {
-  const Eigen::AlignedBox1d ground = range_.around(p);
-  if (ground.isEmpty()) return -1;
-  const double rise = ground.sizes()[0], radius = ball_.radius - std::sqrt(0.5) * square_;
-  const double low = ground.min()[0] + ball_.height, high = ground.max()[0] + ball_.highest;
-  if (ball_.isTrunk()) return touchedAtAll(p, low, high, radius);
-  if (rise <= SceneGround::kLevel) return touched(p, high, ground.min()[0] + ball_.top, radius);
-  if (ball_.most_rise < HUGE_VAL)
-    return rise > ball_.most_rise ? -1 : touched(p, high, high, radius);
-  if (ball_.top > ball_.height)
-    return rise > ball_.top - ball_.height ? -1
-                                           : touched(p, high, ground.min()[0] + ball_.top, radius);
-  return touchedAtAll(p, low, high, radius);
+// stand on; kNothing: perhaps nothing.
+int BodyReach::Flood::object(const Eigen::Vector2d& p) {
+  if (!around_.near(ball_).has(p)) return kNoGround;
+  const Eigen::AlignedBox1d feet = around_.range.around(p);
+  if (feet.isEmpty()) return kNothing;
+  const double rise = feet.sizes()[0], radius = ball_.radius - std::sqrt(0.5) * square_;
+  const double low = feet.min()[0] + ball_.height, high = feet.max()[0] + ball_.highest;
+  if (rise > ball_.most_rise) return kNothing;
+  if (ball_.isTrunk() && rise <= SceneGround::kLevel) return touchedAtAll(p, low, high, radius);
+  if (rise <= SceneGround::kLevel) return touched(p, high, feet.min()[0] + ball_.top, radius);
+  return ball_.isLeg() ? touched(p, high, high, radius) : touchedOnUneven(p, feet, radius);
 }
 
 // @return whether the other side has been there
 bool BodyReach::Flood::reach(int square, int side) {
   std::uint8_t& known = reached_[square];
   if (known == kUnknown) {
-    known = object(middle(square)) >= 0 ? kShut : static_cast<std::uint8_t>(1 + side);
-    if (known != kShut) squares_[side].push_back(square);
+    const int there = object(middle(square));
+    if (there == kNothing) squares_[side].push_back(square);
+    known = there == kNothing    ? static_cast<std::uint8_t>(1 + side)
+            : there == kNoGround ? kFar
+                                 : kShut;
     return false;
   }
   return known == 2 - side;
@@ -253,9 +314,17 @@ bool BodyReach::Flood::flood(int side, size_t most) {
 }
 
 // From the part that is flooded, the smaller, through shut squares, ring by ring, to the other; of
-// squares that are reached in the same ring the one that is least out of the way. Of a part too
-// large to be flooded for a report any square will do that is not shut.
+// squares that are reached in the same ring the one that is least out of the way. Past what has no
+// ground only where there is no other way: nothing is named there. Of a part too large to be
+// flooded for a report any square will do that is not shut.
 BodyReach::Barrier BodyReach::Flood::barrier() {
+  std::vector<int> way = wayOut(true);
+  if (way.empty()) way = wayOut(false);
+  return way.empty() ? Barrier{ball_.part, -1, to_, from_, to_} : between(std::move(way));
+}
+
+// From a square of the larger part back to one of the smaller; empty where none is found.
+std::vector<int> BodyReach::Flood::wayOut(bool over_ground) {
   const int small = next_[0] >= squares_[0].size() ? 0 : 1, large = 1 - small;
   const bool is_known = flood(large, kMostOfReport);
   std::vector<int> before(reached_.size(), -1), ring = squares_[small];
@@ -269,6 +338,7 @@ BodyReach::Barrier BodyReach::Flood::barrier() {
         if (x + dx < 0 || y + dy < 0 || x + dx >= count_.x() || y + dy >= count_.y()) continue;
         const int other = square + dy * count_.x() + dx;
         if (before[other] >= 0) continue;
+        if (over_ground && !around_.near(ball_).has(middle(other))) continue;
         before[other] = square;
         next.push_back(other);
         if (!is_known) reach(other, large);
@@ -278,25 +348,26 @@ BodyReach::Barrier BodyReach::Flood::barrier() {
     }
     ring = std::move(next);
   }
-  return best >= 0 ? between(before, best) : Barrier{ball_.part, -1, to_, from_, to_};
+  if (best < 0) return {};
+  std::vector<int> way = {best};
+  while (before[way.back()] != way.back()) way.push_back(before[way.back()]);
+  return way;
 }
 
 // Of the way back from a square of the other part the middle, where something is in the way. Where
 // it comes out before, between two things that shut off one after another, of the way to there.
-BodyReach::Barrier BodyReach::Flood::between(const std::vector<int>& before, int last) const {
-  std::vector<int> way = {last};
-  while (before[way.back()] != way.back()) way.push_back(before[way.back()]);
+BodyReach::Barrier BodyReach::Flood::between(std::vector<int> way) {
   const auto out = std::find_if(way.rbegin() + 1, way.rend() - 1,
-                                [&](int square) { return object(middle(square)) < 0; });
+                                [&](int square) { return object(middle(square)) == kNothing; });
   way.erase(way.begin(), out.base() - 1);
   const Eigen::Vector2d far = middle(way.front()), near = middle(way.back());
   Barrier barrier{ball_.part, -1, from_, from_, from_};
   const Eigen::Vector2d at = middle(way[way.size() / 2]);
-  const Eigen::AlignedBox1d ground = range_.around(at);
+  const Eigen::AlignedBox1d ground = around_.range.around(at);
   const double z = ground.isEmpty() ? from_.z() : ground.min()[0];
   barrier.far << far, z;
   barrier.near << near, z;
-  barrier.object = object(at);
+  barrier.object = std::max(-1, object(at));
   barrier.at << at, z + ball_.height;
   return barrier;
 }
@@ -308,12 +379,13 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
     const SceneGround& ground, const std::vector<CollisionScratch*>& scratches,
     const std::function<bool()>& stopped, double beyond) const {
   const ReachedGround reached(ground, from, longest_step_);
-  const GroundRange range(ground, reached, kFeet * stature_);
+  const Around around(ground, reached, stature_, longest_step_);
   const auto is_open = [&](std::span<const Ball> balls, double square) {
-    return isOpenWay(from, to, postAround(balls), square, world, ground, reached,
+    return isOpenWay(from, to, postAround(balls), square, world, ground, reached, around.near_legs,
                      *scratches.front(), stopped);
   };
-  if (balls_.empty() || !range.isKnown() || is_open(balls_, kOpenSquare)) return std::nullopt;
+  if (balls_.empty() || !around.range.isKnown() || is_open(balls_, kOpenSquare))
+    return std::nullopt;
   using Asked = std::pair<const Ball*, double>;  // by squares of that side
   const auto first_shut = [&](const std::vector<Asked>& asked) -> std::optional<Barrier> {
     const int count = static_cast<int>(asked.size());
@@ -321,7 +393,7 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
     std::atomic<int> shut{count};  // one that is known to be
     const int first = firstOf(count, static_cast<int>(scratches.size()), [&](int i, int thread) {
       auto flood = std::make_unique<Flood>(*asked[i].first, asked[i].second, from, to, world,
-                                           ground, range, beyond, *scratches[thread]);
+                                           ground, around, beyond, *scratches[thread]);
       if (!flood->isShut([&] { return shut < i || stopped(); })) return false;
       for (int known = shut; i < known && !shut.compare_exchange_weak(known, i);) continue;
       floods[i] = std::move(flood);
@@ -339,7 +411,7 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
   if (auto found = first_shut(coarse)) return found;
   if (ground.extent().sizes().prod() > kMostFinest * kFinest * kFinest) return std::nullopt;
   for (const Ball& ball : balls_)
-    if (ball.isTrunk() && !is_open({&ball, 1}, kFinerOpenSquare)) fine.emplace_back(&ball, kFinest);
+    if (!ball.isLeg() && !is_open({&ball, 1}, kFinerOpenSquare)) fine.emplace_back(&ball, kFinest);
   return first_shut(fine);
 }
 

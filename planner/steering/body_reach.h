@@ -13,14 +13,21 @@
 /// standing to standing has them, or up to kRise higher or kDip lower, as who turns, bends or steps
 /// over things is, and are kept off by what they would touch at each of these; squares are left
 /// across their corners too; ends count as all squares as far from them as a ball is from the path
-/// at most, and kDip more; and the flood may leave the ground by kBeyond. Where the ground around
-/// is uneven the body may be carried as over the lowest of it or as over the highest, or anyhow
-/// between. Ground in several layers it says nothing of.
+/// at most, and kDip more.
 ///
-/// At open edges bodies lean out farther than kBeyond, to .23 m, over feet that stand within. Who
-/// gets by a thing there has ground beside it for his feet; and where there is ground beside a
-/// thing, a flood that leaves it by more than a ball's radius gets by, too. Only what hangs out
-/// over an edge, as the end of a beam, may be said to shut off where somebody leaned around it.
+/// Where the ground around is uneven, pelvis, chest and head are carried as over any of the lines
+/// from ground to ground that pass there (GroundChords), or up to kUnevenRise higher or kUnevenDip
+/// lower: hips give way where legs are too short for a step. That bound was found by trial, of
+/// bodies of 1.2 to 2 m at 0.6 to 1.6 m/s over stairs, kerbs, ramps and slabs: they dip by 0.16 m
+/// at most. What is over an upright head begins at most there, and ends no lower than over the
+/// lowest ground around. Ground in several layers the flood says nothing of.
+///
+/// Only places near the ground that is reached count (NearGround): between places of it, and beyond
+/// its open edges by as much as bodies lean out over feet that stand within, kBeyond; of 15,000
+/// walks drawn along edges none had pelvis, chest or head farther out than 0.15 m. So walls that
+/// reach beyond the floor shut off, whatever is beyond them. Legs count to kLegsBeyond: feet that
+/// turn swing out farther, but who gets by a thing there has ground beside it for his feet, and a
+/// flood that leaves that by more than a leg's radius gets by, too.
 ///
 /// Where one after another of larger squares is open to all balls at once, in which none would
 /// touch anything, from the start to the goal, no ball's flood is begun: that is nearly always so.
@@ -29,6 +36,8 @@
 /// more than that, of which tests find none; "not shut" says little.
 #pragma once
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
@@ -42,8 +51,9 @@ namespace amble {
 
 class BodyReach {
  public:
-  static constexpr double kRise = 0.02, kDip = 0.12;  ///< [m]
-  static constexpr double kBeyond = 0.12;             ///< [m]
+  static constexpr double kRise = 0.02, kDip = 0.12;              ///< [m]
+  static constexpr double kUnevenRise = 0.03, kUnevenDip = 0.17;  ///< the same over chords [m]
+  static constexpr double kBeyond = 0.25, kLegsBeyond = 0.12;     ///< open edges [m]
   /// Of stature: of ankles over the height that feet are lifted over, at most.
   static constexpr double kAnkle = 0.14;
   static constexpr double kLargest = 0.05;  ///< square [m]
@@ -81,12 +91,18 @@ class BodyReach {
   struct Ball {
     double height = 0.0, highest = 0.0;  ///< of its middle over the ground, between these [m]
     double top = 0.0;                    ///< and all that is over it up to there [m]
-    double most_rise = 0.0;              ///< of ground around, over which it may be asked about [m]
+    double most_rise = HUGE_VAL;         ///< of ground around, over which it may be asked about [m]
     double radius = 0.0;                 ///< [m, > 0]
     double aside = 0.0;                  ///< from the path, at most [m]
-    int part = -1;                       ///< of the body
+    double beyond = kBeyond;             ///< open edges it may be so far [m]
+    /// Of its middle, of the head's upper end, over the ground's chords, where that is uneven [m].
+    Eigen::AlignedBox1d carried;
+    double upright =
+        -HUGE_VAL;  ///< of the end of what is over an upright head, over the lower foot
+    int part = -1;  ///< of the body
 
     bool isTrunk() const { return highest > height; }
+    bool isLeg() const { return most_rise < HUGE_VAL; }
     bool isAsWide(const Ball& other) const {
       return height == other.height && highest == other.highest && top == other.top &&
              most_rise == other.most_rise && radius == other.radius && aside == other.aside;
@@ -96,6 +112,7 @@ class BodyReach {
   const std::vector<Ball>& balls() const { return balls_; }
 
  private:
+  struct Around;
   class Flood;
   UprightPost postAround(std::span<const Ball> balls) const;
   double stature_;

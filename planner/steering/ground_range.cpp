@@ -26,16 +26,7 @@ GroundRange::GroundRange(const SceneGround& ground, const ReachedGround& reached
     : cells_(ground.cells()), is_level_(ground.isLevel()), level_(ground.heights()) {
   if (is_level_ || cells_.layers() != 1) return;
   const int columns = cells_.columns(), rows = cells_.rows();
-  ranges_.resize(static_cast<size_t>(columns) * rows);
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      for (const GroundCells::Span& span : cells_.spans(column, row)) {
-        if (!span.ground || !reached.has(column, row, span)) continue;
-        ranges_[static_cast<size_t>(row) * columns + column].extend(
-            Eigen::AlignedBox1d::VectorType(span.height));
-      }
-    }
-  }
+  ranges_ = reached.heights();
   const int squares = 1 + static_cast<int>(std::ceil(far / cells_.cell()));
   for (int row = 0; row < rows; ++row)
     widen(ranges_, static_cast<size_t>(row) * columns, 1, columns, squares);

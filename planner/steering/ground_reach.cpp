@@ -206,7 +206,8 @@ std::optional<GroundGap> findGap(const SceneGround& ground, const Eigen::Vector3
 }
 
 ReachedGround::ReachedGround(const SceneGround& ground, const Eigen::Vector3d& from,
-                             double longest_step) {
+                             double longest_step)
+    : cells_(ground.cells()) {
   if (ground.isLevel() || ground.cells().columns() == 0) return;
   const auto reach = std::make_shared<Reach>(ground, longest_step);
   const auto spot = reach->spotAt(from);
@@ -219,6 +220,20 @@ ReachedGround::ReachedGround(const SceneGround& ground, const Eigen::Vector3d& f
 
 bool ReachedGround::has(int column, int row, const GroundCells::Span& span) const {
   return !is_apart_ || !is_apart_(column, row, span);
+}
+
+std::vector<Eigen::AlignedBox1d> ReachedGround::heights() const {
+  std::vector<Eigen::AlignedBox1d> all(static_cast<size_t>(cells_.columns()) * cells_.rows());
+  for (int row = 0; row < cells_.rows(); ++row) {
+    for (int column = 0; column < cells_.columns(); ++column) {
+      for (const GroundCells::Span& span : cells_.spans(column, row)) {
+        if (span.ground && has(column, row, span))
+          all[static_cast<size_t>(row) * cells_.columns() + column].extend(
+              Eigen::AlignedBox1d::VectorType(span.height));
+      }
+    }
+  }
+  return all;
 }
 
 }  // namespace amble

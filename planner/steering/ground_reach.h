@@ -8,8 +8,10 @@
 /// to beams that are narrower than a square, and "it leads there" says little.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "environments/ground/ground_cells.h"
 #include "environments/ground/scene_ground.h"
@@ -34,12 +36,15 @@ std::optional<GroundGap> findGap(const SceneGround& ground, const Eigen::Vector3
 /// and of wardrobes are none of it. Cost: as findGap's between two floors.
 class ReachedGround {
  public:
-  /// @param from  [m, World]; @param longest_step  [m, > 0]
+  /// @param from  [m, World]; @param longest_step  [m, > 0] @pre the ground outlives it
   ReachedGround(const SceneGround& ground, const Eigen::Vector3d& from, double longest_step);
   /// Of a surface over a square; true of all where nothing is known.
   bool has(int column, int row, const GroundCells::Span& span) const;
+  /// Of all of it over each square of GroundCells, x fastest [m, World]; empty where there is none.
+  std::vector<Eigen::AlignedBox1d> heights() const;
 
  private:
+  const GroundCells& cells_;
   std::function<bool(int column, int row, const GroundCells::Span& span)> is_apart_;
 };
 

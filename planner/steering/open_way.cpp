@@ -17,13 +17,14 @@ class OpenWay {
  public:
   OpenWay(const Eigen::Vector3d& to, const UprightPost& post, double square,
           const CollisionWorld& world, const SceneGround& ground, const ReachedGround& reached,
-          CollisionScratch& scratch)
+          const NearGround& near, CollisionScratch& scratch)
       : to_(to.head<2>()),
         post_(post),
         square_(square),
         region_(ground.extent()),
         world_(world),
         range_(ground, reached, post.around + square),  // around all of a square
+        near_(near),
         scratch_(scratch) {
     const Eigen::Array2d squares = region_.sizes().array() / square;
     if (region_.isEmpty() || squares.prod() > kMostOpenSquares || !range_.isKnown()) return;
@@ -45,6 +46,7 @@ class OpenWay {
   const Eigen::AlignedBox2d region_;
   const CollisionWorld& world_;
   const GroundRange range_;
+  const NearGround& near_;
   CollisionScratch& scratch_;
   Eigen::Vector2i count_{0, 0};
   std::vector<bool> known_;  // by square
@@ -59,9 +61,9 @@ void OpenWay::reach(int x, int y) {
   known_[square] = true;
   const Eigen::Vector2d p = middle(x, y);
   const Eigen::AlignedBox1d ground = range_.around(p);
+  if (!near_.has(p) || ground.isEmpty()) return;
   const double radius = post_.radius + std::sqrt(0.5) * square_;
-  if (ground.isEmpty() ||
-      world_.touched({p.x(), p.y(), ground.min()[0] + post_.low},
+  if (world_.touched({p.x(), p.y(), ground.min()[0] + post_.low},
                      {p.x(), p.y(), ground.max()[0] + post_.high}, radius, scratch_) < 0)
     open_.emplace((p - to_).norm(), square);
 }
@@ -89,9 +91,10 @@ bool OpenWay::leads(const Eigen::Vector2d& from, const std::function<bool()>& st
 
 bool isOpenWay(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const UprightPost& post,
                double square, const CollisionWorld& world, const SceneGround& ground,
-               const ReachedGround& reached, CollisionScratch& scratch,
+               const ReachedGround& reached, const NearGround& near, CollisionScratch& scratch,
                const std::function<bool()>& stopped) {
-  return OpenWay(to, post, square, world, ground, reached, scratch).leads(from.head<2>(), stopped);
+  return OpenWay(to, post, square, world, ground, reached, near, scratch)
+      .leads(from.head<2>(), stopped);
 }
 
 }  // namespace amble

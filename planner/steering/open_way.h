@@ -9,6 +9,7 @@
 #include "environments/collision/collision_world.h"
 #include "environments/ground/scene_ground.h"
 #include "planner/steering/ground_reach.h"
+#include "planner/steering/near_ground.h"
 
 namespace amble {
 
@@ -19,13 +20,13 @@ struct UprightPost {
   double aside = 0.0;            ///< from either end it may begin and end so far [m, >= 0]
 };
 
-/// Over squares, on the ground's extent, in all of which the post touches nothing; where there is
-/// no ground around things are not felt. No says nothing. Cost: some hundred nanoseconds a square.
+/// Over squares, near the ground, in all of which the post touches nothing. No says nothing. Cost:
+/// some hundred nanoseconds a square.
 /// @param from, to  [m, World]; @param square  side [m, > 0]
 /// @param stopped  asked now and then; where it says so the answer is no
 bool isOpenWay(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const UprightPost& post,
                double square, const CollisionWorld& world, const SceneGround& ground,
-               const ReachedGround& reached, CollisionScratch& scratch,
+               const ReachedGround& reached, const NearGround& near, CollisionScratch& scratch,
                const std::function<bool()>& stopped);
 
 }  // namespace amble

@@ -63,6 +63,7 @@ struct Crowded {
   CollisionWorld world{scene, ground, home.synthesizer.skeleton(), home.body};
   CollisionScratchPtr scratch = world.makeScratch();
   ReachedGround reached{ground, {0.6, 2.0, 0.0}, 1.0};
+  NearGround near{ground, reached, 1.0, BodyReach::kLegsBeyond};
   BodyReach reach{straightWalk(home.synthesizer, home.ground),
                   home.synthesizer.skeleton(),
                   home.synthesizer.roles(),
@@ -202,14 +203,15 @@ TEST(BodyReachLaws, WhereTheWayIsOpenEveryBallPassesByAFineFlood) {
     const auto& balls = crowded.reach.balls();
     ASSERT_FALSE(balls.empty());
     for (const auto& [a, b] : kEnds) {
-      const bool is_open = isOpenWay(a, b, postAround(balls), 0.1, crowded.world, crowded.ground,
-                                     crowded.reached, *crowded.scratch, [] { return false; });
+      const bool is_open =
+          isOpenWay(a, b, postAround(balls), 0.1, crowded.world, crowded.ground, crowded.reached,
+                    crowded.near, *crowded.scratch, [] { return false; });
       (is_open ? open : closed) += 1;
       if (!is_open) continue;
       for (const BodyReach::Ball& ball : balls)
         EXPECT_TRUE(ballPasses(crowded, ball, a, b, *crowded.scratch)) << seed;
       EXPECT_FALSE(isOpenWay(a, b, postAround(balls), 0.1, crowded.world, crowded.ground,
-                             crowded.reached, *crowded.scratch, [] { return true; }))
+                             crowded.reached, crowded.near, *crowded.scratch, [] { return true; }))
           << "who is stopped knows nothing";
     }
   }

@@ -1,0 +1,43 @@
+/// Where parts of a walking body may be in plan: over ground that is walked on, between places of
+/// it, and a little beyond its open edges.
+///
+/// Feet stand on ground, and the body is over them or on its way from one to the next. So a place
+/// is between feet where ground that is no farther than a step lies all around it, by more than
+/// half of all directions: over a break in the ground, in the corner of an L, beneath a wall that
+/// steps lead past. Whatever else of a body's is over no ground leans out over an edge.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "environments/ground/scene_ground.h"
+#include "planner/steering/ground_reach.h"
+
+namespace amble {
+
+class NearGround {
+ public:
+  /// @param longest_step  of the middles of two feet [m, > 0]; @param beyond  edges, that parts
+  /// lean out [m, >= 0]; to the grid's squares, of 0.1 m: none counts as too far that is as near as
+  /// this. Cost: linear in the squares of GroundCells. @pre the ground outlives it
+  NearGround(const SceneGround& ground, const ReachedGround& reached, double longest_step,
+             double beyond);
+
+  bool has(const Eigen::Vector2d& p) const;
+
+ private:
+  void markBridges(int reach);
+  void widen(double by);
+  bool isBetween(int x, int y, int reach) const;
+  bool isOn(int x, int y) const {
+    return x >= 0 && y >= 0 && x < count_.x() && y < count_.y() &&
+           on_[static_cast<size_t>(y) * count_.x() + x];
+  }
+
+  const GroundCells& cells_;
+  int margin_ = 0;               // squares around those of the cells
+  Eigen::Vector2i count_{0, 0};  // with them; 0: nothing is known, and all counts as near
+  std::vector<bool> on_;         // by square, x fastest
+};
+
+}  // namespace amble

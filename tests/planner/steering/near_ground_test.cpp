@@ -1,0 +1,63 @@
+#include "planner/steering/near_ground.h"
+
+#include <gtest/gtest.h>
+
+#include "base/sample_stream.h"
+#include "tests/environments/test_scenes.h"
+
+namespace amble {
+namespace {
+
+constexpr double kStepOfNear = 1.0, kLeanOut = 0.25;  // [m]
+constexpr double kOfSquares = 0.3;                    // that the grid adds to it, at most [m]
+
+struct NearFloor {
+  explicit NearFloor(const std::vector<SceneObject>& objects) : scene(sceneOf(objects)) {}
+  bool has(double x, double y) const { return near.has({x, y}); }
+
+  Scene scene;
+  SceneGround ground{scene};
+  ReachedGround reached{ground, {0, 0, 0}, kStepOfNear};
+  NearGround near{ground, reached, kStepOfNear, kLeanOut};
+};
+
+// Of 6 by 4 m about the origin.
+SceneObject nearFloorObject() { return makeObject("floor", Box{{6, 4, 0.1}}, {0, 0, -0.05}); }
+
+TEST(NearGround, IsAllGroundAndWhatIsAsNearAsBodiesLeanOutAndNothingMuchFarther) {
+  const NearFloor near({nearFloorObject()});
+  SampleStream stream(1, 0);
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector2d p(stream.uniform(-4, 4), stream.uniform(-3, 3));
+    const Eigen::Array2d off = (p.array().abs() - Eigen::Array2d(3, 2)).max(0.0);
+    const double distance = off.matrix().norm();
+    if (distance <= kLeanOut) {
+      EXPECT_TRUE(near.has(p.x(), p.y())) << p.transpose();
+    }
+    if (distance > kLeanOut + kOfSquares) {
+      EXPECT_FALSE(near.has(p.x(), p.y())) << p.transpose();
+    }
+  }
+}
+
+TEST(NearGround, IsOverABreakThatIsSteppedOverAndNotOverAWideOne) {
+  const auto floors = [](double apart) {
+    return NearFloor(
+        {nearFloorObject(), makeObject("beyond", Box{{6, 4, 0.1}}, {6 + apart, 0.3, -0.05})});
+  };
+  const NearFloor narrow = floors(0.6), wide = floors(2.4);
+  for (const double y : {-1.4, 0.0, 1.7}) {
+    for (double x = 3.0; x < 3.6; x += 0.05) EXPECT_TRUE(narrow.has(x, y)) << x << ' ' << y;
+    EXPECT_FALSE(wide.has(4.2, y)) << y;
+  }
+}
+
+// The top of a wall that is as large as a floor is none that steps lead to.
+TEST(NearGround, IsNotOnTopOfWallsBeyondTheFloor) {
+  const NearFloor near({nearFloorObject(), makeObject("wall", Box{{1, 10, 2.5}}, {0, 0, 1.25})});
+  EXPECT_TRUE(near.has(0, 0)) << "between two parts of the floor";
+  for (const double y : {2.0 + kLeanOut + kOfSquares, 4.5, -4.5}) EXPECT_FALSE(near.has(0, y)) << y;
+}
+
+}  // namespace
+}  // namespace amble
