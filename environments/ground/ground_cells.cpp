@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "base/union_find.h"
 #include "environments/ground/ground_column.h"
+#include "environments/ground/plan_triangle.h"
 
 namespace amble {
 namespace {
@@ -259,9 +260,6 @@ bool GroundCells::Builder::isPlain(int i, int j) const {
   const Eigen::Vector2d reach = Eigen::Vector2d::Constant(
       0.5 * std::max(settings.foot_length, settings.foot_breadth) + 2.0 * kSeam);
   const Eigen::AlignedBox2d box(low - reach, low + Eigen::Vector2d::Constant(side) + reach);
-  const auto isLevel = [](const Triangle3& t) {
-    return t[0].z() == t[1].z() && t[1].z() == t[2].z();
-  };
   std::vector<int> near;
   bool all_level = true;
   all.visitBox(box, [&](int t) {
