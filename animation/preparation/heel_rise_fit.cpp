@@ -27,9 +27,9 @@ constexpr int kForward = kPitches, kRolls = kForward + 1, kProgress = kRolls + k
 // What squares are weighed with against those of knee and hip, whose weights over a cycle are 1
 // together. By trial, on walks of seven persons.
 struct Weight {
-  static constexpr double kStraight = 200.0;  // of straight knees, which are seen, more
+  static constexpr double kStraight = 150.0;  // of straight knees, which are seen, more
   static constexpr double kAnkle = 0.3;       // of the ankle
-  static constexpr double kPitch = 0.3;       // of the pitch against the captured one
+  static constexpr double kPitch = 0.35;      // of the pitch against the captured one
   static constexpr double kFlat = 100.0;      // the same of a foot that stands flat
   static constexpr double kBends = 0.5;       // of what the pitch's second differences are more
   static constexpr double kToes = 0.1;        // of the toes against the captured ones

@@ -79,14 +79,14 @@ TEST(FootTarget, TheTipOfAPlantedFootStaysAsItsToesRoll) {
   for (int k = 0; k < FootCycle::kToeSplines; ++k) rolls.toes[k] = 0.04 * k;
   for (const Eigen::Vector3d& normal :
        {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(-0.2, -0.1, 1), Eigen::Vector3d(0.2, -0.1, 1)}) {
-    FootState state = stateAt(0.7);
+    FootState state = stateAt(0.74);  // the heel is up
     state.from.normal = state.to.normal = normal.normalized();
     const auto target = [&](const FootCycle& cycle) {
       return footTarget(state, cycle, foot().shape, kHip, 9.0);
     };
     const Eigen::Vector3d tip = tipOf(target(rolls));
     double rolled = 0.0;
-    for (state.at = 0.7; state.at <= 1.0; state.at += 0.02) {
+    for (state.at = 0.74; state.at <= 1.0; state.at += 0.02) {
       const FootTarget now = target(rolls);
       EXPECT_LT((tipOf(now) - tip).norm(), 1e-9) << state.at;
       FootCycle flat = rolls;
