@@ -115,6 +115,10 @@ class TurnFinder {
         frame_time_(level.frame_time),
         beside_(static_cast<int>(std::lround(kBeside / level.frame_time))) {
     const auto [first, last] = how.frames.value_or(std::pair{0, level.frames() - 1});
+    if (first < 0 || last >= level.frames() || first >= last) {
+      throw InputError(how.file, 0, "frames that the clip does not have",
+                       "up to " + std::to_string(level.frames() - 1) + " of its motion");
+    }
     window_ = {first, last};
     for (TurnFrames stretch : stretchesOf(headings_, level.frame_time)) look(stretch);
   }

@@ -32,7 +32,7 @@ struct SpotTurnFit {
 /// and what the legs do is left out: captured feet pivot, and whoever turns is to step. Of the
 /// pelvis' height only how it rises and falls is kept, below that of `stand`.
 /// @param frames  of the clip that it was taken from
-/// @pre how.stand is there, and the clip has how.frames
+/// @pre how.stand is there
 /// @throws InputError naming the file where nobody turns so, or farther, longer or in more steps
 /// than a library may hold.
 TurnSequence fitTurnOnSpot(const Clip& level, const JointRoles& roles, const SpotTurnFit& how,
