@@ -17,6 +17,7 @@ constexpr double kSideStep = 0.05;          // sides are felt so finely [m]
 constexpr double kPost = 0.02;              // radius of what they are felt with [m]
 constexpr double kHips = 0.5, kHead = 1.0;  // heights, as shares of the stature
 constexpr double kAskew = 35.0 * kDegree;   // [rad]
+constexpr int kAskewLooks = 3;              // to either side: a post at arm's length is not missed
 constexpr double kRounding = 1e-9;          // of a heading that does not turn [rad]
 constexpr double kSameGap = 0.4;            // looks of one gap are no farther apart [m]
 
@@ -35,9 +36,9 @@ class SideProbe {
   // too: ways lead askew through doors.
   std::optional<FeltSide> nearest(const FrameState& state, double side, double height) const {
     std::optional<FeltSide> found;
-    for (const double askew : {-kAskew, 0.0, kAskew}) {
+    for (int look = -kAskewLooks; look <= kAskewLooks; ++look) {
       FrameState turned = state;
-      turned.heading += askew;
+      turned.heading += kAskew * look / kAskewLooks;
       const auto felt = feel(turned, side, height);
       if (felt && (!found || felt->distance < found->distance)) found = felt;
     }

@@ -107,7 +107,7 @@ class Clips(unittest.TestCase):
         graph = amble.Graph(self.here / "loop.graph")
         listed = run("graph", "loop", self.here / "loop.graph", "straight").splitlines()
         loops = graph.loops("straight")
-        self.assertEqual(listed[20:], [f"{len(loops) - 20} more"])
+        self.assertEqual(listed[20:], [f"{len(loops) - 20} more"] if len(loops) > 20 else [])
         for said, loop in zip(listed[:20], loops):
             self.assertEqual(said, f"{loop['leave']} back to {loop['enter']}  {loop['duration']:.2f} s, "
                                    f"error {loop['error']:.3f} m")

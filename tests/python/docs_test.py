@@ -50,7 +50,7 @@ class Docs(unittest.TestCase):
         blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs/python.md").read_text(), re.DOTALL)
         self.assertGreater(len(blocks), 4)
         said = self.said_by(lambda: [exec(block, names) for block in blocks])
-        self.assertIn("<amble.Walk: 6.49 m, 7.28 s, 438 frames>", said)
+        self.assertIn("<amble.Walk: 6.57 m, 7.33 s, 441 frames>", said)
         self.assertIn("no_walk", said)
         for file in ("walk.npz", "out/walk.bvh", "out/walk.html", "room.roadmap", "turn.bvh"):
             self.assertTrue((self.here / file).exists(), file)
