@@ -280,8 +280,12 @@ Obstruction whatBlocks(const SteeringFailure& failure, const Waypoint& end,
 }
 
 Obstruction whatShutsOff(const SteeringFailure& barrier, const PlanRequest& request) {
+  constexpr double kAround = 1.5;  // treads that a barrier on stairs is told by differ less [m]
   Obstruction why = *mostOften({barrier}, request.world->scene(), request.world->body());
-  PassageProbe(request).measure(barrier.body, barrier.heading, why);
+  Eigen::Vector3d place = barrier.body;
+  if (const auto ground = request.ground->stand(place.x(), place.y(), place.z(), kAround))
+    place.z() = ground->height;
+  PassageProbe(request).measure(place, barrier.heading, why);
   return why;
 }
 

@@ -6,6 +6,7 @@
 #include "base/sample_stream.h"
 #include "planner/steering/ground_reach.h"
 #include "planner/steering/walk_steering.h"
+#include "planner/why/obstruction.h"
 #include "tests/planner/furnished_room.h"
 
 namespace amble {
@@ -109,6 +110,31 @@ Waypoint besideWall(SampleStream& stream, double x, double y) {
   at.stance.heading = stream.uniform(-0.4, 0.4);
   at.stance.standing = stream.uniform() < 0.6;
   return at;
+}
+
+// Heads dip on stairs: by how much at most is by trial. A beam that hangs 1.35 m over the treads is
+// too low for all that, for somebody of 1.63 m; one that he may walk under is not.
+TEST(OpenEdges, ALowBeamOverAFlightThatGoesOnBeyondItsSidesShutsItOff) {
+  for (const auto& [high, shut] : {std::pair(1.2, true), {1.35, true}, {1.9, false}}) {
+    std::vector<SceneObject> objects = {floorBetween(-4, 0)};
+    for (int i = 1; i <= 10; ++i) {
+      const double top = 0.17 * i, go = 0.29;
+      objects.push_back(boxObject("tread", {go, 1.4, top}, {go * (i - 0.5), 2, 0.5 * top}));
+    }
+    objects.push_back(boxObject("landing", {2, 1.4, 1.7}, {3.9, 2, 0.85}));
+    const double under = 0.85 + high;  // over the fifth tread
+    objects.push_back(boxObject("beam", {0.2, 3, 0.6}, {1.4, 2, under + 0.3}));
+    const OpenFloor open(objects);
+    const auto failure = open.shutOff({-2, 2, 0}, {4.2, 2, 1.7});
+    ASSERT_EQ(failure.has_value(), shut) << high;
+    if (!failure) continue;
+    ASSERT_GE(failure->object, 0) << high;
+    PlanRequest request;
+    request.synthesizer = &open.room.synthesizer;
+    request.world = &open.room.world;
+    request.ground = &open.room.ground;
+    EXPECT_EQ(whatShutsOff(*failure, request).object, "beam") << high;
+  }
 }
 
 // The theorem: past walls and beams that end near the edge, within it or beyond it, and past kerbs
