@@ -33,6 +33,7 @@ class Reach {
   Reach(const SceneGround& ground, double longest_step)
       : cells_(ground.cells()),
         limits_(ground.settings().limits),
+        steepest_(std::tan(limits_.max_slope)),
         reach_(longest_step + kTwoFeet + 2.0 * cells_.cell()) {}
 
   /// The ground that somebody at p stands on.
@@ -75,6 +76,7 @@ class Reach {
 
   const GroundCells& cells_;
   const GroundLimits limits_;
+  const double steepest_;  // tangent
   double reach_;
   std::map<int, int> numbers_;  // of floors, as they were met
   UnionFind sets_{0};           // of these numbers
@@ -125,7 +127,7 @@ bool Reach::leads(const Spot& a, std::optional<bool>& a_is_flat, const Spot& b) 
   const double rise = std::abs(b.height - a.height) - limits_.highestStep() - kLevel;
   if (rise <= 0.0) return true;
   // Each foot may be anywhere over its square.
-  const double steepest = 0.5 * std::tan(limits_.max_slope) * (way + 3.0 * cells_.cell());
+  const double steepest = 0.5 * steepest_ * (way + 3.0 * cells_.cell());
   if (rise > 2.0 * steepest) return false;
   if (!a_is_flat) a_is_flat = isFlat(a);
   if (*a_is_flat) return rise <= steepest && !isFlat(b);

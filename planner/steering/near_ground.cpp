@@ -1,5 +1,6 @@
 #include "planner/steering/near_ground.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -13,6 +14,19 @@ namespace {
 // Larger grounds are near everywhere: of 400 m by 250 m.
 constexpr double kMostNear = 1e7;  // squares
 constexpr int kBins = 64;          // of all directions
+
+// Directions to squares around one: bits of bins, by offsets of -reach to reach, x fastest.
+std::vector<std::uint64_t> binsAround(int reach) {
+  std::vector<std::uint64_t> bins;
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const double turn = std::atan2(dy, dx) / (2.0 * kPi);
+      bins.push_back(std::uint64_t{1}
+                     << (static_cast<int>(std::floor((turn + 1.0) * kBins)) % kBins));
+    }
+  }
+  return bins;
+}
 
 // Whether directions in these bins leave no half of all out.
 bool isAround(std::uint64_t bins) {
@@ -46,12 +60,10 @@ NearGround::NearGround(const SceneGround& ground, const ReachedGround& reached, 
 }
 
 // Rings of squares around it, up to where what they have of ground lies all around.
-bool NearGround::isBetween(int x, int y, int reach) const {
-  std::uint64_t bins = 0;
+bool NearGround::isBetween(int x, int y, int reach, std::span<const std::uint64_t> bins) const {
+  std::uint64_t seen = 0;
   const auto look = [&](int dx, int dy) {
-    if (!isOn(x + dx, y + dy)) return;
-    const double turn = std::atan2(dy, dx) / (2.0 * kPi);
-    bins |= std::uint64_t{1} << (static_cast<int>(std::floor((turn + 1.0) * kBins)) % kBins);
+    if (isOn(x + dx, y + dy)) seen |= bins[(dy + reach) * (2 * reach + 1) + dx + reach];
   };
   for (int ring = 1; ring <= reach; ++ring) {
     for (int i = -ring; i < ring; ++i) {
@@ -60,16 +72,17 @@ bool NearGround::isBetween(int x, int y, int reach) const {
       look(-i, ring);
       look(-ring, -i);
     }
-    if (isAround(bins)) return true;
+    if (isAround(seen)) return true;
   }
   return false;
 }
 
 void NearGround::markBridges(int reach) {
+  const std::vector<std::uint64_t> bins = binsAround(reach);
   std::vector<size_t> between;
   for (int y = margin_; y + margin_ < count_.y(); ++y) {
     for (int x = margin_; x + margin_ < count_.x(); ++x) {
-      if (!isOn(x, y) && isBetween(x, y, reach))
+      if (!isOn(x, y) && isBetween(x, y, reach, bins))
         between.push_back(static_cast<size_t>(y) * count_.x() + x);
     }
   }
@@ -77,21 +90,25 @@ void NearGround::markBridges(int reach) {
 }
 
 void NearGround::widen(double by) {
-  const std::vector<bool> before = on_;
+  const std::vector<std::uint8_t> before = on_;
   const auto was = [&](int x, int y) { return before[static_cast<size_t>(y) * count_.x() + x]; };
   const double reach = by / cells_.cell();
   const int far = static_cast<int>(reach);
+  std::vector<int> widths;  // of each row of the disc half of it, from -far on
+  for (int j = -far; j <= far; ++j) {
+    int i = far;
+    while (i > 0 && std::hypot(i, j) > reach) --i;
+    widths.push_back(i);
+  }
   for (int y = 1; y + 1 < count_.y(); ++y) {
     for (int x = 1; x + 1 < count_.x(); ++x) {
       if (!was(x, y) || (was(x - 1, y) && was(x + 1, y) && was(x, y - 1) && was(x, y + 1)))
         continue;
-      for (int j = -far; j <= far; ++j) {
-        for (int i = -far; i <= far; ++i) {
-          if (std::hypot(i, j) > reach || x + i < 0 || y + j < 0 || x + i >= count_.x() ||
-              y + j >= count_.y())
-            continue;
-          on_[static_cast<size_t>(y + j) * count_.x() + x + i] = true;
-        }
+      for (int j = std::max(-far, -y); j <= std::min(far, count_.y() - 1 - y); ++j) {
+        const size_t row = static_cast<size_t>(y + j) * count_.x();
+        const int half = widths[j + far];
+        const int last = std::min(x + half, count_.x() - 1);
+        for (int i = std::max(x - half, 0); i <= last; ++i) on_[row + i] = true;
       }
     }
   }

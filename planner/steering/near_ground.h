@@ -8,6 +8,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "environments/ground/scene_ground.h"
@@ -28,16 +30,16 @@ class NearGround {
  private:
   void markBridges(int reach);
   void widen(double by);
-  bool isBetween(int x, int y, int reach) const;
+  bool isBetween(int x, int y, int reach, std::span<const std::uint64_t> bins) const;
   bool isOn(int x, int y) const {
     return x >= 0 && y >= 0 && x < count_.x() && y < count_.y() &&
            on_[static_cast<size_t>(y) * count_.x() + x];
   }
 
   const GroundCells& cells_;
-  int margin_ = 0;               // squares around those of the cells
-  Eigen::Vector2i count_{0, 0};  // with them; 0: nothing is known, and all counts as near
-  std::vector<bool> on_;         // by square, x fastest
+  int margin_ = 0;                // squares around those of the cells
+  Eigen::Vector2i count_{0, 0};   // with them; 0: nothing is known, and all counts as near
+  std::vector<std::uint8_t> on_;  // by square, x fastest
 };
 
 }  // namespace amble
