@@ -1,5 +1,6 @@
 #include "app/library_addition.h"
 
+#include "animation/captures/capture_file.h"
 #include "animation/library/library_parts_writer.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/library/speed_engine_reader.h"
@@ -9,10 +10,6 @@
 namespace amble {
 
 namespace {
-
-bool isYaml(const std::filesystem::path& file) {
-  return file.extension() == ".yaml" || file.extension() == ".yml";
-}
 
 // Whether it is a speed engine; its speeds are then said.
 bool isEngine(const std::filesystem::path& file, const std::vector<double>& speeds) {
@@ -40,6 +37,11 @@ void addRequests(MotionRequest request, const LibraryAddition& how,
 }
 
 }  // namespace
+
+bool isYaml(const std::filesystem::path& file) {
+  const std::string ending = lowerEnding(file);
+  return ending == ".yaml" || ending == ".yml";
+}
 
 std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
                                       const LibraryAddition& how) {

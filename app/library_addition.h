@@ -33,6 +33,9 @@ struct LibraryAddition {
 std::vector<MotionRequest> requestsOf(const std::filesystem::path& clip,
                                       const LibraryAddition& how);
 
+/// Whether it is called as YAML is, in letters of either case.
+bool isYaml(const std::filesystem::path& file);
+
 /// @throws InputError where a library cannot be called so
 void requireLibraryName(const std::filesystem::path& file);
 

@@ -12,6 +12,7 @@
 #include "app/clip_sources.h"
 #include "app/command.h"
 #include "app/graph_words.h"
+#include "app/library_addition.h"
 #include "app/open_file.h"
 #include "app/read_options.h"
 #include "app/result_folder.h"
@@ -102,11 +103,6 @@ void writeShown(const Shown& shown, std::vector<ShownClip>& clips,
   page.notes.insert(page.notes.end(), notes.begin(), notes.end());
   if (!scene) page.bench = &bench;
   writeFile(shown.page, [&](std::ostream& out) { writePage(out, page); });
-}
-
-bool isYaml(const std::string& path) {
-  const std::string ending = lowerEnding(path);
-  return ending == ".yaml" || ending == ".yml";
 }
 
 // A workbench that is of one file: its page, or all that it shows for machines.
