@@ -60,6 +60,21 @@ std::string leftOutMeans(const GaitSpace& space, ordered_json& data) {
       share * sum.nearest_legs);
 }
 
+// How wide the prints are, and how far toes are out: at the slowest and the fastest capture.
+void addPrints(const GaitSpace& space, Findings& out, ordered_json& data) {
+  std::string text;
+  data["prints"] = ordered_json::array();
+  for (const double speed : {space.slowest(), space.fastest()}) {
+    const double width = space.step_width.at(speed);
+    const std::array<double, 2> toe_out = {space.toe_out[kLeft].at(speed) / kDegree,
+                                           space.toe_out[kRight].at(speed) / kDegree};
+    text += fmt::format("{}{:.3f} m wide, toes out by {:.1f} and {:.1f} degrees at {:.2f} m/s",
+                        text.empty() ? "" : "; ", width, toe_out[kLeft], -toe_out[kRight], speed);
+    data["prints"].push_back({{"speed", speed}, {"step_width", width}, {"toe_out", toe_out}});
+  }
+  out.facts.emplace_back("prints", text);
+}
+
 void addSpace(const std::string& gait, const GaitSpace& space, Findings& out) {
   const FrequencyFit& law = space.law;
   ordered_json data = {{"slowest", space.slowest()},
@@ -89,6 +104,7 @@ void addSpace(const std::string& gait, const GaitSpace& space, Findings& out) {
   out.facts.emplace_back(
       "law", fmt::format("f = {:.3f} V^{:.3f}{}, {:.1f} % off", law.law.factor, law.law.power,
                          law.own_power ? "" : " (the power is Inman's)", 100.0 * law.residual));
+  addPrints(space, out, data);
   for (const EngineClip& clip : space.clips) {
     out.facts.emplace_back(
         "", fmt::format("{:.3f} m/s, {:.3f} Hz, {} cycles of {} frames {} to {} ({}){}", clip.speed,

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "animation/library/foot_numbers.h"
 #include "animation/library/harmonics.h"
 #include "base/ease.h"
 #include "base/rotation.h"
@@ -219,45 +218,6 @@ bool SpeedEngine::planted(double speed, double phase, Side side) const {
   const double lift_off = (side == kLeft ? 0.5 : 1.0) + 0.5 * both[other(side)];
   const double since = phase - strike - std::floor(phase - strike);
   return since < lift_off - strike;
-}
-
-// What of a walk is in it; standing and running feet neither swing nor roll.
-FootCycle SpeedEngine::footAt(double speed, Side side) const {
-  if (!data_.walk || data_.walk->feet[side].size() == 0) {
-    return footOf(Eigen::RowVectorXd::Zero(footNumberCount()));
-  }
-  const Eigen::MatrixXd& lines = data_.walk->feet[side];
-  const double share = walkShare(speed) * (1.0 - runShare(speed));
-  FootCycle foot = footOf(share * (lines.row(0) + walkSpeed(speed) * lines.row(1)));
-  for (double& roll : foot.toes) roll = std::max(0.0, roll);  // of lines, which may cross 0
-  return foot;
-}
-
-WalkCycle SpeedEngine::walkCycleAt(double speed) const {
-  static const GaitSpace kNone;
-  const GaitSpace &walk = data_.walk ? *data_.walk : kNone, &run = data_.run ? *data_.run : kNone;
-  WalkCycle cycle;
-  cycle.speed = clamped(speed);
-  cycle.period = 1.0 / frequency(speed);
-  cycle.cycles = 1;
-  Eigen::MatrixXd samples;
-  cycleAt(speed, samples);
-  std::vector<double> phases;
-  for (int i = 0; i < kEnginePhases; ++i) phases.push_back(static_cast<double>(i) / kEnginePhases);
-  cycle.series = fitFourier(samples, phases, kMaxHarmonics);
-  const std::array<double, 2> both = support(speed);
-  const auto wrapped = [](double phase) { return phase - std::floor(phase); };
-  for (const Side side : {kLeft, kRight}) {
-    const double middle = side == kLeft ? 0.0 : 0.5;
-    cycle.feet[side] = footAt(speed, side);
-    cycle.feet[side].strike = wrapped(middle - 0.5 * both[side]);
-    cycle.feet[side].lift_off = wrapped(middle + 0.5 + 0.5 * both[other(side)]);
-    cycle.toe_out[side] =
-        mixed(speed, walk.toe_out[side], run.toe_out[side], data_.stand.toe_out[side]);
-    cycle.foot_forward[side] = mixed(speed, walk.foot_forward[side], run.foot_forward[side], 0.0);
-  }
-  cycle.step_width = mixed(speed, walk.step_width, run.step_width, data_.stand.step_width);
-  return cycle;
 }
 
 }  // namespace amble

@@ -78,12 +78,10 @@ struct GaitSpace {
   FrequencyFit law;  ///< of this person (§4.2, eq. 6)
   /// Share of the cycle for which both feet are down around phase 0 and phase 0.5; negative: fly.
   std::array<SpeedLine, 2> support;
+  // Of the prints. Poses have them already: they say where the walker stands who stops.
   SpeedLine step_width;                   ///< as WalkCycle has it [m]
   std::array<SpeedLine, 2> foot_forward;  ///< the same, by Side [m]
   std::array<SpeedLine, 2> toe_out;       ///< the same, by Side [rad]
-  /// How feet swing and roll, by Side. Rows: the numbers of the lines at speed 0, their slopes;
-  /// columns: footNumbers(). Empty for runs, whose feet no plan places.
-  std::array<Eigen::MatrixXd, 2> feet;
 
   double slowest() const { return clips.front().speed; }
   double fastest() const { return clips.back().speed; }
@@ -151,8 +149,6 @@ class SpeedEngine {
   void poseAt(double speed, double phase, Pose& pose) const;
   /// The whole cycle (Glardon's update). Rows: channels; columns: phases. Written into `cycle`.
   void cycleAt(double speed, Eigen::MatrixXd& cycle) const;
-  /// The same as the libraries' cycles are.
-  WalkCycle walkCycleAt(double speed) const;
 
   /// Of the slowest captured walk. Below, strides grow from standing as a parabola, that walking
   /// may begin and end there: by the law alone they would leap from 0. Nobody walks so slowly [1].
@@ -178,7 +174,6 @@ class SpeedEngine {
   double strideShare(double x) const;    // of the slowest walk's stride at x times its speed
   double walkSpeed(double speed) const;  // at which the lines of walks are read [m/s]
   Eigen::Vector3d threeAt(const Weights& weights, const Reading& reading, Eigen::Index row) const;
-  FootCycle footAt(double speed, Side side) const;
   double mixed(double speed, const SpeedLine& walk, const SpeedLine& run, double stand) const;
 
   EngineData data_;

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "animation/captures/bvh.h"
-#include "animation/library/foot_numbers.h"
 #include "animation/library/library_parts_reader.h"
 #include "animation/library/statures.h"
 #include "base/rotation.h"
@@ -72,8 +71,8 @@ PrincipalComponent readComponent(const YamlNode& node, int rows) {
 }
 
 GaitSpace readSpace(const YamlNode& node, int joints) {
-  node.requireKeys({"clips", "law", "support", "step_width", "foot_forward", "toe_out", "feet",
-                    "root", "mean", "components"});
+  node.requireKeys({"clips", "law", "support", "step_width", "foot_forward", "toe_out", "root",
+                    "mean", "components"});
   GaitSpace space;
   for (const YamlNode& item : node.at("clips").items()) {
     space.clips.push_back(readClip(item));
@@ -88,12 +87,6 @@ GaitSpace readSpace(const YamlNode& node, int joints) {
   space.step_width = readLine(node.at("step_width"));
   space.foot_forward = readLines(node.at("foot_forward"));
   space.toe_out = readLines(node.at("toe_out"), kDegree);
-  if (const YamlNode feet = node["feet"]) {
-    feet.requireKeys({"left", "right"});
-    const char* const what = "at speed 0, and slopes";
-    space.feet = {readMatrix(feet.at("left"), 2, footNumberCount(), what),
-                  readMatrix(feet.at("right"), 2, footNumberCount(), what)};
-  }
   space.root = readMatrix(node.at("root"), 6, kEnginePhases, "forward, left, height and slopes");
   space.mean = readMatrix(node.at("mean"), 3 * joints, kEnginePhases, "three a joint");
   for (const YamlNode& item : node.at("components").items()) {

@@ -70,12 +70,6 @@ void putSpace(YAML::Emitter& out, const char* gait, const GaitSpace& space) {
   putLine(out, "step_width", space.step_width);
   putLines(out, "foot_forward", space.foot_forward);
   putLines(out, "toe_out", space.toe_out, kDegree);
-  if (space.feet[kLeft].size() > 0) {
-    out << Key << "feet" << Value << BeginMap;
-    putMatrix(out, "left", space.feet[kLeft]);
-    putMatrix(out, "right", space.feet[kRight]);
-    out << EndMap;
-  }
   putMatrix(out, "root", space.root);
   putMatrix(out, "mean", space.mean);
   out << Key << "components" << Value << BeginSeq;

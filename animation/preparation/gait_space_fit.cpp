@@ -5,8 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "animation/library/foot_numbers.h"
-
 namespace amble {
 namespace {
 
@@ -90,19 +88,6 @@ void findComponents(const std::vector<EngineCycle>& cycles, const LineFit& fit, 
   }
 }
 
-// Rows: the lines at speed 0, their slopes; none where feet are not known.
-void fitFoot(const std::vector<EngineCycle>& cycles, const LineFit& fit, size_t side,
-             Eigen::MatrixXd& lines) {
-  std::vector<Eigen::RowVectorXd> numbers;
-  for (const EngineCycle& cycle : cycles) {
-    if (cycle.feet[side].pitch.empty()) return;
-    numbers.push_back(footNumbers(cycle.feet[side]));
-  }
-  const Eigen::RowVectorXd zero = Eigen::RowVectorXd::Zero(footNumberCount());
-  lines.resize(2, zero.size());
-  lines << fit.atZero(numbers, zero), fit.slope(numbers, zero);
-}
-
 void fitFurtherChannels(const std::vector<EngineCycle>& cycles, const LineFit& fit,
                         GaitSpace& space) {
   std::vector<Eigen::MatrixXd> roots;
@@ -111,7 +96,6 @@ void fitFurtherChannels(const std::vector<EngineCycle>& cycles, const LineFit& f
   space.root.resize(6, zero.cols());
   space.root << fit.atZero(roots, zero), fit.slope(roots, zero);
   for (size_t i = 0; i < 2; ++i) {
-    fitFoot(cycles, fit, i, space.feet[i]);
     space.foot_forward[i] =
         fit.line(valuesOf(cycles, [i](const EngineCycle& c) { return c.foot_forward[i]; }));
     space.support[i] =

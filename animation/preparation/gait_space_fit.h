@@ -21,7 +21,6 @@ struct EngineCycle {
   double step_width = 0.0;                      ///< as WalkCycle has these [m]
   std::array<double, 2> foot_forward = {0, 0};  ///< [m]
   std::array<double, 2> toe_out = {0, 0};       ///< [rad]
-  std::array<FootCycle, 2> feet;                ///< of a walk; without pitch: not known
 };
 
 /// The space of these cycles (all but GaitSpace::clips), of a person whose legs are so long [m].

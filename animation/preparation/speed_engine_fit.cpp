@@ -51,7 +51,7 @@ Eigen::MatrixXd samplesOf(const FourierSeries& series, Eigen::Index count) {
   return samples;
 }
 
-// How the feet of a walk swing and roll and where they are put down, as libraries' walks have it.
+// The root's way and where feet are put down, as libraries' walks have it: so that feet stay.
 void takeFeet(const GaitTrack& track, const Stretch& stretch, const MotionLibrary& rig,
               const std::string& clip, const FourierSeries& series, EngineCycle& cycle) {
   WalkCycle walk;
@@ -67,7 +67,6 @@ void takeFeet(const GaitTrack& track, const Stretch& stretch, const MotionLibrar
   }
   fitHeelRise(rig.skeleton, rig.roles, rig.feet(), rig.stand().rotations, walk);
   cycle.channels = samplesOf(walk.series, cycle.channels.cols());
-  cycle.feet = walk.feet;
   cycle.foot_forward = walk.foot_forward;
 }
 
@@ -97,8 +96,7 @@ void takeCycles(const MotionLibrary& rig, const Clip& level, int first_frame,
                       samples.support,
                       samples.step_width,
                       samples.foot_forward,
-                      samples.toe_out,
-                      {}};
+                      samples.toe_out};
     if (gait == Gait::kWalk) takeFeet(track, stretch, rig, options.clip, series, cycle);
     out.cycles.push_back(std::move(cycle));
   }

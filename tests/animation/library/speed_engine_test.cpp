@@ -100,26 +100,6 @@ TEST(SpeedEngine, TheWholeCycleIsItsPoses) {
   }
 }
 
-TEST(SpeedEngine, AWalkCycleOfASpeedIsTheSameMotion) {
-  const SpeedEngine engine(kDrawn.data({0.8, 1.2, 1.6}));
-  const WalkCycle cycle = engine.walkCycleAt(1.1);
-  EXPECT_EQ(cycle.speed, 1.1);
-  EXPECT_NEAR(cycle.period, 1.0 / kDrawn.frequency(1.1), 1e-9);
-  EXPECT_NEAR(cycle.step_width, 0.1, 1e-9);
-  Eigen::MatrixXd samples;
-  engine.cycleAt(1.1, samples);
-  for (const int i : {3, 50, 81}) {
-    const Eigen::VectorXd value = fourierAt(cycle.series, static_cast<double>(i) / kEnginePhases);
-    EXPECT_LT((value - samples.col(i)).cwiseAbs().maxCoeff(), 1e-9);
-  }
-  for (const Side side : {kLeft, kRight}) {
-    EXPECT_TRUE(engine.planted(1.1, cycle.feet[side].strike + 1e-6, side));
-    EXPECT_FALSE(engine.planted(1.1, cycle.feet[side].strike - 1e-6, side));
-    EXPECT_TRUE(engine.planted(1.1, cycle.feet[side].lift_off - 1e-6, side));
-    EXPECT_FALSE(engine.planted(1.1, cycle.feet[side].lift_off + 1e-6, side));
-  }
-}
-
 TEST(SpeedEngine, FeetAreDownTogetherForAsLongAsWasCaptured) {
   const SpeedEngine engine(kDrawn.data({0.8, 1.2, 1.6}, {3.0}));
   for (const double speed : {1.0, 1.5, 3.0}) {

@@ -86,27 +86,23 @@ TEST(FitSpeedEngine, AnEngineOfOneWalkGivesTheCycleThatALibraryHasOfIt) {
   addMotion(library, request);
   const WalkCycle& cycle = library.find("walk")->cycle;
   const SpeedEngine engine(fitSpeedEngine(engineRequestOf({"cmu_mb2/02_01.bvh"})));
-  const WalkCycle again = engine.walkCycleAt(engine.fastest());
-  EXPECT_NEAR(again.speed, cycle.speed, 0.005 * cycle.speed);
-  EXPECT_NEAR(again.period, cycle.period, 0.005 * cycle.period);
-  EXPECT_NEAR(again.step_width, cycle.step_width, 1e-6);
+  const double speed = engine.fastest();
+  EXPECT_NEAR(speed, cycle.speed, 0.005 * cycle.speed);
+  EXPECT_NEAR(engine.frequency(speed), 1.0 / cycle.period, 0.005 / cycle.period);
+  EXPECT_NEAR(engine.data().walk->step_width.at(speed), cycle.step_width, 1e-6);
   for (const Side side : {kLeft, kRight}) {
-    EXPECT_NEAR(again.foot_forward[side], cycle.foot_forward[side], 2e-3);
-    EXPECT_NEAR(again.toe_out[side], cycle.toe_out[side], 1e-6);
+    EXPECT_NEAR(engine.data().walk->toe_out[side].at(speed), cycle.toe_out[side], 1e-6);
     // The second double support is at 0.5 exactly, as poses have it.
-    EXPECT_NEAR(again.feet[side].strike, cycle.feet[side].strike, 0.02);
-    EXPECT_NEAR(again.feet[side].lift_off, cycle.feet[side].lift_off, 0.02);
-    EXPECT_NEAR(again.feet[side].slip, cycle.feet[side].slip, 1e-9);
-    for (const double tau : {0.2, 0.5, 0.8}) {
-      EXPECT_NEAR(swingPolynomial(again.feet[side].height, tau),
-                  swingPolynomial(cycle.feet[side].height, tau), 1e-3);
-      EXPECT_NEAR(footPitch(again.feet[side], 1.0 + tau), footPitch(cycle.feet[side], 1.0 + tau),
-                  0.5 * kDegree);
-    }
+    EXPECT_TRUE(engine.planted(speed, cycle.feet[side].strike + 0.02, side));
+    EXPECT_FALSE(engine.planted(speed, cycle.feet[side].strike - 0.02, side));
+    EXPECT_TRUE(engine.planted(speed, cycle.feet[side].lift_off - 0.02, side));
+    EXPECT_FALSE(engine.planted(speed, cycle.feet[side].lift_off + 0.02, side));
   }
+  Eigen::MatrixXd samples;
+  engine.cycleAt(speed, samples);
   for (const double phase : {0.0, 0.1, 0.2, 0.5, 0.71}) {
     const Eigen::VectorXd of_library = fourierAt(cycle.series, phase);
-    const Eigen::VectorXd of_engine = fourierAt(again.series, phase);
+    const Eigen::VectorXd of_engine = samples.col(std::lround(phase * kEnginePhases));
     EXPECT_LT((of_engine - of_library).head<3>().norm(), 1e-3);
     for (int j = 0; j < engine.joints(); ++j) {
       const Eigen::Quaterniond a =
