@@ -2,6 +2,8 @@
 /// leg would have to be longer.
 #pragma once
 
+#include <array>
+
 namespace amble {
 
 /// Distances from hip to ankle, as shares of the leg's length [1]. The knee's angle goes with the
@@ -24,10 +26,9 @@ struct HipDip {
   /// longer lowers steps that need it not [s].
   static constexpr double kTime = 0.25;
   static constexpr double kDeepest = 0.15;  ///< deeper is refused: it looks like a stumble [m]
-  /// Between a stance, which stays as it is, and a dip beside it hips sink and rise so fast at most
-  /// [m/s], and in no less than kShortestFade [s].
-  static constexpr double kSpeed = 0.4;
-  static constexpr double kShortestFade = 0.015;
+  /// Between a stance, which stays as it is, and a dip beside it hips sink and rise within so long,
+  /// of these the time in which they jolt least [s].
+  static constexpr std::array<double, 7> kFades = {0.3, 0.2, 0.133, 0.089, 0.059, 0.03, 0.015};
   static constexpr double kAtOnce = 0.004;  ///< beside a stance, more in a frame is a jolt [m]
   /// Hips that are lower at a stance come back within so long [s].
   static constexpr double kRecovery = 0.6;

@@ -47,6 +47,14 @@ double rootWithin(const Function& f, double low, double f_low, double high, doub
 
 }  // namespace
 
+BesideStanding::BesideStanding(const StrideLaw& law, bool from_stands, bool to_stands) {
+  const auto step = [&](bool stands, double speed) {
+    return Step{speed, stands ? 0.5 * law.stepLength(speed) : 0.0};
+  };
+  first_ = step(from_stands, law.onset().first_speed);
+  last_ = step(to_stands, law.onset().last_speed);
+}
+
 SpeedProfile::SpeedProfile(const RootPath& path, const SpeedLimits& limits,
                            const SpeedProfileEnds& ends)
     : limits_(limits), ends_(ends), length_(path.length()) {
@@ -76,6 +84,7 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
   const bool turns = limits_.law.hasTurns() && !limits_.stride;
   if (turns) headings.resize(count + 1);
   knots_.resize(count + 1);
+  const BesideStanding beside(limits_.law, ends_.from_standing, ends_.to_standing);
   for (int i = 0; i <= count; ++i) {
     knots_[i].arc = spacing * i;
     double curvature = 0.0;
@@ -88,13 +97,7 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
     }
     speed[i] =
         std::min(allowedSpeed(knots_[i].arc), limits_.max_turn_rate / std::max(curvature, 1e-9));
-    const StrideLaw::Onset& onset = limits_.law.onset();
-    const auto besideStanding = [&](bool stands, double arc, double fastest) {
-      if (stands && arc < 0.5 * limits_.law.stepLength(fastest))
-        speed[i] = std::min(speed[i], fastest);
-    };
-    besideStanding(ends_.from_standing, knots_[i].arc, onset.first_speed);
-    besideStanding(ends_.to_standing, length_ - knots_[i].arc, onset.last_speed);
+    speed[i] = std::min(speed[i], beside.fastest(knots_[i].arc, length_ - knots_[i].arc));
     knots_[i].window = (ends_.from_standing ? 1.0 : smoothstep(knots_[i].arc / fade)) *
                        (ends_.to_standing ? 1.0 : smoothstep((length_ - knots_[i].arc) / fade));
   }

@@ -6,6 +6,8 @@
 /// step of the walk has just landed.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -24,6 +26,26 @@ struct SpeedLimits {
   std::function<double(double)> pace = {};
   /// Step length that is asked for at an arc [m], at the plan's cadence; none: the law's.
   std::function<double(double)> stride = {};
+};
+
+/// How fast a walk may be beside ends that stand: its first and its last step are slower than
+/// others.
+class BesideStanding {
+ public:
+  BesideStanding(const StrideLaw& law, bool from_stands, bool to_stands);
+
+  /// Within half of such a step of that end; elsewhere infinite [m/s].
+  /// @param from, to  how far it is to the path's ends [m, >= 0]
+  double fastest(double from, double to) const {
+    return std::min(from < first_.within ? first_.speed : HUGE_VAL,
+                    to < last_.within ? last_.speed : HUGE_VAL);
+  }
+
+ private:
+  struct Step {
+    double speed, within;  // [m/s], [m]
+  };
+  Step first_, last_;
 };
 
 /// How whole steps are fitted to a path.

@@ -13,6 +13,7 @@ WantedWalk::WantedWalk(const RootPath& path, const Stance& from, const Stance& t
   const double length = path.length(), half = 0.5 * std::min(step, length);
   const int count = partsOf(length, kSpacing);
   spacing_ = length / count;
+  const BesideStanding beside(law, from.standing, to.standing);
   // Most points are as fast as the one before.
   double of_speed = limits.speed, own_step = law.stepLength(of_speed);
   for (int i = 0; i <= count; ++i) {
@@ -21,10 +22,7 @@ WantedWalk::WantedWalk(const RootPath& path, const Stance& from, const Stance& t
                  end = std::clamp(arc + half, half, length);
     const double curvature = (path.at(end).heading - path.at(begin).heading) / (end - begin);
     double speed = limits.pace ? limits.speed * limits.pace(arc) : limits.speed;
-    if (speed != of_speed) own_step = law.stepLength(of_speed = speed);
-    const double beside = 0.5 * own_step;
-    if (from.standing && arc < beside) speed = std::min(speed, law.onset().first_speed);
-    if (to.standing && arc > length - beside) speed = std::min(speed, law.onset().last_speed);
+    speed = std::min(speed, beside.fastest(arc, length - arc));
     speed = std::min(speed, limits.max_turn_rate / std::max(std::abs(curvature), 1e-9));
     if (speed != of_speed) own_step = law.stepLength(of_speed = speed);
     const double rate = curvature * speed;

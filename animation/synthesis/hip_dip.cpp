@@ -36,6 +36,52 @@ std::vector<double> ofStances(double first, double last, int frames, double fram
   return dip;
 }
 
+// A curve over what is missing, let go towards the stances at both ends.
+class LetGo {
+ public:
+  LetGo(const std::vector<double>& missing, const std::vector<double>& over, double frame_time)
+      : missing_(missing), over_(over), frame_time_(frame_time) {}
+
+  // At a frame, where it is let go over so long. What then is missing is made up for at once.
+  double at(int frame, int frames_from_end, double fade) const {
+    const double dip = over_[frame] * smoothstep(frames_from_end * frame_time_ / fade);
+    return dip + std::clamp(missing_[frame] - dip, 0.0, HipDip::kAtOnce);
+  }
+
+  // Over how long it is let go to an end: slowly and frames beside the stance are left to make up
+  // for much at once, quickly and it leaps there. What is missing still counts as a jolt.
+  double fade(bool to_last) const {
+    double best = 0.0, least = HUGE_VAL;
+    for (const double fade : HipDip::kFades) {
+      const double jolt = worstJolt(to_last, fade, least);
+      if (jolt < least) best = fade, least = jolt;
+    }
+    return best;
+  }
+
+ private:
+  // Ends early where it is `enough` or more.
+  double worstJolt(bool to_last, double fade, double enough) const {
+    const int n = static_cast<int>(over_.size());
+    const int count =
+        std::min((n - 1) / 2, static_cast<int>(HipDip::kFades.front() / frame_time_) + 1);
+    double worst = 0.0, here = 0.0, before = 0.0;
+    for (int k = 1; k <= count && worst < enough; ++k) {
+      const int frame = to_last ? n - 1 - k : k;
+      const double next = at(frame, k, fade);
+      worst = std::max(
+          worst, std::abs(next - 2.0 * here + before) + std::max(0.0, missing_[frame] - next));
+      before = here;
+      here = next;
+    }
+    return worst;
+  }
+
+  const std::vector<double>& missing_;
+  const std::vector<double>& over_;
+  double frame_time_;
+};
+
 }  // namespace
 
 std::vector<double> hipDip(const std::vector<double>& missing, double frame_time) {
@@ -45,16 +91,16 @@ std::vector<double> hipDip(const std::vector<double>& missing, double frame_time
   for (int i = 0; i < n; ++i) more[i] = std::max(0.0, missing[i] - dip[i]);
   if (std::all_of(more.begin(), more.end(), [](double m) { return m == 0.0; })) return dip;
   const int reach = std::max(1, static_cast<int>(std::lround(HipDip::kTime / frame_time)));
-  const RangeMaximum largest(std::move(more));
+  const RangeMaximum largest(more);
   std::vector<double> over(n);
   for (int i = 0; i < n; ++i)
     over[i] = largest.over(std::max(0, i - reach), std::min(n - 1, i + reach));
   for (int pass = 0; pass < 2; ++pass) smoothed(over, reach / 2);
-  for (int i = 0; i < n; ++i) {
-    const double from_end = std::min(i, n - 1 - i) * frame_time;
-    const double fade = std::max(HipDip::kShortestFade, over[i] / HipDip::kSpeed);
-    dip[i] += over[i] * smoothstep(from_end / fade);
-    if (i > 0 && i + 1 < n) dip[i] += std::clamp(missing[i] - dip[i], 0.0, HipDip::kAtOnce);
+  const LetGo curve(more, over, frame_time);
+  const double first = curve.fade(false), last = curve.fade(true);
+  for (int i = 1; i + 1 < n; ++i) {
+    const int begin = i, end = n - 1 - i;
+    dip[i] += curve.at(i, std::min(begin, end), begin < end ? first : last);
   }
   return dip;
 }
