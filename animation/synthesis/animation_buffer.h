@@ -46,6 +46,9 @@ struct FrameState {
   double posture = 0.0;
   double lean = 0.0;  ///< of pelvis and trunk, forwards, beside the cycle's [rad]
   double sway = 0.0;  ///< weight shift to the left beside that of the walk cycle [m]
+  /// Of the body to the left of the root path, beside stances that walk: there it goes straight on
+  /// (WalkSynthesizer::kTurnIn) [rad].
+  double facing = 0.0;
   TransitionMoment start, stop;
   SpotTurnMoment spot;
   std::array<FootState, 2> feet;               ///< by Side

@@ -15,7 +15,7 @@ void projectChannels(std::span<const double> channels,
   std::array<double*, 4> position, rotations;
   for (int i = 0; i < 4; ++i) {
     for (int k = 0; k < 3; ++k) roots.position[4 * k + i] = states[i]->position[k];
-    roots.heading[i] = states[i]->heading;
+    roots.heading[i] = states[i]->heading + states[i]->facing;
     roots.lean[i] = states[i]->lean;
     position[i] = poses.p_WR(frames[i]).data();
     rotations[i] = poses.rotations(frames[i])[0].coeffs().data();

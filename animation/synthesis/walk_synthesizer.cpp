@@ -289,6 +289,19 @@ void smoothBlending(double FrameState::*blended, double frame_time,
   }
 }
 
+// At a stance the body goes straight on, whatever curves lead there and on: it turns into the
+// path's curve, and out of it, over a moment.
+void turnIn(const RootPath& path, bool at_end, double frame_time, std::vector<FrameState>& states) {
+  const int last = static_cast<int>(states.size()) - 1;
+  const double time = std::min(WalkSynthesizer::kTurnIn, 0.5 * last * frame_time);
+  const double speed = (at_end ? states.back() : states.front()).speed;
+  const double rate = speed * path.at(at_end ? path.length() : 0.0).curvature;
+  for (int k = 1; k * frame_time < time; ++k) {
+    const double away = k * frame_time, left = 1.0 - away / time;
+    states[at_end ? last - k : k].facing += (at_end ? rate : -rate) * away * left * left;
+  }
+}
+
 // What each footprint but the two of the begin was asked to be.
 void setGait(const std::vector<GaitParameters>& gait, AnimationBuffer& buffer) {
   size_t next = 0;
@@ -317,6 +330,8 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
   if (to.standing) out.states.back().slower = out.states[walk.frames() - 1].slower;
   for (const auto blended : {&FrameState::blended_turn_rate, &FrameState::slower})
     smoothBlending(blended, m.settings.frame_time, out.states);
+  if (!from.standing) turnIn(path, false, m.settings.frame_time, out.states);
+  if (!to.standing) turnIn(path, true, m.settings.frame_time, out.states);
   const WalkResult result = m.pose(out, walk.steps, walk.end.leading);
   if (result.refused == WalkRule::kNone) setGait(walk.gait, out);
   return result;
