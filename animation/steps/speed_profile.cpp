@@ -49,7 +49,7 @@ double rootWithin(const Function& f, double low, double f_low, double high, doub
 
 BesideStanding::BesideStanding(const StrideLaw& law, bool from_stands, bool to_stands) {
   const auto step = [&](bool stands, double speed) {
-    return Step{speed, stands ? 0.5 * law.stepLength(speed) : 0.0};
+    return Step{speed, stands ? 0.5 * law.stepLength(speed) : -HUGE_VAL};
   };
   first_ = step(from_stands, law.onset().first_speed);
   last_ = step(to_stands, law.onset().last_speed);

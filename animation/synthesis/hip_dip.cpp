@@ -49,7 +49,7 @@ class LetGo {
   }
 
   // Over how long it is let go to an end: slowly and frames beside the stance are left to make up
-  // for much at once, quickly and it leaps there. What is missing still counts as a jolt.
+  // for much at once, quickly and it leaps there. Legs that then do not reach are worse than that.
   double fade(bool to_last) const {
     double best = 0.0, least = HUGE_VAL;
     for (const double fade : HipDip::kFades) {
@@ -62,6 +62,7 @@ class LetGo {
  private:
   // Ends early where it is `enough` or more.
   double worstJolt(bool to_last, double fade, double enough) const {
+    constexpr double kUnreached = 1000.0;
     const int n = static_cast<int>(over_.size());
     const int count =
         std::min((n - 1) / 2, static_cast<int>(HipDip::kFades.front() / frame_time_) + 1);
@@ -69,8 +70,8 @@ class LetGo {
     for (int k = 1; k <= count && worst < enough; ++k) {
       const int frame = to_last ? n - 1 - k : k;
       const double next = at(frame, k, fade);
-      worst = std::max(
-          worst, std::abs(next - 2.0 * here + before) + std::max(0.0, missing_[frame] - next));
+      worst = std::max(worst, std::abs(next - 2.0 * here + before) +
+                                  kUnreached * std::max(0.0, missing_[frame] - next));
       before = here;
       here = next;
     }

@@ -47,6 +47,22 @@ TEST(HipDip, TheCurveIsSmooth) {
   }
 }
 
+// What legs lack at a distance does not lower the hips up to the frame beside a stance, from which
+// they would leap.
+TEST(HipDip, HipsComeBackToAStanceInTheTimeThatLegsLeaveThem) {
+  for (const int away : {6, 9, 12, 15}) {
+    std::vector<double> missing(121, 0.0);
+    for (int i = 0; i < 8; ++i) missing[missing.size() - 1 - away - i] = 0.006;
+    const std::vector<double> dip = hipDip(missing, kFrameTime);
+    for (size_t i = 1; i + 1 < dip.size(); ++i) {
+      const double bend = dip[i - 1] - 2.0 * dip[i] + dip[i + 1];
+      EXPECT_LT(std::abs(bend) / (kFrameTime * kFrameTime), 5.0) << away << " at " << i;
+      EXPECT_GE(dip[i] + 0.0005, missing[i]) << away << " at " << i;
+    }
+    EXPECT_LT(dip[dip.size() - 2], 0.001);
+  }
+}
+
 TEST(HipDip, RunBackwardsItIsTheSameBackwards) {
   std::vector<double> missing = bump(0.02, 0.01);
   missing[20] = 0.015;
