@@ -58,6 +58,10 @@ class FlatGround : public Ground {
     if (!(std::abs(level_ - z) <= reach)) return std::nullopt;
     return SurfacePoint{level_, Eigen::Vector3d::UnitZ()};
   }
+  double crest(const Eigen::Vector2d&, const Eigen::Vector2d&, double, double low,
+               double high) const override {
+    return height(0.0, 0.0, 0.5 * (low + high), 0.5 * (high - low)).value_or(-HUGE_VAL);
+  }
   bool isAllLevel() const override { return true; }
 
  private:

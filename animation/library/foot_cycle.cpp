@@ -32,13 +32,6 @@ FootCycle meanFoot(const std::vector<FootCycle>& feet) {
   return mean;
 }
 
-double swingPolynomial(const SwingTerms& c, double tau) {
-  const double window = tau * tau * (1.0 - tau) * (1.0 - tau);
-  double sum = 0.0;
-  for (size_t k = c.size(); k-- > 0;) sum = sum * tau + c[k];
-  return window * sum;
-}
-
 double swingProgress(const FootCycle& foot, double tau) {
   return smoothstep(tau) + swingPolynomial(foot.progress, tau);
 }

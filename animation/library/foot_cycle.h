@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace amble {
@@ -46,7 +47,12 @@ struct FootCycle {
 FootCycle meanFoot(const std::vector<FootCycle>& feet);
 
 /// Sum of coefficients[k] tau^k, times tau^2 (1 - tau)^2. @param tau  [0, 1]
-double swingPolynomial(const SwingTerms& coefficients, double tau);
+inline double swingPolynomial(const SwingTerms& coefficients, double tau) {
+  const double window = tau * tau * (1.0 - tau) * (1.0 - tau);
+  double sum = 0.0;
+  for (std::size_t k = coefficients.size(); k-- > 0;) sum = sum * tau + coefficients[k];
+  return window * sum;
+}
 /// Share of the way from print to print that is done at tau [0, 1].
 double swingProgress(const FootCycle& foot, double tau);
 /// Pitch at x: 0 to 1 is the stance from strike to lift-off, 1 to 2 the swing [rad]. Smooth, with

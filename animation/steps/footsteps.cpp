@@ -106,9 +106,8 @@ void Footsteps::follow(int placing, FootState& foot) const {
   foot.slower = landings_[std::min(swings_to, steps_) + 1].slower;
 }
 
-// State of the foot whose last placing is `placing`.
-FootState Footsteps::stateOf(int placing, double progress) const {
-  FootState foot;
+// State of the foot whose last placing is `placing`, from a new one.
+void Footsteps::setState(int placing, double progress, FootState& foot) const {
   foot.from = place(placing);
   foot.to = foot.from;
   const bool first = from_.standing && placing == -1;
@@ -132,7 +131,7 @@ FootState Footsteps::stateOf(int placing, double progress) const {
     if (captured_last && placing == steps_)
       foot.at = FootCycle::kFlat * (progress - begin) / (steps_ - begin);
     follow(placing, foot);
-    return foot;
+    return;
   }
   foot.to = place(placing + 2);
   foot.strike_roll = strike_roll(placing + 2);
@@ -141,7 +140,6 @@ FootState Footsteps::stateOf(int placing, double progress) const {
   if (first && !captured_first) tau = std::pow(std::max(tau, 0.0), StartAndStop::kFirstDelay);
   foot.at = 1.0 + std::clamp(tau, 1e-12, 1.0);
   follow(placing, foot);
-  return foot;
 }
 
 std::array<FootState, 2> Footsteps::at(double progress) const {
@@ -158,7 +156,7 @@ std::array<FootState, 2> Footsteps::at(double progress) const {
     const int landed = static_cast<int>(progress);
     int placing = landed - (landed + parity) % 2;
     while (placing + 2 <= steps_ && strike(placing + 2) <= progress) placing += 2;
-    feet[side(placing)] = stateOf(placing, progress);
+    setState(placing, progress, feet[side(placing)]);
   }
   return feet;
 }

@@ -92,7 +92,7 @@ class Footsteps {
   double strike(int placing) const;
   double liftOff(int placing) const;
   void follow(int placing, FootState& foot) const;
-  FootState stateOf(int placing, double progress) const;
+  void setState(int placing, double progress, FootState& foot) const;
   const EndSwing& firstSwing() const { return placement_.first[first_]; }
   const EndSwing& lastSwing() const { return placement_.last[side(steps_)]; }
 

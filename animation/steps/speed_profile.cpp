@@ -62,6 +62,7 @@ SpeedProfile::SpeedProfile(const RootPath& path, const SpeedLimits& limits,
     refusal_ = Refusal::kStepLength;
     return;
   }
+  usual_step_ = limits_.law.stepLength(limits_.speed);
   limitSpeed(path);
   if (refusal_ == Refusal::kNone) chooseSteps();
   if (refusal_ == Refusal::kNone) time();
@@ -69,8 +70,8 @@ SpeedProfile::SpeedProfile(const RootPath& path, const SpeedLimits& limits,
 
 // On the straight, on its ground.
 double SpeedProfile::allowedSpeed(double arc) const {
-  const double own = limits_.law.stepLength(limits_.speed);
-  const double speed = limits_.stride ? limits_.speed * limits_.stride(arc) / own : limits_.speed;
+  const double speed =
+      limits_.stride ? limits_.speed * limits_.stride(arc) / usual_step_ : limits_.speed;
   return limits_.pace ? speed * limits_.pace(arc) : speed;
 }
 
@@ -78,8 +79,7 @@ double SpeedProfile::allowedSpeed(double arc) const {
 void SpeedProfile::limitSpeed(const RootPath& path) {
   const int count = std::max(8, partsOf(length_, StepFit::kSpacing));
   const double spacing = length_ / count;
-  const double fade =
-      std::min(StepFit::kFadeSteps * limits_.law.stepLength(limits_.speed), 0.5 * length_);
+  const double fade = std::min(StepFit::kFadeSteps * usual_step_, 0.5 * length_);
   std::vector<double> speed(count + 1), headings;
   const bool turns = limits_.law.hasTurns() && !limits_.stride;
   if (turns) headings.resize(count + 1);
@@ -231,24 +231,26 @@ void SpeedProfile::time() {
   const double wanted = frames_ * limits_.frame_time;
   const double slope = total(1.0) - natural;  // the total is linear in eta
   total((wanted - natural) / slope);
+  steps_before_ = integralAt(start_arc_, &Knot::steps, &Knot::per_metre);
+  time_before_ = integralAt(start_arc_, &Knot::time, &Knot::slowness);
+}
+
+SpeedProfile::Place SpeedProfile::placeAt(double arc) const {
+  const int last = static_cast<int>(knots_.size()) - 2;
+  const int i = std::clamp(static_cast<int>(arc / knots_[1].arc), 0, last);
+  return {i, arc - knots_[i].arc};
 }
 
 // Linear between knots.
-double SpeedProfile::valueAt(double arc, double Knot::*value) const {
-  const double spacing = knots_[1].arc;
-  const int last = static_cast<int>(knots_.size()) - 2;
-  const int i = std::clamp(static_cast<int>(arc / spacing), 0, last);
-  const double u = (arc - knots_[i].arc) / spacing;
-  return knots_[i].*value + u * (knots_[i + 1].*value - knots_[i].*value);
+double SpeedProfile::valueAt(const Place& at, double Knot::*value) const {
+  const Knot &a = knots_[at.knot], &b = knots_[at.knot + 1];
+  return a.*value + at.beyond / knots_[1].arc * (b.*value - a.*value);
 }
 
 // Integral of a rate up to an arc, cubic between knots.
-double SpeedProfile::integralAt(double arc, double Knot::*value, double Knot::*rate) const {
-  const double spacing = knots_[1].arc;
-  const int last = static_cast<int>(knots_.size()) - 2;
-  const int i = std::clamp(static_cast<int>(arc / spacing), 0, last);
-  const Knot &a = knots_[i], &b = knots_[i + 1];
-  const double h = b.arc - a.arc, t = (arc - a.arc) / h;
+double SpeedProfile::integralAt(const Place& at, double Knot::*value, double Knot::*rate) const {
+  const Knot &a = knots_[at.knot], &b = knots_[at.knot + 1];
+  const double h = b.arc - a.arc, t = at.beyond / h;
   const double ra = a.*rate, rb = b.*rate;
   return a.*value + h * t * (ra + 0.5 * t * (rb - ra));  // the rate is linear between knots
 }
@@ -271,8 +273,8 @@ double SpeedProfile::arcWhere(double value, double Knot::*integral, double Knot:
 double SpeedProfile::arcAtStep(int step) const {
   if (step <= 0) return 0.0;
   if (step >= steps_) return length_;
-  const double base = integralAt(start_arc_, &Knot::steps, &Knot::per_metre);
-  return arcWhere(base + step - (ends_.from_standing ? 1 : 0), &Knot::steps, &Knot::per_metre);
+  return arcWhere(steps_before_ + step - (ends_.from_standing ? 1 : 0), &Knot::steps,
+                  &Knot::per_metre);
 }
 
 SpeedProfile::Sample SpeedProfile::at(int frame) const {
@@ -299,12 +301,11 @@ SpeedProfile::Sample SpeedProfile::at(int frame) const {
     return {length_ - whole * eased(tau), smoothstep(tau) * whole / stop_time_, steps_ - tau,
             valueAt(stop_arc_, &Knot::step)};
   }
-  const double base = integralAt(start_arc_, &Knot::time, &Knot::slowness);
-  const double arc = arcWhere(base + t - start_time_, &Knot::time, &Knot::slowness);
-  const double progress = integralAt(arc, &Knot::steps, &Knot::per_metre) -
-                          integralAt(start_arc_, &Knot::steps, &Knot::per_metre) +
+  const double arc = arcWhere(time_before_ + t - start_time_, &Knot::time, &Knot::slowness);
+  const Place on = placeAt(arc);
+  const double progress = integralAt(on, &Knot::steps, &Knot::per_metre) - steps_before_ +
                           (ends_.from_standing ? 1.0 : 0.0);
-  return {arc, 1.0 / valueAt(arc, &Knot::slowness), progress, valueAt(arc, &Knot::step)};
+  return {arc, 1.0 / valueAt(on, &Knot::slowness), progress, valueAt(on, &Knot::step)};
 }
 
 }  // namespace amble

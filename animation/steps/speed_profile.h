@@ -103,7 +103,6 @@ class SpeedProfile {
   void stretch(double delta);
   double countSteps() const;
   void time();
-  Sample within(double arc_from_knot, int knot) const;
 
   struct Knot {
     double arc;          // [m]
@@ -115,8 +114,18 @@ class SpeedProfile {
     double slowness;     // [s/m]
     double steps, time;  // integrals from the path's begin, of per_metre and of slowness
   };
-  double valueAt(double arc, double Knot::*value) const;
-  double integralAt(double arc, double Knot::*value, double Knot::*rate) const;
+  // Where an arc lies between two knots.
+  struct Place {
+    int knot;       // the first of them
+    double beyond;  // it [m]
+  };
+  Place placeAt(double arc) const;
+  double valueAt(const Place& at, double Knot::*value) const;
+  double valueAt(double arc, double Knot::*value) const { return valueAt(placeAt(arc), value); }
+  double integralAt(const Place& at, double Knot::*value, double Knot::*rate) const;
+  double integralAt(double arc, double Knot::*value, double Knot::*rate) const {
+    return integralAt(placeAt(arc), value, rate);
+  }
   double arcWhere(double value, double Knot::*integral, double Knot::*rate) const;
 
   SpeedLimits limits_;
@@ -126,8 +135,10 @@ class SpeedProfile {
   double length_ = 0.0;
   // Arc of the first and of the last node that is walked through [m].
   double start_arc_ = 0.0, stop_arc_ = 0.0;
-  double start_time_ = 0.0, stop_time_ = 0.0;  // how long starting and stopping take [s]
-  double start_sway_ = 0.0, stop_sway_ = 0.0;  // before and after that weight is shifted [s]
+  double start_time_ = 0.0, stop_time_ = 0.0;      // how long starting and stopping take [s]
+  double start_sway_ = 0.0, stop_sway_ = 0.0;      // before and after that weight is shifted [s]
+  double usual_step_ = 0.0;                        // at the plan's speed [m]
+  double steps_before_ = 0.0, time_before_ = 0.0;  // of the integrals, at start_arc_
   int steps_ = 0, frames_ = 0;
 };
 

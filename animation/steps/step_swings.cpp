@@ -48,6 +48,7 @@ bool shapeSwings(const SwingFeet& body, const SwingClearance& clearance, const G
                  std::vector<GaitParameters>& gait) {
   const std::vector<FootPlace>& places = steps.places();
   gait.clear();
+  FootCycle blended;
   for (int i = 0; i < 2; ++i) steps.landings()[i].strike_roll = slopeStrike(places[i]);
   for (int i = 1; i <= steps.steps(); ++i) {
     const Side side = steps.side(i);
@@ -59,7 +60,7 @@ bool shapeSwings(const SwingFeet& body, const SwingClearance& clearance, const G
       landing.strike_roll = climbStrike(landing.strike_roll, height, body.scale);
     }
     const auto swinging = [&] { return steps.at(i - 0.5)[side]; };
-    const FootBlend cycle = body.cycles.of(side, swinging());
+    const FootBlend cycle = body.cycles.of(side, swinging()).asOne(blended);
     if (wishes.lift) {
       const double lift = wishes.lift(length * (i - 0.5) / steps.steps());
       landing.swing.lift = liftFactor(askedLift(body, lift, side, landing.slower), swinging(),

@@ -91,10 +91,10 @@ FootController::Four FootController::fourFrom(int first, int last) {
 bool FootController::apply(AnimationBuffer& buffer) const {
   constexpr int kRounds = 3;
   constexpr double kEnough = 1e-9;  // [m]
-  std::vector<double> joints(kLaneJoint * chain_.size());
-  LaneLegFrames legs{joints.data(), {}};
+  Scratch scratch(chain_.size());
+  const LaneLegFrames& legs = scratch.legs;
   Trial trial;
-  if (!tryLegs(buffer, legs, trial)) return false;
+  if (!tryLegs(buffer, scratch, trial)) return false;
   std::vector<double> lowered(buffer.size(), 0.0), missing(4);
   bool reached[4];
   for (int round = 0; round < kRounds; ++round) {
@@ -111,7 +111,7 @@ bool FootController::apply(AnimationBuffer& buffer) const {
     for (size_t first = 0; first < again.size(); first += 4) {
       Four frames;
       for (size_t i = 0; i < 4; ++i) frames[i] = again[std::min(first + i, again.size() - 1)];
-      aim(buffer, frames, legs);
+      aim(buffer, frames, scratch);
       legKernel().lower(view(), legs, missing.data());
       turn(frames, legs, buffer, reached);
       for (int i = 0; i < 4; ++i) {
@@ -125,15 +125,16 @@ bool FootController::apply(AnimationBuffer& buffer) const {
 }
 
 // False where hips would have to dip too deep.
-bool FootController::tryLegs(AnimationBuffer& buffer, LaneLegFrames& legs, Trial& trial) const {
+bool FootController::tryLegs(AnimationBuffer& buffer, Scratch& scratch, Trial& trial) const {
   const int n = buffer.size();
+  const LaneLegFrames& legs = scratch.legs;
   trial.missing.resize(n + 3);
   trial.reached.resize(n);
   trial.captured.reserve(n * chain_.size());
   bool reached[4];
   for (int first = 0; first < n; first += 4) {
     const Four frames = fourFrom(first, n - 1);
-    aim(buffer, frames, legs);
+    aim(buffer, frames, scratch);
     legKernel().lower(view(), legs, &trial.missing[first]);
     for (int i = first; i < std::min(first + 4, n); ++i) {
       if (trial.missing[i] > HipDip::kDeepest) return false;
@@ -150,7 +151,8 @@ bool FootController::tryLegs(AnimationBuffer& buffer, LaneLegFrames& legs, Trial
 // Where the legs are and their feet are to be. Behind the walker, where a leg would be too long,
 // the heel rises: only there it is asked how far.
 void FootController::aim(const AnimationBuffer& buffer, const Four& frames,
-                         LaneLegFrames& legs) const {
+                         Scratch& scratch) const {
+  LaneLegFrames& legs = scratch.legs;
   const double* position[4];
   const double* rotations[4];
   for (int i = 0; i < 4; ++i) {
@@ -161,12 +163,14 @@ void FootController::aim(const AnimationBuffer& buffer, const Four& frames,
   kernel.placeChain(view(), position, rotations, legs);
   for (const Side side : {kLeft, kRight}) {
     std::array<Sole, 4> soles;
-    FootBlend cycle;
+    Follows& follows = scratch.follows[side];
     for (int i = 0; i < 4; ++i) {
       const FootState& foot = buffer.states[frames[i]].feet[side];
-      if (i == 0 || !followsSame(foot, buffer.states[frames[i - 1]].feet[side]))
-        cycle = blend_.feet().of(side, foot);
-      soles[i] = soleOf(foot, cycle, shapes_[side]);
+      if (follows.state == nullptr || !followsSame(foot, *follows.state)) {
+        follows.cycle = blend_.feet().of(side, foot).asOne(follows.blended);
+        follows.state = &foot;
+      }
+      soles[i] = soleOf(foot, follows.cycle, shapes_[side]);
     }
     LaneSoles lanes = sideBySide(soles);
     kernel.aim(lanes_[side], lanes, legs);

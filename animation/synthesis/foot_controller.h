@@ -35,7 +35,19 @@ class FootController : public SubController {
   static Four fourFrom(int first, int last);
   LaneLeg laneLeg(Side side, const Eigen::Vector3d& knee_axis) const;
   LaneLegs view() const;
-  void aim(const AnimationBuffer& buffer, const Four& frames, LaneLegFrames& legs) const;
+  // Which captured cycle a foot follows, from frame to frame.
+  struct Follows {
+    const FootState* state = nullptr;  // that the cycle is of
+    FootBlend cycle;
+    FootCycle blended;  // where it is several
+  };
+  struct Scratch {
+    explicit Scratch(size_t chain) : joints(kLaneJoint * chain), legs{joints.data(), {}} {}
+    std::vector<double> joints;
+    LaneLegFrames legs;
+    std::array<Follows, 2> follows;  // by Side
+  };
+  void aim(const AnimationBuffer& buffer, const Four& frames, Scratch& scratch) const;
   double risenPitch(const Sole& sole, Side side, int lane, const LaneLegFrames& legs) const;
   void turn(const Four& frames, const LaneLegFrames& legs, AnimationBuffer& buffer,
             bool reached[4]) const;
@@ -46,7 +58,7 @@ class FootController : public SubController {
     std::vector<double> missing;               // by so much has it to be lower at each frame [m]
     std::vector<char> reached;                 // whether both reach their targets
   };
-  bool tryLegs(AnimationBuffer& buffer, LaneLegFrames& legs, Trial& trial) const;
+  bool tryLegs(AnimationBuffer& buffer, Scratch& scratch, Trial& trial) const;
 
   JointRoles roles_;
   std::array<FootShape, 2> shapes_;

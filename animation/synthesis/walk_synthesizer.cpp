@@ -138,12 +138,12 @@ struct WalkSynthesizer::Impl {
     return joints[roles.head];
   }
 
-  // Between two stances, in a frame of the walk.
-  FrameState walkingState(const WalkSteps& steps, const WalkRequest& request, int frame) const {
+  // Between two stances, in a frame of the walk; `state` is a new one.
+  void setWalkingState(const WalkSteps& steps, const WalkRequest& request, int frame,
+                       FrameState& state) const {
     const SpeedProfile::Sample at = steps.at(frame);
     const RootPath::Sample on = request.path.at(at.arc);
     const double begin = at.steps, left = steps.steps - at.steps;
-    FrameState state;
     state.position << on.position, steps.heightAt(at, request.path.length());
     state.arc = at.arc;
     state.heading = on.heading;
@@ -158,7 +158,6 @@ struct WalkSynthesizer::Impl {
     state.lean = slopeLean(steps.slopeAt(at));
     standAtEnds(steps, request, at, state);
     state.feet = steps.feet->at(at.steps);
-    return state;
   }
 
   // How much slower than the plan's; beside a walking stance as that is.
@@ -323,7 +322,8 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
     return {WalkRule::kNone, walk.steps, walk.end.leading, true};
   out.states.clear();
   out.states.push_back(m.stanceState(from, walk.from_feet, 0.0));
-  for (int k = 1; k < walk.frames(); ++k) out.states.push_back(m.walkingState(walk, request, k));
+  for (int k = 1; k < walk.frames(); ++k)
+    m.setWalkingState(walk, request, k, out.states.emplace_back());
   out.states.push_back(m.stanceState(walk.end, walk.end_feet, path.length()));
   // Standing comes of as slow a walk as it leads to.
   if (from.standing) out.states.front().slower = out.states[1].slower;
