@@ -1,25 +1,15 @@
 #include "base/strict_yaml.h"
 
-#include <yaml-cpp/eventhandler.h>
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <deque>
-#include <sstream>
-#include <unordered_map>
+
+#include "base/text.h"
+#include "base/yaml_document.h"
 
 namespace amble {
 namespace {
-
-// What a file holds may be long; a message is one line.
-std::string quote(const std::string& text) {
-  constexpr size_t kLongest = 60;
-  if (text.size() <= kLongest) return "'" + text + "'";
-  return "'" + text.substr(0, kLongest) + "...'";
-}
 
 std::string toText(double number) {
   char text[32];
@@ -35,8 +25,6 @@ std::string rangeText(double min, double max) {
   if (has_max) return " of at most " + toText(max);
   return "";
 }
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 // Digits without a leading zero (`010` is 8 to some readers and 10 to others), or none.
 size_t countDigits(std::string_view text) {
@@ -91,177 +79,62 @@ size_t editDistance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
+std::string pathOf(const YamlValue& value) {
+  const YamlValue* parent = value.parent();
+  if (parent == nullptr) return "";
+  std::string before = pathOf(*parent);
+  if (parent->kind == YamlKind::kSequence) return before + "[" + std::to_string(value.index) + "]";
+  return before + (before.empty() ? "" : ".") + std::string(value.key);
+}
+
+// "start.at is 'x'", "start.at is a map", "the document is empty".
+std::string stateOf(const YamlValue& value) {
+  const std::string where = pathOf(value);
+  const std::string subject = where.empty() ? "the document" : where;
+  switch (value.kind) {
+    case YamlKind::kNull:
+      return subject + " is empty";
+    case YamlKind::kScalar:
+      return subject + " is " + quotedShort(value.text);
+    case YamlKind::kSequence:
+      return subject + " is a list";
+    case YamlKind::kMap:
+      break;
+  }
+  return subject + " is a map";
+}
+
 }  // namespace
 
-struct YamlNode::Data {
-  enum class Kind { kNull, kScalar, kSequence, kMap };
-
-  Kind kind = Kind::kNull;
-  int line = 0;
-  bool plain = true;  // a scalar without quotes
-  std::string text;   // of a scalar
-  const std::string* file = nullptr;
-  const Data* parent = nullptr;
-  size_t index = 0;                   // among the parent's children
-  std::vector<const Data*> children;  // of a map or sequence
-  std::vector<std::string> keys;      // of a map, one a child, in the order of the file
-  std::vector<int> key_lines;
-
-  bool isScalar() const { return kind == Kind::kScalar; }
-
-  std::string path() const {
-    if (parent == nullptr) return "";
-    std::string before = parent->path();
-    if (parent->kind == Kind::kSequence) return before + "[" + std::to_string(index) + "]";
-    return before + (before.empty() ? "" : ".") + parent->keys[index];
-  }
-
-  [[noreturn]] void fail(const std::string& problem, const std::string& expected) const {
-    throw InputError(*file, line, problem, expected);
-  }
-
-  // "start.at is 'x'", "start.at is a map", "the document is empty".
-  std::string state() const {
-    const std::string where = path();
-    const std::string subject = where.empty() ? "the document" : where;
-    switch (kind) {
-      case Kind::kNull:
-        return subject + " is empty";
-      case Kind::kScalar:
-        return subject + " is " + quote(text);
-      case Kind::kSequence:
-        return subject + " is a list";
-      case Kind::kMap:
-        break;
-    }
-    return subject + " is a map";
-  }
-};
-
-// Makes a document of the parser's events, and refuses there what no reader of ours wants.
-struct YamlNode::Builder : YAML::EventHandler {
-  using Kind = Data::Kind;
-
-  struct Document {
-    std::string file;
-    std::deque<Data> nodes;  // the root first; addresses stay
-  };
-  struct Open {
-    Data* node;
-    bool has_key = false;
-    std::unordered_map<std::string, int> lines_of_keys;  // looked up only, never walked through
-  };
-
-  explicit Builder(const std::string& file) { document->file = file; }
-
-  void OnDocumentStart(const YAML::Mark&) override {}
-  void OnDocumentEnd() override {}
-  void OnSequenceEnd() override { open.pop_back(); }
-  void OnMapEnd() override { open.pop_back(); }
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override {
-    if (wantsKey()) refuse(mark, "an empty key", "a name before the colon");
-    add(Kind::kNull, mark);
-  }
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    refuse(mark, "an alias (*name)", "the value itself");
-  }
-  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
-                const std::string& value) override {
-    refuseTag(mark, tag);
-    if (wantsKey()) return addKey(mark, value);
-    Data& node = add(Kind::kScalar, mark);
-    node.plain = tag != "!";
-    node.text = value;
-  }
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
-                       YAML::EmitterStyle::value) override {
-    begin(Kind::kSequence, mark, tag);
-  }
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
-                  YAML::EmitterStyle::value) override {
-    begin(Kind::kMap, mark, tag);
-  }
-
-  [[noreturn]] void refuse(const YAML::Mark& mark, const std::string& problem,
-                           const std::string& expected) const {
-    throw InputError(document->file, mark.line + 1, problem, expected);
-  }
-  void refuseTag(const YAML::Mark& mark, const std::string& tag) const {
-    if (!tag.empty() && tag != "?" && tag != "!") {
-      refuse(mark, "a tag (" + quote(tag) + ")", "a value without a tag");
-    }
-  }
-  bool wantsKey() const {
-    return !open.empty() && open.back().node->kind == Kind::kMap && !open.back().has_key;
-  }
-  void addKey(const YAML::Mark& mark, const std::string& key) {
-    Open& map = open.back();
-    const auto [place, is_new] = map.lines_of_keys.emplace(key, mark.line + 1);
-    if (!is_new) {
-      refuse(mark, "the key " + quote(key) + " is given twice",
-             "it once (it is on line " + std::to_string(place->second) + " too)");
-    }
-    map.node->keys.push_back(key);
-    map.node->key_lines.push_back(mark.line + 1);
-    map.has_key = true;
-  }
-  Data& add(Kind kind, const YAML::Mark& mark) {
-    if (document->nodes.size() >= kMaxYamlValues) {
-      refuse(mark, "too many values", "at most " + std::to_string(kMaxYamlValues));
-    }
-    Data& node = document->nodes.emplace_back();
-    node.kind = kind;
-    node.line = mark.line + 1;
-    node.file = &document->file;
-    if (!open.empty()) {
-      Open& above = open.back();
-      node.parent = above.node;
-      node.index = above.node->children.size();
-      above.node->children.push_back(&node);
-      above.has_key = false;
-    }
-    return node;
-  }
-  void begin(Kind kind, const YAML::Mark& mark, const std::string& tag) {
-    refuseTag(mark, tag);
-    if (wantsKey()) refuse(mark, "a key that is a list or a map", "a name before the colon");
-    if (static_cast<int>(open.size()) >= kMaxYamlDepth) {
-      refuse(mark, "nested too deeply", "at most " + std::to_string(kMaxYamlDepth) + " levels");
-    }
-    open.push_back({&add(kind, mark), false, {}});
-  }
-
-  std::shared_ptr<Document> document = std::make_shared<Document>();
-  std::vector<Open> open;
-};
-
 YamlNode::YamlNode() = default;
-YamlNode::YamlNode(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
-YamlNode YamlNode::child(const Data* data) const {
-  return YamlNode(std::shared_ptr<const Data>(data_, data));
+YamlNode::YamlNode(std::shared_ptr<const YamlDocument> document, const YamlValue* value)
+    : document_(std::move(document)), value_(value) {}
+
+const YamlValue& YamlNode::value() const {
+  assert(value_ != nullptr && "ask the node itself first: if (const YamlNode n = map[key])");
+  return *value_;
 }
-const YamlNode::Data& YamlNode::data() const {
-  assert(data_ != nullptr && "ask the node itself first: if (const YamlNode n = map[key])");
-  return *data_;
+bool YamlNode::isMap() const { return value().kind == YamlKind::kMap; }
+bool YamlNode::isSequence() const { return value().kind == YamlKind::kSequence; }
+bool YamlNode::isScalar() const { return value().kind == YamlKind::kScalar; }
+bool YamlNode::isNull() const { return value().kind == YamlKind::kNull; }
+int YamlNode::line() const { return value().line; }
+const std::string& YamlNode::file() const {
+  value();
+  return document_->file;
 }
-bool YamlNode::isMap() const { return data().kind == Data::Kind::kMap; }
-bool YamlNode::isSequence() const { return data().kind == Data::Kind::kSequence; }
-bool YamlNode::isScalar() const { return data().isScalar(); }
-bool YamlNode::isNull() const { return data().kind == Data::Kind::kNull; }
-int YamlNode::line() const { return data().line; }
-const std::string& YamlNode::file() const { return *data().file; }
-std::string YamlNode::path() const { return data().path(); }
+std::string YamlNode::path() const { return pathOf(value()); }
 void YamlNode::fail(const std::string& problem, const std::string& expected) const {
-  data().fail(problem, expected);
+  throw InputError(file(), line(), problem, expected);
 }
 
-const YamlNode::Data& YamlNode::map() const {
-  if (!isMap()) fail(data().state(), "a map (key: value)");
-  return data();
+const YamlValue& YamlNode::map() const {
+  if (!isMap()) fail(stateOf(value()), "a map (key: value)");
+  return value();
 }
-const YamlNode::Data& YamlNode::sequence(const std::string& wanted) const {
-  if (!isSequence()) fail(data().state(), wanted);
-  return data();
+const YamlValue& YamlNode::sequence(const std::string& wanted) const {
+  if (!isSequence()) fail(stateOf(value()), wanted);
+  return value();
 }
 
 void YamlNode::requireKeys(std::initializer_list<std::string_view> known) const {
@@ -269,97 +142,103 @@ void YamlNode::requireKeys(std::initializer_list<std::string_view> known) const 
 }
 
 void YamlNode::requireKeys(const std::vector<std::string>& known) const {
-  const Data& node = map();
-  for (size_t i = 0; i < node.keys.size(); ++i) {
-    if (std::find(known.begin(), known.end(), node.keys[i]) != known.end()) continue;
-    const std::string meant = nearestWord(node.keys[i], known);
-    const std::string where = node.path();
-    throw InputError(*node.file, node.key_lines[i],
-                     "unknown key " + quote(node.keys[i]) + (where.empty() ? "" : " in " + where),
+  const YamlValue& node = map();
+  for (const YamlValue* child = node.begin(); child != node.end(); child = child->next()) {
+    if (std::find(known.begin(), known.end(), child->key) != known.end()) continue;
+    const std::string key(child->key), meant = nearestWord(key, known), where = path();
+    throw InputError(file(), child->key_line,
+                     "unknown key " + quotedShort(key) + (where.empty() ? "" : " in " + where),
                      meant.empty() ? listed(known) : "'" + meant + "'");
   }
 }
 
 YamlNode YamlNode::operator[](std::string_view key) const {
-  const Data& node = map();
-  const auto found = std::find(node.keys.begin(), node.keys.end(), key);
-  if (found == node.keys.end()) return {};
-  return child(node.children[found - node.keys.begin()]);
+  const YamlValue& node = map();
+  for (const YamlValue* child = node.begin(); child != node.end(); child = child->next()) {
+    if (child->key == key) return YamlNode(document_, child);
+  }
+  return {};
 }
 
 YamlNode YamlNode::at(std::string_view key) const {
-  const YamlNode value = (*this)[key];
-  if (!value) {
+  YamlNode found = (*this)[key];
+  if (!found) {
     const std::string where = path();
-    fail((where.empty() ? "" : where + ": ") + "the key " + quote(std::string(key)) + " is missing",
+    fail((where.empty() ? "" : where + ": ") + "the key " + quotedShort(key) + " is missing",
          "'" + std::string(key) + ":' and its value");
   }
-  return value;
+  return found;
 }
 
 std::vector<std::pair<std::string, YamlNode>> YamlNode::entries() const {
-  const Data& node = map();
+  const YamlValue& node = map();
   std::vector<std::pair<std::string, YamlNode>> all;
-  all.reserve(node.keys.size());
-  for (size_t i = 0; i < node.keys.size(); ++i)
-    all.emplace_back(node.keys[i], child(node.children[i]));
+  all.reserve(node.size);
+  for (const YamlValue* child = node.begin(); child != node.end(); child = child->next()) {
+    all.emplace_back(child->key, YamlNode(document_, child));
+  }
   return all;
 }
 
 std::vector<YamlNode> YamlNode::items() const {
+  const YamlValue& node = sequence("a list");
   std::vector<YamlNode> all;
-  for (const Data* item : sequence("a list").children) all.push_back(child(item));
+  all.reserve(node.size);
+  for (const YamlValue* child = node.begin(); child != node.end(); child = child->next()) {
+    all.push_back(YamlNode(document_, child));
+  }
   return all;
 }
 
-int YamlNode::size() const { return static_cast<int>(data().children.size()); }
+int YamlNode::size() const { return static_cast<int>(value().size); }
 
 std::string YamlNode::asString() const {
-  if (!isScalar() || data().text.empty()) fail(data().state(), "text");
-  return data().text;
+  if (!isScalar() || value().text.empty()) fail(stateOf(value()), "text");
+  return std::string(value().text);
 }
 
 double YamlNode::asDouble(double min, double max, std::string_view what) const {
-  const std::string wanted = std::string(what) + rangeText(min, max);
+  const YamlValue& scalar = value();
   double number = 0.0;
-  if (!isScalar() || !data().plain || !parseDecimal(data().text, number)) {
-    fail(data().state(), wanted + (what == "number" ? "" : ", a number"));
-  }
-  if (number < min || number > max) fail(data().state(), wanted);
-  return number;
+  const bool is_number = scalar.plain && parseDecimal(scalar.text, number);
+  if (is_number && number >= min && number <= max) return number;
+  const std::string wanted = std::string(what) + rangeText(min, max);
+  fail(stateOf(scalar), wanted + (is_number || what == "number" ? "" : ", a number"));
 }
 
 double YamlNode::asPositive(std::string_view what, double max) const {
   const double number = asDouble(-kInfinity, max, what);
-  if (number <= 0.0) fail(data().state(), std::string(what) + " above 0");
+  if (number <= 0.0) fail(stateOf(value()), std::string(what) + " above 0");
   return number;
 }
 
 int YamlNode::asInt(int min, int max, std::string_view what) const {
   int number = 0;
-  if (!isScalar() || !data().plain || !parseWhole(data().text, number) || number < min ||
-      number > max) {
-    fail(data().state(), std::string(what) + rangeText(min, max));
+  if (!value().plain || !parseWhole(value().text, number) || number < min || number > max) {
+    fail(stateOf(value()), std::string(what) + rangeText(min, max));
   }
   return number;
 }
 
 bool YamlNode::asBool() const {
-  const bool plain = isScalar() && data().plain;
-  if (!plain || (data().text != "true" && data().text != "false")) {
-    fail(data().state(), "true or false");
+  if (!value().plain || (value().text != "true" && value().text != "false")) {
+    fail(stateOf(value()), "true or false");
   }
-  return data().text == "true";
+  return value().text == "true";
 }
 
 Eigen::VectorXd YamlNode::asVec(int n, std::string_view what, double min, double max) const {
-  const std::string wanted = std::to_string(n) + " " + std::string(what) + " in brackets";
-  const Data& node = sequence(wanted);
-  if (static_cast<int>(node.children.size()) != n) {
-    fail(node.state() + " of " + std::to_string(node.children.size()), wanted);
+  const bool is_right = isSequence() && size() == n;
+  if (!is_right) {
+    const std::string wanted = std::to_string(n) + " " + std::string(what) + " in brackets";
+    const YamlValue& list = sequence(wanted);
+    fail(stateOf(list) + " of " + std::to_string(list.size), wanted);
   }
   Eigen::VectorXd numbers(n);
-  for (int i = 0; i < n; ++i) numbers[i] = child(node.children[i]).asDouble(min, max);
+  YamlNode item(document_, value().begin());
+  for (int i = 0; i < n; ++i, item.value_ = item.value_->next()) {
+    numbers[i] = item.asDouble(min, max);
+  }
   return numbers;
 }
 
@@ -370,53 +249,19 @@ std::filesystem::path YamlNode::asPath() const {
 }
 
 int YamlNode::indexIn(const std::vector<std::string>& names) const {
-  if (!isScalar()) fail(data().state(), listed(names));
-  const auto found = std::find(names.begin(), names.end(), data().text);
+  if (!isScalar()) fail(stateOf(value()), listed(names));
+  const auto found = std::find(names.begin(), names.end(), value().text);
   if (found == names.end()) {
-    const std::string meant = nearestWord(data().text, names);
-    fail(data().state(), meant.empty() ? listed(names) : "'" + meant + "'");
+    const std::string meant = nearestWord(value().text, names);
+    fail(stateOf(value()), meant.empty() ? listed(names) : "'" + meant + "'");
   }
   return static_cast<int>(found - names.begin());
 }
 
-namespace {
-
-// Of a line that could not be read and the one before it, the first that a tab indents; 0: none.
-int tabBefore(const std::string& text, int line) {
-  std::istringstream in(text);
-  std::string read;
-  for (int at = 1; at <= line && std::getline(in, read); ++at) {
-    const size_t begin = std::min(read.find_first_not_of(" \t"), read.size());
-    if (at + 1 >= line && read.find('\t') < begin) return at;
-  }
-  return 0;
-}
-
-}  // namespace
-
 YamlNode parseYaml(const std::string& text, const std::string& name) {
-  YamlNode::Builder builder(name);
-  std::istringstream in(text);
-  try {
-    YAML::Parser parser(in);
-    parser.HandleNextDocument(builder);
-    if (builder.document->nodes.empty()) throw InputError(name, 0, "is empty", "YAML");
-    const size_t nodes = builder.document->nodes.size();
-    builder.open.clear();
-    parser.HandleNextDocument(builder);
-    if (builder.document->nodes.size() != nodes) {
-      throw InputError(name, builder.document->nodes[nodes].line, "a second document",
-                       "one document a file");
-    }
-  } catch (const YAML::Exception& error) {
-    const int line = error.mark.is_null() ? 0 : error.mark.line + 1;
-    if (const int tab = tabBefore(text, line)) {
-      throw InputError(name, tab, "a tab before its text", "spaces: YAML indents by nothing else");
-    }
-    throw InputError(name, line, error.msg, "YAML");
-  }
-  const YamlNode::Data* root = &builder.document->nodes.front();
-  return YamlNode(std::shared_ptr<const YamlNode::Data>(builder.document, root));
+  std::shared_ptr<const YamlDocument> document = parseYamlDocument(text, name);
+  const YamlValue* root = document->values.data();
+  return YamlNode(std::move(document), root);
 }
 
 YamlNode readYaml(const std::filesystem::path& file, const FileKind& kind) {

@@ -1,8 +1,8 @@
 /// YAML that is what it says: nothing unknown, nothing twice, no number that only looks like one.
 ///
-/// yaml-cpp takes a doubled key silently (the first counts), reads `010` as 8 and `yes` as true.
-/// Here a doubled key, an alias, a tag, a nesting deeper than kMaxYamlDepth, more values than
-/// kMaxYamlValues and a second document are refused when the text is read, and scalars are read by
+/// YAML's own readers take a doubled key silently, `010` as 8 and `yes` as true. Here a doubled
+/// key, an alias, a tag, a nesting deeper than kMaxYamlDepth, more values than kMaxYamlValues, a
+/// second document and bytes that are no text are refused when it is read, and scalars are read by
 /// the accessors below, which say what they expected. Every error is an InputError with file and
 /// line.
 ///
@@ -28,8 +28,12 @@
 
 namespace amble {
 
+struct YamlDocument;
+struct YamlValue;
+
 inline constexpr int kMaxYamlDepth = 100;  ///< deeper is hostile, not data
-/// Maps, lists and scalars of a document: each costs about 200 bytes and a microsecond. A scene of
+/// Maps, lists and scalars of a document: each costs about 100 bytes and half a
+/// microsecond. A scene of
 /// a hundred thousand objects has 1.2 million.
 inline constexpr size_t kMaxYamlValues = 2'000'000;
 inline constexpr FileKind kAnyYaml = {"a YAML file", size_t{64} << 20};
@@ -43,7 +47,7 @@ class YamlNode {
   YamlNode();  ///< nothing
   /// Whether there is a node: false for operator[] of a missing key. `key:` without a value is a
   /// node, a null.
-  explicit operator bool() const { return data_ != nullptr; }
+  explicit operator bool() const { return value_ != nullptr; }
 
   bool isMap() const;
   bool isSequence() const;
@@ -105,16 +109,14 @@ class YamlNode {
   [[noreturn]] void fail(const std::string& problem, const std::string& expected = "") const;
 
  private:
-  struct Data;
-  struct Builder;
   friend YamlNode parseYaml(const std::string& text, const std::string& name);
-  explicit YamlNode(std::shared_ptr<const Data> data);
-  YamlNode child(const Data* data) const;
-  const Data& data() const;
-  const Data& map() const;
-  const Data& sequence(const std::string& wanted) const;
+  YamlNode(std::shared_ptr<const YamlDocument> document, const YamlValue* value);
+  const YamlValue& value() const;
+  const YamlValue& map() const;
+  const YamlValue& sequence(const std::string& wanted) const;
 
-  std::shared_ptr<const Data> data_;  // keeps the whole document alive
+  std::shared_ptr<const YamlDocument> document_;
+  const YamlValue* value_ = nullptr;
 };
 
 /// @param file  `-` is standard input. @throws InputError if it is missing, unreadable, too large

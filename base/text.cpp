@@ -17,36 +17,6 @@ std::optional<T> parsedWhole(std::string_view text) {
   return value;
 }
 
-// Length of the character that `text` begins with, which XML may hold; 0 where there is none such.
-// The table is 3-7 of the Unicode Standard, well-formed UTF-8: nothing overlong, no surrogates.
-size_t xmlCharacterLength(std::string_view text) {
-  const auto byte = [&](size_t i) -> unsigned {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
-  };
-  const auto follows = [&](size_t i, unsigned low = 0x80, unsigned high = 0xBF) {
-    return byte(i) >= low && byte(i) <= high;
-  };
-  const unsigned first = byte(0);
-  if (first < 0x80) {
-    const bool allowed = first >= 0x20 || first == '\t' || first == '\n' || first == '\r';
-    return allowed && first != 0x7F ? 1 : 0;
-  }
-  if (first >= 0xC2 && first <= 0xDF) {
-    const bool control = first == 0xC2 && byte(1) < 0xA0;  // U+0080 to U+009F
-    return follows(1) && !control ? 2 : 0;
-  }
-  if (first >= 0xE0 && first <= 0xEF) {
-    const unsigned low = first == 0xE0 ? 0xA0 : 0x80, high = first == 0xED ? 0x9F : 0xBF;
-    const bool no_character = first == 0xEF && byte(1) == 0xBF && byte(2) >= 0xBE;  // U+FFFE, FFFF
-    return follows(1, low, high) && follows(2) && !no_character ? 3 : 0;
-  }
-  if (first >= 0xF0 && first <= 0xF4) {
-    const unsigned low = first == 0xF0 ? 0x90 : 0x80, high = first == 0xF4 ? 0x8F : 0xBF;
-    return follows(1, low, high) && follows(2) && follows(3) ? 4 : 0;
-  }
-  return 0;
-}
-
 }  // namespace
 
 std::string lowerCase(std::string_view text) {
@@ -114,10 +84,45 @@ std::string withoutControls(std::string text) {
   return text;
 }
 
+std::string quotedShort(std::string_view text) {
+  constexpr size_t kLongest = 60;  // [bytes]
+  if (text.size() <= kLongest) return "'" + std::string(text) + "'";
+  return "'" + std::string(text.substr(0, kLongest)) + "...'";
+}
+
+// The table is 3-7 of the Unicode Standard, well-formed UTF-8: nothing overlong, no surrogates.
+size_t characterLength(std::string_view text) {
+  const auto byte = [&](size_t i) -> unsigned {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+  };
+  const auto follows = [&](size_t i, unsigned low = 0x80, unsigned high = 0xBF) {
+    return byte(i) >= low && byte(i) <= high;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80) {
+    const bool allowed = first >= 0x20 || first == '\t' || first == '\n' || first == '\r';
+    return allowed && first != 0x7F ? 1 : 0;
+  }
+  if (first >= 0xC2 && first <= 0xDF) {
+    const bool control = first == 0xC2 && byte(1) < 0xA0;  // U+0080 to U+009F
+    return follows(1) && !control ? 2 : 0;
+  }
+  if (first >= 0xE0 && first <= 0xEF) {
+    const unsigned low = first == 0xE0 ? 0xA0 : 0x80, high = first == 0xED ? 0x9F : 0xBF;
+    const bool no_character = first == 0xEF && byte(1) == 0xBF && byte(2) >= 0xBE;  // U+FFFE, FFFF
+    return follows(1, low, high) && follows(2) && !no_character ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const unsigned low = first == 0xF0 ? 0x90 : 0x80, high = first == 0xF4 ? 0x8F : 0xBF;
+    return follows(1, low, high) && follows(2) && follows(3) ? 4 : 0;
+  }
+  return 0;
+}
+
 std::string utf8Text(std::string_view text) {
   std::string good;
   while (!text.empty()) {
-    const size_t length = xmlCharacterLength(text);
+    const size_t length = characterLength(text);
     good += length > 0 ? text.substr(0, length) : "\uFFFD";
     text.remove_prefix(length > 0 ? length : 1);
   }

@@ -35,9 +35,14 @@ std::string joined(const std::vector<std::string>& parts, std::string_view betwe
 std::string counted(long long count, std::string_view thing);
 /// Control characters as blanks: a message is one line, and what it quotes may hold anything.
 std::string withoutControls(std::string text);
+/// In quotes, and cut where it is long: what a file holds may be, a message is one line.
+std::string quotedShort(std::string_view text);
 /// `%20` and its like as the bytes that they stand for, as in the addresses of files that a glTF or
 /// Collada file names (RFC 3986, 2.1); what is none of them stays.
 std::string withoutPercents(std::string_view text);
+/// Bytes of the character that `text` begins with, in UTF-8 and such as XML may hold: no control
+/// character but tab and line ends; 0: none such.
+size_t characterLength(std::string_view text);
 /// `text` as UTF-8 that XML may hold: a byte that begins no such character becomes U+FFFD, and so
 /// do control characters other than tab and line end.
 std::string utf8Text(std::string_view text);

@@ -1,8 +1,5 @@
 #include "animation/library/library_parts_writer.h"
 
-#include <yaml-cpp/yaml.h>
-
-#include <charconv>
 #include <fstream>
 #include <sstream>
 
@@ -10,17 +7,10 @@
 #include "base/error.h"
 #include "base/output_file.h"
 #include "base/rotation.h"
+#include "base/text.h"
 
 namespace amble {
 namespace {
-
-using YAML::BeginMap;
-using YAML::BeginSeq;
-using YAML::EndMap;
-using YAML::EndSeq;
-using YAML::Flow;
-using YAML::Key;
-using YAML::Value;
 
 // Digits after the point: a tenth of a micrometre or of a microradian, far below what a capture
 // knows.
@@ -30,20 +20,7 @@ constexpr double kOne = 1e7;  // in units of the last of them
 // Of offsets that a BVH rounded: closer is the same joint [m].
 constexpr double kSameOffset = 1e-5;
 
-// Not the emitter's own, which knows significant digits only.
-std::string number(double value) {
-  char text[64];
-  const auto end =
-      std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, kDigits);
-  std::string s(text, end.ptr);
-  while (s.back() == '0') s.pop_back();
-  if (s.back() == '.') s.pop_back();
-  return s == "-0" ? "0" : s;
-}
-
-void putRow(YAML::Emitter& out, const Eigen::VectorXd& row) {
-  putList(out, {row.data(), static_cast<size_t>(row.size())});
-}
+std::string number(double value) { return plainNumber(value, kDigits); }
 
 // The skeleton as a clip of one frame, in its rest pose.
 Clip restClip(const Skeleton& skeleton) {
@@ -115,84 +92,81 @@ void makeFolder(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void put(YAML::Emitter& out, const char* key, double value) {
-  out << Key << key << Value << number(value);
+void put(YamlWriter& out, const char* key, double value) { out.key(key).plain(number(value)); }
+
+void putList(YamlWriter& out, std::span<const double> values, double unit) {
+  out.beginList(YamlWriter::kFlow);
+  for (const double v : values) out.plain(number(v / unit));
+  out.end();
 }
 
-void putList(YAML::Emitter& out, std::span<const double> values, double unit) {
-  out << Flow << BeginSeq;
-  for (const double v : values) out << number(v / unit);
-  out << EndSeq;
+void putList(YamlWriter& out, const char* key, std::span<const double> values, double unit) {
+  putList(out.key(key), values, unit);
 }
 
-void putList(YAML::Emitter& out, const char* key, std::span<const double> values, double unit) {
-  out << Key << key << Value;
-  putList(out, values, unit);
+void putMatrix(YamlWriter& out, const char* name, const Eigen::MatrixXd& matrix) {
+  out.key(name).beginList();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const Eigen::VectorXd row = matrix.row(i);
+    putList(out, {row.data(), static_cast<size_t>(row.size())});
+  }
+  out.end();
 }
 
-void putQuoted(YAML::Emitter& out, const char* key, const std::string& text) {
-  out << Key << key << Value << YAML::DoubleQuoted << text;
-}
-
-void putMatrix(YAML::Emitter& out, const char* name, const Eigen::MatrixXd& matrix) {
-  out << Key << name << Value << BeginSeq;
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) putRow(out, matrix.row(i));
-  out << EndSeq;
-}
-
-void putRotations(YAML::Emitter& out, const char* name,
+void putRotations(YamlWriter& out, const char* name,
                   const std::vector<Eigen::Quaterniond>& rotations) {
-  out << Key << name << Value << BeginSeq;
+  out.key(name).beginList();
   for (const Eigen::Quaterniond& rotation : rotations) {
     const Eigen::Quaterniond q = asReadAgain(rotation);
     putList(out, std::array<double, 4>{q.w(), q.x(), q.y(), q.z()});
   }
-  out << EndSeq;
+  out.end();
 }
 
-void putPosture(YAML::Emitter& out, const Posture& posture) {
-  out << Key << "posture" << Value << BeginMap;
+void putPosture(YamlWriter& out, const Posture& posture) {
+  out.key("posture").beginMap();
   put(out, "root_height", posture.root_height);
   put(out, "root_forward", posture.root_forward);
   put(out, "step_width", posture.step_width);
   putList(out, "toe_out", posture.toe_out, kDegree);
   putRotations(out, "rotations", posture.rotations);
-  out << EndMap;
+  out.end();
 }
 
-void putSource(YAML::Emitter& out, const MotionSource& source) {
-  out << Key << "source" << Value << BeginMap;
-  putQuoted(out, "clip", source.clip);
+void putSource(YamlWriter& out, const MotionSource& source) {
+  out.key("source").beginMap();
+  out.key("clip").quoted(source.clip);
   if (source.speed) {
     put(out, "speed", *source.speed);
   } else {
-    out << Key << "frames" << Value << Flow << BeginSeq << source.frames[0] << source.frames[1]
-        << EndSeq;
+    out.key("frames").beginList(YamlWriter::kFlow);
+    for (const int frame : source.frames) out.whole(frame);
+    out.end();
   }
-  out << Key << "mirrored" << Value << (source.mirrored ? "true" : "false");
-  putQuoted(out, "licence", source.licence);
-  putQuoted(out, "credit", source.credit);
-  out << EndMap;
+  out.key("mirrored").truth(source.mirrored);
+  out.key("licence").quoted(source.licence);
+  out.key("credit").quoted(source.credit);
+  out.end();
 }
 
-void putCapture(YAML::Emitter& out, const CaptureQuality& capture) {
-  out << Key << "capture" << Value << Flow << BeginMap;
+void putCapture(YamlWriter& out, const CaptureQuality& capture) {
+  out.key("capture").beginMap(YamlWriter::kFlow);
   put(out, "toe_skate", capture.toe_skate);
   put(out, "root_acceleration", capture.root_acceleration);
   put(out, "joint_jerk", capture.joint_jerk);
   put(out, "pops", capture.pops);
-  out << EndMap;
+  out.end();
 }
 
 // Joints are called what the BVH beside the library calls them.
-void putRoles(YAML::Emitter& out, const Skeleton& skeleton, const JointRoles& roles) {
+void putRoles(YamlWriter& out, const Skeleton& skeleton, const JointRoles& roles) {
   const std::vector<std::string> names = bvhJointNames(skeleton);
-  out << Key << "joints" << Value << BeginMap;
+  out.key("joints").beginMap();
   for (const std::string& role : roleNames()) {
     const int joint = roleJoint(roles, role);
-    if (joint >= 0) out << Key << role << Value << names[joint];
+    if (joint >= 0) out.key(role).text(names[joint]);
   }
-  out << EndMap;
+  out.end();
 }
 
 bool isLibrarySkeleton(const std::filesystem::path& file) {

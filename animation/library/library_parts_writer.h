@@ -11,33 +11,28 @@
 #include <vector>
 
 #include "animation/library/motion_library.h"
-
-namespace YAML {
-class Emitter;
-}
+#include "base/yaml_writer.h"
 
 namespace amble {
 
 /// Numbers with seven digits after the point, and no zeros at their end.
-void put(YAML::Emitter& out, const char* key, double value);
+void put(YamlWriter& out, const char* key, double value);
 /// @param unit  that values are divided by, such as kDegree
-void putList(YAML::Emitter& out, std::span<const double> values, double unit = 1.0);
-void putList(YAML::Emitter& out, const char* key, std::span<const double> values,
-             double unit = 1.0);
-void putQuoted(YAML::Emitter& out, const char* key, const std::string& text);
+void putList(YamlWriter& out, std::span<const double> values, double unit = 1.0);
+void putList(YamlWriter& out, const char* key, std::span<const double> values, double unit = 1.0);
 /// A list of its rows.
-void putMatrix(YAML::Emitter& out, const char* name, const Eigen::MatrixXd& matrix);
+void putMatrix(YamlWriter& out, const char* name, const Eigen::MatrixXd& matrix);
 
 /// Quaternions [w, x, y, z].
-void putRotations(YAML::Emitter& out, const char* name,
+void putRotations(YamlWriter& out, const char* name,
                   const std::vector<Eigen::Quaterniond>& rotations);
 
 /// `posture:`, `source:`, `capture:`, `joints:`. Joints are called what the BVH beside the file
 /// calls them.
-void putPosture(YAML::Emitter& out, const Posture& posture);
-void putSource(YAML::Emitter& out, const MotionSource& source);
-void putCapture(YAML::Emitter& out, const CaptureQuality& capture);
-void putRoles(YAML::Emitter& out, const Skeleton& skeleton, const JointRoles& roles);
+void putPosture(YamlWriter& out, const Posture& posture);
+void putSource(YamlWriter& out, const MotionSource& source);
+void putCapture(YamlWriter& out, const CaptureQuality& capture);
+void putRoles(YamlWriter& out, const Skeleton& skeleton, const JointRoles& roles);
 
 /// Writes a file and, beside it, the BVH of its skeleton; folders that are not there are made. A
 /// BVH that holds the skeleton already stays as it is: it may be the capture that the file names.

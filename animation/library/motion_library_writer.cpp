@@ -1,7 +1,5 @@
 #include "animation/library/motion_library_writer.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include "animation/library/library_parts_writer.h"
 #include "base/error.h"
 #include "base/rotation.h"
@@ -10,16 +8,8 @@
 namespace amble {
 namespace {
 
-using YAML::BeginMap;
-using YAML::BeginSeq;
-using YAML::EndMap;
-using YAML::EndSeq;
-using YAML::Flow;
-using YAML::Key;
-using YAML::Value;
-
-void putFoot(YAML::Emitter& out, const char* side, const FootCycle& foot) {
-  out << Key << side << Value << BeginMap;
+void putFoot(YamlWriter& out, const char* side, const FootCycle& foot) {
+  out.key(side).beginMap();
   put(out, "strike", foot.strike);
   put(out, "lift_off", foot.lift_off);
   put(out, "slip", foot.slip);
@@ -30,16 +20,16 @@ void putFoot(YAML::Emitter& out, const char* side, const FootCycle& foot) {
   putList(out, "yaw", foot.yaw);
   putList(out, "pitch", foot.pitch, kDegree);
   if (foot.toes != FootCycle().toes) putList(out, "toes", foot.toes, kDegree);
-  out << EndMap;
+  out.end();
 }
 
-void putCycle(YAML::Emitter& out, const WalkCycle& cycle) {
+void putCycle(YamlWriter& out, const WalkCycle& cycle) {
   const FourierSeries& series = cycle.series;
-  out << Key << "cycle" << Value << BeginMap;
+  out.key("cycle").beginMap();
   put(out, "speed", cycle.speed);
   put(out, "turn_rate", cycle.turn_rate / kDegree);
   put(out, "period", cycle.period);
-  out << Key << "cycles" << Value << cycle.cycles;
+  out.key("cycles").whole(cycle.cycles);
   put(out, "closure", cycle.closure);
   put(out, "residual", cycle.residual / kDegree);
   put(out, "slide", cycle.slide);
@@ -50,82 +40,84 @@ void putCycle(YAML::Emitter& out, const WalkCycle& cycle) {
   putCapture(out, cycle.capture);
   putFoot(out, "left", cycle.feet[kLeft]);
   putFoot(out, "right", cycle.feet[kRight]);
-  out << Key << "harmonics" << Value << series.harmonics();
+  out.key("harmonics").whole(series.harmonics());
   putMatrix(out, "alpha", series.alpha);
   putMatrix(out, "beta", series.beta.rightCols(series.harmonics()));
-  out << EndMap;
+  out.end();
 }
 
-void putSequence(YAML::Emitter& out, const TransitionSequence& sequence) {
+void putSequence(YamlWriter& out, const TransitionSequence& sequence) {
   constexpr int kStanding = TransitionSequence::kStanding;
-  out << Key << "sequence" << Value << BeginMap;
-  out << Key << "side" << Value << (sequence.side == kLeft ? "left" : "right");
+  out.key("sequence").beginMap();
+  out.key("side").text(sequence.side == kLeft ? "left" : "right");
   put(out, "sway", sequence.sway);
   put(out, "step_time", sequence.step_time);
   put(out, "advance", sequence.advance);
   putFoot(out, "swing", sequence.swing);
   putMatrix(out, "spline", sequence.spline.rightCols(sequence.spline.cols() - kStanding));
-  out << EndMap;
+  out.end();
 }
 
-void putTransition(YAML::Emitter& out, const Transition& transition) {
-  out << Key << "transition" << Value << BeginMap;
+void putTransition(YamlWriter& out, const Transition& transition) {
+  out.key("transition").beginMap();
   put(out, "speed", transition.speed);
   put(out, "first_speed", transition.first_speed);
   put(out, "acceleration", transition.acceleration);
   if (!transition.sequence.empty()) putSequence(out, transition.sequence);
-  out << EndMap;
+  out.end();
 }
 
-void putTurn(YAML::Emitter& out, const TurnSequence& turn) {
+void putTurn(YamlWriter& out, const TurnSequence& turn) {
   constexpr int kStanding = TurnSequence::kStanding;
   const Eigen::Index inner = turn.spline.cols() - 2 * kStanding;
-  out << Key << "turn" << Value << BeginMap;
+  out.key("turn").beginMap();
   put(out, "angle", turn.angle / kDegree);
   put(out, "duration", turn.duration);
-  out << Key << "first" << Value << (turn.first == kLeft ? "left" : "right");
-  out << Key << "steps" << Value << turn.steps;
+  out.key("first").text(turn.first == kLeft ? "left" : "right");
+  out.key("steps").whole(turn.steps);
   put(out, "twist", turn.twist / kDegree);
   const Eigen::VectorXd turned = turn.turned.row(0).segment(kStanding, inner);
   putList(out, "turned", {turned.data(), static_cast<size_t>(inner)});
   putMatrix(out, "spline", turn.spline.middleCols(kStanding, inner));
-  out << EndMap;
+  out.end();
 }
 
-void putValidity(YAML::Emitter& out, const Validity& valid) {
+void putValidity(YamlWriter& out, const Validity& valid) {
   using When = Validity::When;
-  out << Key << "valid" << Value;
-  if (valid.when == When::kAlways) out << "always";
-  if (valid.when == When::kAtStart) out << "at_start";
-  if (valid.when == When::kAtEnd) out << "at_end";
+  out.key("valid");
+  if (valid.when == When::kAlways) out.text("always");
+  if (valid.when == When::kAtStart) out.text("at_start");
+  if (valid.when == When::kAtEnd) out.text("at_end");
   if (valid.when == When::kBetween || valid.when == When::kClearanceAbove) {
-    out << Flow << BeginMap;
+    out.beginMap(YamlWriter::kFlow);
     if (valid.when == When::kBetween) {
       put(out, "from", valid.from);
       put(out, "to", valid.to);
     } else {
       put(out, "clearance_above", valid.clearance);
     }
-    out << EndMap;
+    out.end();
   }
 }
 
-void putChains(YAML::Emitter& out, const std::vector<std::string>& chains) {
-  out << Key << "joints" << Value;
+void putChains(YamlWriter& out, const std::vector<std::string>& chains) {
+  out.key("joints");
   if (chains.empty()) {
-    out << "all";
+    out.text("all");
   } else {
-    out << Flow << chains;
+    out.beginList(YamlWriter::kFlow);
+    for (const std::string& chain : chains) out.text(chain);
+    out.end();
   }
 }
 
-void putMotion(YAML::Emitter& out, const Motion& motion) {
-  out << BeginMap << Key << "name" << Value << motion.name;
-  out << Key << "kind" << Value << motionKindNames()[static_cast<size_t>(motion.kind)];
+void putMotion(YamlWriter& out, const Motion& motion) {
+  out.beginMap().key("name").text(motion.name);
+  out.key("kind").text(motionKindNames()[static_cast<size_t>(motion.kind)]);
   if (motion.kind == MotionKind::kWalk) {
-    out << Key << "turning" << Value << (motion.turning ? "turn" : "straight");
+    out.key("turning").text(motion.turning ? "turn" : "straight");
   }
-  if (!motion.style.empty()) putQuoted(out, "style", motion.style);
+  if (!motion.style.empty()) out.key("style").quoted(motion.style);
   putValidity(out, motion.valid);
   putChains(out, motion.chains);
   putSource(out, motion.source);
@@ -146,20 +138,20 @@ void putMotion(YAML::Emitter& out, const Motion& motion) {
       putTurn(out, motion.turn);
       break;
   }
-  out << EndMap;
+  out.end();
 }
 
 void writeLibrary(std::ostream& stream, const MotionLibrary& library) {
   stream << "# Made by `amble library build` from the captures that are named below; not edited by "
             "hand.\n"
          << "# Metres, seconds, degrees; rotation vectors (from channel 3 on) in radians.\n";
-  YAML::Emitter out(stream);
-  out << BeginMap << Key << "skeleton" << Value << library.skeleton_file;
+  YamlWriter out(stream);
+  out.beginMap().key("skeleton").text(library.skeleton_file);
   put(out, "stature", library.stature);
   putRoles(out, library.skeleton, library.roles);
-  out << Key << "motions" << Value << BeginSeq;
+  out.key("motions").beginList();
   for (const Motion& motion : library.motions) putMotion(out, motion);
-  out << EndSeq << EndMap;
+  out.end().end();
   stream << '\n';
 }
 

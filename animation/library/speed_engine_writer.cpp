@@ -1,7 +1,5 @@
 #include "animation/library/speed_engine_writer.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include "animation/library/library_parts_writer.h"
 #include "animation/library/speed_engine_reader.h"
 #include "base/error.h"
@@ -11,60 +9,52 @@
 namespace amble {
 namespace {
 
-using YAML::BeginMap;
-using YAML::BeginSeq;
-using YAML::EndMap;
-using YAML::EndSeq;
-using YAML::Flow;
-using YAML::Key;
-using YAML::Value;
-
-void putLine(YAML::Emitter& out, const char* key, const SpeedLine& line, double unit = 1.0) {
+void putLine(YamlWriter& out, const char* key, const SpeedLine& line, double unit = 1.0) {
   putList(out, key, std::array<double, 2>{line.at_zero, line.slope}, unit);
 }
 
-void putLines(YAML::Emitter& out, const char* key, const std::array<SpeedLine, 2>& lines,
+void putLines(YamlWriter& out, const char* key, const std::array<SpeedLine, 2>& lines,
               double unit = 1.0) {
-  out << Key << key << Value << Flow << BeginSeq;
+  out.key(key).beginList(YamlWriter::kFlow);
   for (const SpeedLine& line : lines) {
     putList(out, std::array<double, 2>{line.at_zero, line.slope}, unit);
   }
-  out << EndSeq;
+  out.end();
 }
 
-void putClip(YAML::Emitter& out, const EngineClip& clip) {
-  out << BeginMap;
+void putClip(YamlWriter& out, const EngineClip& clip) {
+  out.beginMap();
   put(out, "speed", clip.speed);
   put(out, "frequency", clip.frequency);
-  out << Key << "cycles" << Value << clip.cycles;
+  out.key("cycles").whole(clip.cycles);
   if (clip.left_out) {
-    out << Key << "left_out" << Value << Flow << BeginMap;
-    out << Key << "between" << Value << (clip.left_out->between ? "true" : "false");
+    out.key("left_out").beginMap(YamlWriter::kFlow);
+    out.key("between").truth(clip.left_out->between);
     put(out, "joints", clip.left_out->joints / kDegree);
     put(out, "legs", clip.left_out->legs / kDegree);
     put(out, "nearest_joints", clip.left_out->nearest_joints / kDegree);
     put(out, "nearest_legs", clip.left_out->nearest_legs / kDegree);
-    out << EndMap;
+    out.end();
   }
   putCapture(out, clip.capture);
   putSource(out, clip.source);
-  out << EndMap;
+  out.end();
 }
 
-void putLaw(YAML::Emitter& out, const FrequencyFit& fit) {
-  out << Key << "law" << Value << Flow << BeginMap;
+void putLaw(YamlWriter& out, const FrequencyFit& fit) {
+  out.key("law").beginMap(YamlWriter::kFlow);
   put(out, "factor", fit.law.factor);
   put(out, "power", fit.law.power);
-  out << Key << "own_power" << Value << (fit.own_power ? "true" : "false");
+  out.key("own_power").truth(fit.own_power);
   put(out, "residual", fit.residual);
-  out << Key << "samples" << Value << fit.samples << EndMap;
+  out.key("samples").whole(fit.samples).end();
 }
 
-void putSpace(YAML::Emitter& out, const char* gait, const GaitSpace& space) {
-  out << Key << gait << Value << BeginMap;
-  out << Key << "clips" << Value << BeginSeq;
+void putSpace(YamlWriter& out, const char* gait, const GaitSpace& space) {
+  out.key(gait).beginMap();
+  out.key("clips").beginList();
   for (const EngineClip& clip : space.clips) putClip(out, clip);
-  out << EndSeq;
+  out.end();
   putLaw(out, space.law);
   putLines(out, "support", space.support);
   putLine(out, "step_width", space.step_width);
@@ -72,15 +62,15 @@ void putSpace(YAML::Emitter& out, const char* gait, const GaitSpace& space) {
   putLines(out, "toe_out", space.toe_out, kDegree);
   putMatrix(out, "root", space.root);
   putMatrix(out, "mean", space.mean);
-  out << Key << "components" << Value << BeginSeq;
+  out.key("components").beginList();
   for (const PrincipalComponent& component : space.components) {
-    out << BeginMap;
+    out.beginMap();
     put(out, "share", component.share);
     putLine(out, "coefficient", component.coefficient);
     putMatrix(out, "direction", component.direction);
-    out << EndMap;
+    out.end();
   }
-  out << EndSeq << EndMap;
+  out.end().end();
 }
 
 void writeEngine(std::ostream& stream, const EngineData& engine) {
@@ -88,8 +78,8 @@ void writeEngine(std::ostream& stream, const EngineData& engine) {
             "edited by hand.\n"
          << "# Metres, seconds, degrees; rotation vectors in radians. Rows: channels; columns: "
             "phases.\n";
-  YAML::Emitter out(stream);
-  out << BeginMap << Key << "skeleton" << Value << engine.skeleton_file;
+  YamlWriter out(stream);
+  out.beginMap().key("skeleton").text(engine.skeleton_file);
   put(out, "stature", engine.stature);
   putRoles(out, engine.skeleton, engine.roles);
   putRotations(out, "mean_posture", engine.mean_posture);
@@ -97,7 +87,7 @@ void writeEngine(std::ostream& stream, const EngineData& engine) {
   putSource(out, engine.stand_source);
   if (engine.walk) putSpace(out, "walk", *engine.walk);
   if (engine.run) putSpace(out, "run", *engine.run);
-  out << EndMap;
+  out.end();
   stream << '\n';
 }
 

@@ -2,12 +2,11 @@
 /// program than ours).
 #pragma once
 
-#include <yaml-cpp/yaml.h>
-
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "base/strict_yaml.h"
 #include "test_paths.h"
 
 namespace amble {
@@ -30,15 +29,18 @@ inline std::filesystem::path sharedFolder() { return AMBLE_SHARED; }
 inline const std::vector<Capture>& captures() {
   static const std::vector<Capture> kCaptures = [] {
     std::vector<Capture> found;
+    constexpr int kMost = 1'000'000;
     const std::filesystem::path folder = sharedFolder() / "mocap";
     if (!std::filesystem::exists(folder / "MANIFEST.yaml")) return found;
-    for (const YAML::Node& clip : YAML::LoadFile((folder / "MANIFEST.yaml").string())["clips"]) {
-      const std::string path = clip["path"].as<std::string>();
-      if (!path.ends_with(".bvh") || clip["kind"].as<std::string>("") == "malformed") continue;
-      found.push_back(
-          {folder / path, path, clip["kind"].as<std::string>(""), clip["frames"].as<int>(),
-           clip["joints"].as<int>(), clip["channels"].as<int>(), clip["frame_time"].as<double>(),
-           clip["metres_per_unit_guess"].as<double>(), clip["leading_frames_to_skip"].as<int>(0)});
+    for (const YamlNode& clip : readYaml(folder / "MANIFEST.yaml").at("clips").items()) {
+      const std::string path = clip.at("path").asString();
+      const YamlNode kind = clip["kind"], skip = clip["leading_frames_to_skip"];
+      if (!path.ends_with(".bvh") || (kind && kind.asString() == "malformed")) continue;
+      found.push_back({folder / path, path, kind ? kind.asString() : "",
+                       clip.at("frames").asInt(0, kMost), clip.at("joints").asInt(0, kMost),
+                       clip.at("channels").asInt(0, kMost), clip.at("frame_time").asDouble(),
+                       clip.at("metres_per_unit_guess").asDouble(),
+                       skip ? skip.asInt(0, kMost) : 0});
     }
     return found;
   }();

@@ -1,7 +1,6 @@
 #include "animation/analysis/gait_measures.h"
 
 #include <gtest/gtest.h>
-#include <yaml-cpp/yaml.h>
 
 #include "animation/captures/bvh.h"
 #include "animation/captures/motion_reader.h"
@@ -11,6 +10,7 @@
 #include "animation/quality/walk_quality.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "base/rotation.h"
+#include "base/strict_yaml.h"
 #include "tests/animation/captures.h"
 #include "tests/animation/puppet.h"
 #include "tests/animation/random_clip.h"
@@ -200,22 +200,22 @@ Clip levelled(const Capture& capture, JointRoles& roles) {
 
 TEST(GaitMeasuresOfCaptures, SpeedAndStepsOfSteadyWalksAreThoseOfTheManifest) {
   AMBLE_NEEDS_CAPTURES();
-  std::map<std::string, YAML::Node> facts;
-  for (const YAML::Node& clip :
-       YAML::LoadFile((sharedFolder() / "mocap/MANIFEST.yaml").string())["clips"]) {
-    facts[clip["path"].as<std::string>()] = clip;
+  std::map<std::string, YamlNode> facts;
+  for (const YamlNode& clip :
+       readYaml(sharedFolder() / "mocap/MANIFEST.yaml").at("clips").items()) {
+    facts[clip.at("path").asString()] = clip;
   }
   int compared = 0;
   for (const Capture& capture : captures()) {
-    const YAML::Node fact = facts[capture.path];
+    const YamlNode fact = facts.at(capture.path), steady = fact["steady_cyclic"];
     if (capture.path.starts_with("cmu_daz")) continue;  // retargeted: feet are not anchored
-    if (capture.kind != "walk" || fact["steady_cyclic"].as<std::string>("") != "yes") continue;
+    if (capture.kind != "walk" || !steady || steady.asString() != "yes") continue;
     JointRoles roles;
     const Clip clip = levelled(capture, roles);
     const GaitMeasures gait = measureGait(clip, roles, detectPlants(clip, roles));
-    const double speed = fact["measured"]["mean_speed_by_unit_mps"].as<double>();
+    const double speed = fact.at("measured").at("mean_speed_by_unit_mps").asDouble();
     EXPECT_NEAR(gait.speed, speed, 0.06 * speed) << capture.path;
-    const double time = fact["measured"]["step_time_s"].as<double>();
+    const double time = fact.at("measured").at("step_time_s").asDouble();
     EXPECT_NEAR(gait.step_time, time, 0.06 * time) << capture.path;
     EXPECT_LT(std::abs(gait.turn_rate), 5.0 * kDegree) << capture.path;
     ++compared;

@@ -1,11 +1,13 @@
 #include "animation/library/library_parts_reader.h"
 
 #include <gtest/gtest.h>
-#include <yaml-cpp/yaml.h>
+
+#include <sstream>
 
 #include "animation/library/library_parts_writer.h"
 #include "base/rotation.h"
 #include "base/strict_yaml.h"
+#include "base/yaml_writer.h"
 #include "tests/animation/default_library.h"
 #include "tests/animation/random_clip.h"
 #include "tests/environments/test_files.h"
@@ -16,11 +18,12 @@ namespace {
 /// What `write` puts into a map, read as YAML.
 template <typename Write>
 YamlNode written(const Write& write) {
-  YAML::Emitter out;
-  out << YAML::BeginMap;
+  std::ostringstream text;
+  YamlWriter out(text);
+  out.beginMap();
   write(out);
-  out << YAML::EndMap;
-  return parseYaml(out.c_str(), "written.yaml");
+  out.end();
+  return parseYaml(text.str(), "written.yaml");
 }
 
 Posture randomPosture(Generator& generator, int joints) {
@@ -37,7 +40,7 @@ TEST(LibraryParts, APostureComesBackToTheDigitsOfTheFile) {
   Generator generator(1);
   for (int trial = 0; trial < 20; ++trial) {
     const Posture was = randomPosture(generator, 8);
-    const YamlNode file = written([&](YAML::Emitter& out) { putPosture(out, was); });
+    const YamlNode file = written([&](YamlWriter& out) { putPosture(out, was); });
     const Posture is = readPosture(file.at("posture"), 8);
     EXPECT_NEAR(is.root_height, was.root_height, 1e-7);
     EXPECT_NEAR(is.root_forward, was.root_forward, 1e-7);
@@ -56,11 +59,11 @@ TEST(LibraryParts, RotationsThatWereReadAreWrittenAsTheyStood) {
   std::vector<Eigen::Quaterniond> rotations;
   for (int i = 0; i < 2000; ++i) rotations.push_back(randomRotation(generator));
   const auto text = [](const std::vector<Eigen::Quaterniond>& all) {
-    YAML::Emitter out;
-    out << YAML::BeginMap;
-    putRotations(out, "rotations", all);
-    out << YAML::EndMap;
-    return std::string(out.c_str());
+    std::ostringstream written;
+    YamlWriter out(written);
+    putRotations(out.beginMap(), "rotations", all);
+    out.end();
+    return written.str();
   };
   const std::string once = text(rotations);
   const auto read = readRotations(parseYaml(once, "r.yaml").at("rotations"), 2000);
@@ -71,14 +74,14 @@ TEST(LibraryParts, AMatrixComesBackRowByRow) {
   Generator generator(3);
   Eigen::MatrixXd was(7, 5);
   for (Eigen::Index i = 0; i < was.size(); ++i) was(i) = uniform(generator, -3.0, 3.0);
-  const YamlNode file = written([&](YAML::Emitter& out) { putMatrix(out, "alpha", was); });
+  const YamlNode file = written([&](YamlWriter& out) { putMatrix(out, "alpha", was); });
   EXPECT_LT((readMatrix(file.at("alpha"), 7, 5, "rows") - was).cwiseAbs().maxCoeff(), 0.51e-7);
 }
 
 TEST(LibraryParts, ASourceComesBackWithWhateverItsTextHolds) {
   for (const char* const text : {"plain", "\"quoted\" \\ and: # marks", "-", "ünï", "  two  "}) {
     const MotionSource was{text, {3, 120}, true, text, text};
-    const YamlNode file = written([&](YAML::Emitter& out) { putSource(out, was); });
+    const YamlNode file = written([&](YamlWriter& out) { putSource(out, was); });
     const MotionSource is = readSource(file.at("source"));
     EXPECT_EQ(is.clip, was.clip);
     EXPECT_EQ(is.licence, was.licence);
@@ -91,7 +94,7 @@ TEST(LibraryParts, ASourceComesBackWithWhateverItsTextHolds) {
 TEST(LibraryParts, RolesComeBackOnTheirSkeleton) {
   const MotionLibrary& library = defaultLibrary();
   const YamlNode file =
-      written([&](YAML::Emitter& out) { putRoles(out, library.skeleton, library.roles); });
+      written([&](YamlWriter& out) { putRoles(out, library.skeleton, library.roles); });
   const JointRoles is = readRoles(file.at("joints"), library.skeleton);
   for (const std::string& role : roleNames())
     EXPECT_EQ(roleJoint(is, role), roleJoint(library.roles, role)) << role;
