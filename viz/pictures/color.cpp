@@ -136,9 +136,7 @@ Color tinted(const Color& color, int i) {
 
 std::string hexColor(const Color& color) {
   char text[8];
-  const auto byte = [](float v) {
-    return static_cast<unsigned>(std::lround(std::clamp(v, 0.0f, 1.0f) * 255));
-  };
+  const auto byte = [](float v) { return static_cast<unsigned>(colorByte(v)); };
   std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color.x()), byte(color.y()),
                 byte(color.z()));
   return text;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,6 +16,12 @@ using Color = Eigen::Vector3f;
 
 inline Color rgb(int r, int g, int b) {
   return Color(static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)) / 255.0f;
+}
+
+/// Of one of the three, rounded [0 to 255].
+inline uint8_t colorByte(float share) {
+  // In double no half is rounded twice; std::lround takes ten times as long.
+  return static_cast<uint8_t>(static_cast<double>(std::clamp(share, 0.0f, 1.0f) * 255) + 0.5);
 }
 
 /// Left is blue and right is orange wherever feet are told apart: seen as two by the colour-blind

@@ -322,8 +322,8 @@ class Corners {
 
   int width_, height_;
   float reach_;
-  Camera camera_;             // of the pixels
-  std::vector<float> depth_;  // of the sample that stands for each pixel [m]
+  Camera camera_;            // of the pixels
+  LargeArray<float> depth_;  // of the sample that stands for each pixel [m]
   std::vector<float> open_;
 };
 
@@ -371,10 +371,11 @@ Vector3f lightSample(const Sample& sample, const Vector3f& p, float open, const 
 }
 
 // Whether the samples of a pixel show one surface, so that one of them may be lit for all.
-bool alike(const Sample& a, const Sample& b) {
+// @param normal  of a
+bool alike(const Sample& a, const Vector3f& normal, const Sample& b) {
   if (std::abs(a.depth - b.depth) >= 0.004f * a.depth) return false;
   if (static_cast<const Look&>(a) == static_cast<const Look&>(b)) return true;
-  return a.flags == b.flags && a.color == b.color && a.normal().dot(b.normal()) > 0.995f;
+  return a.flags == b.flags && a.color == b.color && normal.dot(b.normal()) > 0.995f;
 }
 
 constexpr int kCount = kSupersampling * kSupersampling;  // samples of a pixel
@@ -386,10 +387,10 @@ Vector2f sampleCentre(int x, int y, int k) {
 }
 
 // Of a pixel in which one surface is seen: lit in its middle. Planks have seams finer than a pixel.
-Vector3f lightOne(const Sample& sample, int x, int y, float open, const Lights& lights) {
+Vector3f lightOne(const Sample& sample, const Vector3f& normal, int x, int y, float open,
+                  const Lights& lights) {
   const Vector2f middle(static_cast<float>(x * kSupersampling) + kSupersampling / 2.0f,
                         static_cast<float>(y * kSupersampling) + kSupersampling / 2.0f);
-  const Vector3f normal = sample.normal();
   float light = lights.at(lights.camera.toWorld(middle, sample.depth), normal, open);
   if (hasPlanks(sample, normal)) {
     float shade = 0;
@@ -403,6 +404,7 @@ Vector3f lightOne(const Sample& sample, int x, int y, float open, const Lights& 
 // The light of a pixel: the mean of its samples.
 Vector3f lightPixel(const SampleBuffer& samples, int x, int y, float open, const Lights& lights) {
   std::array<Sample, kCount> seen;
+  Vector3f normal = Vector3f::Zero();  // of the first
   bool one = true, any = false;
   for (int k = 0; k < kCount; ++k) {
     const size_t at = samples.index(x * kSupersampling + k % kSupersampling,
@@ -414,10 +416,11 @@ Vector3f lightPixel(const SampleBuffer& samples, int x, int y, float open, const
     }
     any = true;
     seen[k] = {samples.look[at], seen[k].depth};
-    one = one && alike(seen[0], seen[k]);
+    if (k == 0) normal = seen[0].normal();
+    one = one && alike(seen[0], normal, seen[k]);
   }
   if (!any) return lights.background;
-  if (one) return lightOne(seen[0], x, y, open, lights);
+  if (one) return lightOne(seen[0], normal, x, y, open, lights);
   Vector3f sum = Vector3f::Zero();
   for (int k = 0; k < kCount; ++k) {
     sum += seen[k].depth == 0

@@ -147,13 +147,15 @@ class Projected {
  public:
   struct Item {
     ScreenTriangle screen;
-    const DrawTriangle* source;
+    Look look;  // its colour and flags; its normal where that is the same all over
+    bool is_flat;
   };
 
-  // In the order of the triangles, of those that `wanted` takes.
+  // In the order of the triangles, of those that `wanted` takes. Without looks where depths are
+  // enough.
   template <typename Wanted>
   Projected(std::span<const DrawTriangle> triangles, const Camera& camera, int rows, int threads,
-            const Wanted& wanted)
+            bool with_looks, const Wanted& wanted)
       : rows_(rows) {
     parallelFor(kParts, threads, [&](int p, int) {
       const size_t begin = triangles.size() * p / kParts;
@@ -163,7 +165,7 @@ class Projected {
           project(triangle, camera, [&](const ScreenTriangle& t) {
             const Bands bands = bandsOf(t);
             if (bands.first > bands.last) return;
-            parts_[p].items.push_back({t, &triangle});
+            parts_[p].items.push_back(with_looks ? itemOf(t, triangle) : Item{t, {}, false});
             parts_[p].bands.push_back(bands);
           });
       }
@@ -172,9 +174,15 @@ class Projected {
 
   static int bandCount(int rows) { return std::min(rows, kBands); }
 
-  // Calls draw(item, first row, end of rows) for what meets each band.
+  // Calls draw(item, first row, end of rows) for what meets each band. A small picture is one band
+  // where there is one thread; bands of a large one stay in the processor's cache.
   template <typename Draw>
   void forEach(int threads, const Draw& draw) const {
+    if (threads == 1 && rows_ <= kSmall) {
+      for (const Part& part : parts_)
+        for (const Item& item : part.items) draw(item, 0, rows_);
+      return;
+    }
     parallelFor(bandCount(rows_), threads, [&](int b, int) {
       for (const Part& part : parts_)
         for (size_t i = 0; i < part.items.size(); ++i)
@@ -184,7 +192,8 @@ class Projected {
   }
 
  private:
-  static constexpr int kParts = 64;  // of the triangles, for threads to take
+  static constexpr int kParts = 64;    // of the triangles, for threads to take
+  static constexpr int kSmall = 1024;  // [rows]
 
   struct Bands {
     int8_t first = 1, last = 0;
@@ -193,6 +202,14 @@ class Projected {
     std::vector<Item> items;
     std::vector<Bands> bands;  // of each item
   };
+
+  static Item itemOf(const ScreenTriangle& t, const DrawTriangle& triangle) {
+    Item item{t, {}, t.normal[0] == t.normal[1] && t.normal[0] == t.normal[2]};
+    for (int k = 0; k < 3; ++k) item.look.color[k] = colorByte(triangle.color[k]);
+    item.look.flags = triangle.flags;
+    if (item.is_flat) item.look.setNormal(t.normal[0]);
+    return item;
+  }
 
   int begin(int band) const { return rows_ * band / bandCount(rows_); }
 
@@ -214,24 +231,17 @@ class Projected {
   std::array<Part, kParts> parts_;
 };
 
-uint8_t byteOf(float v) {
-  return static_cast<uint8_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 255));
-}
-
-void drawBand(const DrawTriangle& triangle, const ScreenTriangle& t, bool parallel, int first,
-              int last, SampleBuffer& buffer) {
-  Look look;
-  look.color = {byteOf(triangle.color.x()), byteOf(triangle.color.y()), byteOf(triangle.color.z())};
-  look.flags = triangle.flags;
-  const bool flat = t.normal[0] == t.normal[1] && t.normal[0] == t.normal[2];
-  if (flat) look.setNormal(t.normal[0]);
-  const float lift = triangle.flags & kDecal ? kDecalLift : 0.0f;
+void drawBand(const Projected::Item& item, bool parallel, int first, int last,
+              SampleBuffer& buffer) {
+  const ScreenTriangle& t = item.screen;
+  Look look = item.look;
+  const float lift = look.flags & kDecal ? kDecalLift : 0.0f;
   const auto draw = [&](int x, int y, const Vector3f& w, float depth) {
-    if ((triangle.flags & kSeeThrough) && ((x & 1) || (y & 1))) return;
+    if ((look.flags & kSeeThrough) && ((x & 1) || (y & 1))) return;
     float& seen = buffer.depth[buffer.index(x, y)];
     if (seen > 0 && depth - lift >= seen) return;
     seen = depth;
-    if (!flat) {
+    if (!item.is_flat) {
       Vector3f normal = Vector3f::Zero();
       for (int k = 0; k < 3; ++k) normal += w[k] * (parallel ? 1.0f : t.nearness[k]) * t.normal[k];
       look.setNormal(normal);
@@ -279,11 +289,11 @@ SampleBuffer rasterize(std::span<const DrawTriangle> triangles, const Camera& ca
                        int height, int threads) {
   SampleBuffer buffer(width, height);
   for (const bool decals : {false, true}) {
-    const Projected seen(triangles, camera, height, threads, [&](const DrawTriangle& t) {
+    const Projected seen(triangles, camera, height, threads, true, [&](const DrawTriangle& t) {
       return ((t.flags & kDecal) != 0) == decals;
     });
     seen.forEach(threads, [&](const Projected::Item& item, int first, int last) {
-      drawBand(*item.source, item.screen, camera.parallel, first, last, buffer);
+      drawBand(item, camera.parallel, first, last, buffer);
     });
   }
   return buffer;
@@ -291,8 +301,8 @@ SampleBuffer rasterize(std::span<const DrawTriangle> triangles, const Camera& ca
 
 DepthMap rasterizeDepth(std::span<const DrawTriangle> triangles, const Camera& camera, int width,
                         int height, uint8_t skip_flags, int threads) {
-  DepthMap map{width, height, std::vector<float>(static_cast<size_t>(width) * height)};
-  const Projected seen(triangles, camera, height, threads,
+  DepthMap map{width, height, LargeArray<float>(static_cast<size_t>(width) * height)};
+  const Projected seen(triangles, camera, height, threads, false,
                        [&](const DrawTriangle& t) { return !(t.flags & skip_flags); });
   seen.forEach(threads, [&](const Projected::Item& item, int first, int last) {
     const auto draw = [&](int x, int y, const Vector3f&, float depth) {

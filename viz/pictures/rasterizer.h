@@ -5,10 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
+#include "base/large_array.h"
 #include "viz/pictures/camera.h"
 #include "viz/pictures/color.h"
 
@@ -55,11 +55,11 @@ struct SampleBuffer {
       : width(samples_x),
         height(samples_y),
         depth(static_cast<size_t>(samples_x) * samples_y),
-        look(std::make_unique_for_overwrite<Look[]>(depth.size())) {}
+        look(depth.size(), Begin::kAnyhow) {}
 
   int width, height;
-  std::vector<float> depth;      ///< [m]; 0 where there is nothing
-  std::unique_ptr<Look[]> look;  ///< the same; where there is nothing without meaning
+  LargeArray<float> depth;  ///< [m]; 0 where there is nothing
+  LargeArray<Look> look;    ///< the same; where there is nothing without meaning
 
   size_t index(int x, int y) const { return static_cast<size_t>(y) * width + x; }
   Sample at(int x, int y) const { return {look[index(x, y)], depth[index(x, y)]}; }
@@ -77,7 +77,7 @@ SampleBuffer rasterize(std::span<const DrawTriangle> triangles, const Camera& ca
 struct DepthMap {
   int width = 0;
   int height = 0;
-  std::vector<float> depth;
+  LargeArray<float> depth;
   float at(int x, int y) const { return depth[static_cast<size_t>(y) * width + x]; }
 };
 DepthMap rasterizeDepth(std::span<const DrawTriangle> triangles, const Camera& camera, int width,

@@ -85,11 +85,11 @@ std::vector<std::string> brokenLines(std::string_view text, size_t letters) {
 }
 
 void fillRect(Image& image, int x, int y, int width, int height, const Color& color) {
+  const std::array<uint8_t, 3> bytes = {colorByte(color[0]), colorByte(color[1]),
+                                        colorByte(color[2])};
   for (int j = std::max(0, y); j < std::min(image.height, y + height); ++j)
     for (int i = std::max(0, x); i < std::min(image.width, x + width); ++i)
-      for (int c = 0; c < 3; ++c)
-        image.pixel(i, j)[c] =
-            static_cast<uint8_t>(std::lround(std::clamp(color[c], 0.0f, 1.0f) * 255));
+      std::copy(bytes.begin(), bytes.end(), image.pixel(i, j));
 }
 
 void drawText(Image& image, int x, int y, std::string_view text, int dot, const Color& color) {
