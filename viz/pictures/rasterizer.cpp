@@ -41,30 +41,53 @@ struct ScreenTriangle {
   std::array<Vector3f, 3> normal;
 };
 
-// Cuts [x0, x1] down to where a row of samples may lie in the triangle: beside it each edge, seen
-// from the row's left end, is crossed. A sample more at both ends against rounding, which what is
-// far larger than a picture leaves no sense in.
-void narrowRow(const ScreenTriangle& t, double area, double y, int& x0, int& x1) {
-  constexpr float kFar = 1e5f;
-  double low = x0, high = x1;
-  for (int k = 0; k < 3; ++k) {
-    const Vector2f &p = t.at[k], &q = t.at[(k + 1) % 3];
-    if (p.cwiseAbs().maxCoeff() > kFar) return;
-    const double dx = static_cast<double>(q.x()) - p.x(), dy = static_cast<double>(q.y()) - p.y();
-    if (dy == 0.0) continue;
-    const double crossed = p.x() + (y - p.y()) / dy * dx - 0.5;
-    if ((dy > 0.0) == (area > 0.0))
-      high = std::min(high, crossed + 1.0);
-    else
-      low = std::max(low, crossed - 1.0);
+// Between which samples of a row a triangle may lie: beside it each edge, seen from the row's left
+// end, is crossed.
+class RowBounds {
+ public:
+  RowBounds() = default;
+  RowBounds(const ScreenTriangle& t, double area) {
+    constexpr float kFar =
+        1e5f;  // what is far larger than a picture leaves no sense in it [pixels]
+    for (int k = 0; k < 3; ++k) {
+      const Vector2f &p = t.at[k], &q = t.at[(k + 1) % 3];
+      is_far_ = is_far_ || p.cwiseAbs().maxCoeff() > kFar;
+      const double dx = static_cast<double>(q.x()) - p.x(), dy = static_cast<double>(q.y()) - p.y();
+      if (dy == 0.0) continue;
+      edges_[count_++] = {p.x() - 0.5, p.y(), dx / dy, (dy > 0.0) == (area > 0.0)};
+    }
   }
-  if (low > high) {
-    x1 = x0 - 1;
-    return;
+
+  // Cuts [x0, x1] down; a sample more at both ends against rounding.
+  void narrow(double y, int& x0, int& x1) const {
+    if (is_far_) return;
+    double low = x0, high = x1;
+    for (int k = 0; k < count_; ++k) {
+      const Edge& edge = edges_[k];
+      const double crossed = edge.x + (y - edge.y) * edge.slope;
+      if (edge.is_right)
+        high = std::min(high, crossed + 1.0);
+      else
+        low = std::max(low, crossed - 1.0);
+    }
+    if (low > high) {
+      x1 = x0 - 1;
+      return;
+    }
+    x0 = std::max(x0, static_cast<int>(std::floor(low)));
+    x1 = std::min(x1, static_cast<int>(std::ceil(high)));
   }
-  x0 = std::max(x0, static_cast<int>(std::floor(low)));
-  x1 = std::min(x1, static_cast<int>(std::ceil(high)));
-}
+
+ private:
+  struct Edge {
+    double x = 0.0, y = 0.0;  // where it begins [samples]
+    double slope = 0.0;       // to the right, a row
+    bool is_right = false;    // of the triangle
+  };
+  std::array<Edge, 3> edges_;
+  int count_ = 0;
+  bool is_far_ = false;
+};
 
 // Samples next to one another in a row, computed at once.
 struct SampleRun {
@@ -101,10 +124,12 @@ void coverSamples(const ScreenTriangle& t, bool parallel, int width, int first, 
   const int y0 = std::max(first, static_cast<int>(std::max(low_y, -1.0f)));
   const int y1 = std::min(last - 1, static_cast<int>(std::min(high_y, 1e6f)));
   const float inverse = 1 / area;
+  const bool is_wide = x1 - x0 >= SampleRun::kLength;
+  const RowBounds bounds = is_wide ? RowBounds(t, area) : RowBounds();
   SampleRun run;
   for (int y = y0; y <= y1; ++y) {
     int from = x0, to = x1;
-    if (to - from >= SampleRun::kLength) narrowRow(t, area, y + 0.5, from, to);
+    if (is_wide) bounds.narrow(y + 0.5, from, to);
     for (int x = from; x <= to; x += SampleRun::kLength) {
       run.compute(t, inverse, parallel, x, static_cast<float>(y) + 0.5f);
       const int count = std::min(SampleRun::kLength, to - x + 1);
