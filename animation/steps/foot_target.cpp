@@ -129,18 +129,23 @@ Sole soleOf(const FootState& state, const FootBlend& cycle, const FootShape& sha
 double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector3d& hip,
                    double distance, double longest) {
   if (distance < longest - kHeelRests) return sole.pitch;
-  const double over = (distance - longest) / HeelRise::kSoftReach;
   const Eigen::Quaterniond q_WS = soleFrame(sole.place.heading, sole.place.normal);
-  const Eigen::Vector3d& position = sole.place.position;
   Eigen::Vector3d ahead = q_WS * Eigen::Vector3d::UnitX();
   ahead.z() = 0.0;
-  const double behind = (hip - position - shape.ball_x * ahead).dot(ahead);
-  const double freedom = smoothstep(behind / HeelRise::kBehind);
-  if (freedom == 0.0) return sole.pitch;  // as of every foot that strikes
+  const Eigen::Vector3d away = hip - sole.place.position;
+  const HipOverSole over = {q_WS.conjugate() * away, (away - shape.ball_x * ahead).dot(ahead)};
+  return raisedPitch(sole.pitch, shape, over, distance, longest);
+}
+
+double raisedPitch(double pitch, const FootShape& shape, const HipOverSole& hip, double distance,
+                   double longest) {
+  if (distance < longest - kHeelRests) return pitch;
+  const double freedom = smoothstep(hip.behind / HeelRise::kBehind);
+  if (freedom == 0.0) return pitch;  // as of every foot that strikes
   // A smooth minimum of what it is and what it may be.
+  const double over = (distance - longest) / HeelRise::kSoftReach;
   const double wanted = distance - HeelRise::kSoftReach * std::log1p(std::exp(over));
-  const double most = sole.pitch + HeelRise::kMost * freedom;
-  return pitchAtDistance(shape, q_WS.conjugate() * (hip - position), wanted, sole.pitch, most);
+  return pitchAtDistance(shape, hip.p_S, wanted, pitch, pitch + HeelRise::kMost * freedom);
 }
 
 FootTarget footTarget(const FootState& state, const FootBlend& cycle, const FootShape& shape,
@@ -166,9 +171,9 @@ double levelHeight(const FootState& state, const FootBlend& cycle, const FootSha
   const double s = std::sin(turned.pitch), c = std::cos(turned.pitch);
   const double under = c * std::cos(turned.roll) * (shape.radius - shape.ankle_height);
   const double lower = s > 0.0 ? shape.ball_x : shape.heel_x;
-  return swingHeight(state.swing, cycle, state.at - 1.0) +
-         rolledBall(shape, toesOf(state, cycle)).z() + rolledAnkle(shape, turned.pitch).z() -
-         shape.radius + under - s * (lower - shape.ankle_x);
+  const double toes = toesOf(state, cycle), ball = toes > 0.0 ? rolledBall(shape, toes).z() : 0.0;
+  return swingHeight(state.swing, cycle, state.at - 1.0) + ball +
+         rolledAnkle(shape, turned.pitch).z() - shape.radius + under - s * (lower - shape.ankle_x);
 }
 
 }  // namespace

@@ -53,10 +53,19 @@ struct Sole {
 };
 Sole soleOf(const FootState& state, const FootBlend& cycle, const FootShape& shape);
 
-/// The pitch of a sole whose ankle is so far from `hip` and should be `longest` away at most
-/// (HeelRise) [rad].
+/// Where the hip is over a sole.
+struct HipOverSole {
+  Eigen::Vector3d p_S;  ///< in the frame of the sole, as if it were not rolled [m]
+  double behind = 0.0;  ///< that the ball is behind it, in plan along the sole [m]
+};
+
+/// The pitch of a sole whose ankle is so far from `hip` [World] and should be `longest` away at
+/// most (HeelRise) [rad].
 double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector3d& hip,
                    double distance, double longest);
+/// The same of a sole of this pitch [rad].
+double raisedPitch(double pitch, const FootShape& shape, const HipOverSole& hip, double distance,
+                   double longest);
 /// Nearer by so much than `longest`, and the pitch is the sole's own: raisedPitch need not be asked
 /// [m].
 inline constexpr double kHeelRests = 6.0 * HeelRise::kSoftReach;

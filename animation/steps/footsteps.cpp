@@ -52,6 +52,7 @@ Footsteps::Footsteps(const FootPlacement& placement, const Stance& from, const S
   places_[1] = stancePlace(placement, from, other(first));
   places_[steps] = stancePlace(placement, to, side(steps - 1));
   places_[steps + 1] = stancePlace(placement, to, side(steps));
+  setTimes();
 }
 
 Side Footsteps::side(int placing) const { return placing % 2 != 0 ? first_ : other(first_); }
@@ -70,13 +71,23 @@ void Footsteps::setStances(const std::array<FootPlace, 2>& from,
 
 void Footsteps::setSupports(std::vector<double> half_supports) {
   half_supports_ = std::move(half_supports);
+  setTimes();
+}
+
+void Footsteps::setTimes() {
+  strikes_.clear();
+  lift_offs_.clear();
+  for (int placing = -1; placing <= steps_; ++placing) {
+    strikes_.push_back(strikeOf(placing));
+    lift_offs_.push_back(liftOffOf(placing));
+  }
 }
 
 double Footsteps::halfSupport(int node) const {
   return half_supports_[std::clamp(node, 0, steps_)];
 }
 
-double Footsteps::strike(int placing) const {
+double Footsteps::strikeOf(int placing) const {
   if (placing == steps_ && to_.standing) {
     const EndSwing& last = lastSwing();
     return steps_ - (last.captured ? last.strike : StartAndStop::kLastStrike);
@@ -85,7 +96,7 @@ double Footsteps::strike(int placing) const {
   return placing - halfSupport(placing);
 }
 
-double Footsteps::liftOff(int placing) const {
+double Footsteps::liftOffOf(int placing) const {
   if (placing == -1 && from_.standing)
     return firstSwing().captured ? firstSwing().lift_off : StartAndStop::kFirstLift;
   if (placing == steps_ - 2 && to_.standing && lastSwing().captured)

@@ -89,8 +89,11 @@ class Footsteps {
  private:
   const FootPlace& place(int placing) const { return places_[placing + 1]; }
   double halfSupport(int node) const;
-  double strike(int placing) const;
-  double liftOff(int placing) const;
+  double strikeOf(int placing) const;
+  double liftOffOf(int placing) const;
+  void setTimes();
+  double strike(int placing) const { return strikes_[placing + 1]; }
+  double liftOff(int placing) const { return lift_offs_[placing + 1]; }
   void follow(int placing, FootState& foot) const;
   void setState(int placing, double progress, FootState& foot) const;
   const EndSwing& firstSwing() const { return placement_.first[first_]; }
@@ -102,7 +105,8 @@ class Footsteps {
   Side first_;
   std::vector<FootPlace> places_;
   std::vector<Landing> landings_;
-  std::vector<double> half_supports_;  // by node
+  std::vector<double> half_supports_;        // by node
+  std::vector<double> strikes_, lift_offs_;  // of all placings, -1 first [steps]
 };
 
 /// Where a foot stands beside a point.

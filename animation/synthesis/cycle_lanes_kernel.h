@@ -25,8 +25,9 @@ inline void basisOf(const Lanes& phase, int harmonics, Lanes* basis) {
   }
 }
 
-// Adds `pace` to the channels: its mean times the weights, its amplitudes warped too. Three
-// channels at a time: a rotation vector, or the root's.
+// Adds `pace` to the channels, or begins them with it: its mean times the weights, its amplitudes
+// warped too. Three channels at a time: a rotation vector, or the root's.
+template <bool kBegins>
 inline void addPace(const LanePace& pace, int channels, const Lanes& weight, const Lanes& warp,
                     const Lanes* basis, double* values) {
   const int terms = 2 * pace.harmonics, columns = terms + 1;
@@ -35,15 +36,19 @@ inline void addPace(const LanePace& pace, int channels, const Lanes& weight, con
   for (int row = 0; row < channels; row += 3) {
     const double *x = pace.coefficients + row * columns, *y = x + columns, *z = y + columns;
     Point sum = {};
-    for (int k = 0; k < terms; ++k) {
+    const auto add = [&](int k) {
       sum.x += x[1 + k] * amplitudes[k];
       sum.y += y[1 + k] * amplitudes[k];
       sum.z += z[1 + k] * amplitudes[k];
-    }
+    };
+    for (int k = 0; k < terms; k += 2) add(k), add(k + 1);  // of a harmonic
     double* value = values + 4 * row;
-    store(value, loaded(value) + (weight * x[0] + sum.x));
-    store(value + 4, loaded(value + 4) + (weight * y[0] + sum.y));
-    store(value + 8, loaded(value + 8) + (weight * z[0] + sum.z));
+    const auto put = [&](int i, const Lanes& more) {
+      store(value + i, (kBegins ? Lanes{} : loaded(value + i)) + more);
+    };
+    put(0, weight * x[0] + sum.x);
+    put(4, weight * y[0] + sum.y);
+    put(8, weight * z[0] + sum.z);
   }
 }
 
@@ -53,11 +58,15 @@ inline void blendLanes(const LaneBlend& blend, int channels, double* values) {
   for (int i = 0; i < blend.count; ++i)
     harmonics = std::max(harmonics, blend.paces[i].pace->harmonics);
   basisOf(loaded(blend.phase), harmonics, basis);
-  std::memset(values, 0, sizeof(double) * 4 * channels);
+  if (blend.count == 0) std::memset(values, 0, sizeof(double) * 4 * channels);
   const Lanes step = loaded(blend.step_length);
   for (int i = 0; i < blend.count; ++i) {
     const LanePace& pace = *blend.paces[i].pace;
-    addPace(pace, channels, loaded(blend.paces[i].weight), step / pace.step, basis, values);
+    const Lanes weight = loaded(blend.paces[i].weight), warp = step / pace.step;
+    if (i == 0)
+      addPace<true>(pace, channels, weight, warp, basis, values);
+    else
+      addPace<false>(pace, channels, weight, warp, basis, values);
   }
 }
 

@@ -10,19 +10,15 @@
 namespace amble {
 namespace {
 
-LaneSoles sideBySide(const std::array<Sole, 4>& soles) {
-  LaneSoles lanes;
-  for (int i = 0; i < 4; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      lanes.position[4 * k + i] = soles[i].place.position[k];
-      lanes.normal[4 * k + i] = soles[i].place.normal[k];
-    }
-    lanes.heading[i] = soles[i].place.heading;
-    lanes.pitch[i] = soles[i].pitch;
-    lanes.roll[i] = soles[i].roll;
-    lanes.toes[i] = soles[i].toes;
+void putBeside(const Sole& sole, int lane, LaneSoles& lanes) {
+  for (int k = 0; k < 3; ++k) {
+    lanes.position[4 * k + lane] = sole.place.position[k];
+    lanes.normal[4 * k + lane] = sole.place.normal[k];
   }
-  return lanes;
+  lanes.heading[lane] = sole.place.heading;
+  lanes.pitch[lane] = sole.pitch;
+  lanes.roll[lane] = sole.roll;
+  lanes.toes[lane] = sole.toes;
 }
 
 }  // namespace
@@ -92,7 +88,7 @@ bool FootController::apply(AnimationBuffer& buffer) const {
   constexpr int kRounds = 3;
   constexpr double kEnough = 1e-9;  // [m]
   Scratch scratch(chain_.size());
-  const LaneLegFrames& legs = scratch.legs;
+  LaneLegFrames& legs = scratch.legs;
   Trial trial;
   if (!tryLegs(buffer, scratch, trial)) return false;
   std::vector<double> lowered(buffer.size(), 0.0), missing(4);
@@ -108,17 +104,21 @@ bool FootController::apply(AnimationBuffer& buffer) const {
       again.push_back(i);
     }
     if (again.empty()) break;
+    bool more = false;
     for (size_t first = 0; first < again.size(); first += 4) {
       Four frames;
       for (size_t i = 0; i < 4; ++i) frames[i] = again[std::min(first + i, again.size() - 1)];
-      aim(buffer, frames, scratch);
+      aim(buffer, frames, trial, legs);
       legKernel().lower(view(), legs, missing.data());
       turn(frames, legs, buffer, reached);
       for (int i = 0; i < 4; ++i) {
         trial.reached[frames[i]] = reached[i];
-        if (missing[i] > kEnough) trial.missing[frames[i]] = next[frames[i]] + missing[i];
+        if (missing[i] <= kEnough) continue;
+        trial.missing[frames[i]] = next[frames[i]] + missing[i];
+        more = true;
       }
     }
+    if (!more) break;
     lowered = next;
   }
   return std::ranges::all_of(trial.reached, [](char leg) { return leg != 0; });
@@ -127,14 +127,16 @@ bool FootController::apply(AnimationBuffer& buffer) const {
 // False where hips would have to dip too deep.
 bool FootController::tryLegs(AnimationBuffer& buffer, Scratch& scratch, Trial& trial) const {
   const int n = buffer.size();
-  const LaneLegFrames& legs = scratch.legs;
+  LaneLegFrames& legs = scratch.legs;
   trial.missing.resize(n + 3);
   trial.reached.resize(n);
   trial.captured.reserve(n * chain_.size());
+  trial.soles.reserve(n);
   bool reached[4];
   for (int first = 0; first < n; first += 4) {
     const Four frames = fourFrom(first, n - 1);
-    aim(buffer, frames, scratch);
+    for (int i = first; i < std::min(first + 4, n); ++i) addSoles(buffer.states[i], scratch, trial);
+    aim(buffer, frames, trial, legs);
     legKernel().lower(view(), legs, &trial.missing[first]);
     for (int i = first; i < std::min(first + 4, n); ++i) {
       if (trial.missing[i] > HipDip::kDeepest) return false;
@@ -148,11 +150,24 @@ bool FootController::tryLegs(AnimationBuffer& buffer, Scratch& scratch, Trial& t
   return true;
 }
 
+// Of the frame after those that are there.
+void FootController::addSoles(const FrameState& state, Scratch& scratch, Trial& trial) const {
+  std::array<Sole, 2>& soles = trial.soles.emplace_back();
+  for (const Side side : {kLeft, kRight}) {
+    const FootState& foot = state.feet[side];
+    Follows& follows = scratch.follows[side];
+    if (follows.state == nullptr || !followsSame(foot, *follows.state)) {
+      follows.cycle = blend_.feet().of(side, foot).asOne(follows.blended);
+      follows.state = &foot;
+    }
+    soles[side] = soleOf(foot, follows.cycle, shapes_[side]);
+  }
+}
+
 // Where the legs are and their feet are to be. Behind the walker, where a leg would be too long,
 // the heel rises: only there it is asked how far.
-void FootController::aim(const AnimationBuffer& buffer, const Four& frames,
-                         Scratch& scratch) const {
-  LaneLegFrames& legs = scratch.legs;
+void FootController::aim(const AnimationBuffer& buffer, const Four& frames, const Trial& trial,
+                         LaneLegFrames& legs) const {
   const double* position[4];
   const double* rotations[4];
   for (int i = 0; i < 4; ++i) {
@@ -162,40 +177,30 @@ void FootController::aim(const AnimationBuffer& buffer, const Four& frames,
   const LegKernel& kernel = legKernel();
   kernel.placeChain(view(), position, rotations, legs);
   for (const Side side : {kLeft, kRight}) {
-    std::array<Sole, 4> soles;
-    Follows& follows = scratch.follows[side];
-    for (int i = 0; i < 4; ++i) {
-      const FootState& foot = buffer.states[frames[i]].feet[side];
-      if (follows.state == nullptr || !followsSame(foot, *follows.state)) {
-        follows.cycle = blend_.feet().of(side, foot).asOne(follows.blended);
-        follows.state = &foot;
-      }
-      soles[i] = soleOf(foot, follows.cycle, shapes_[side]);
-    }
-    LaneSoles lanes = sideBySide(soles);
+    LaneSoles lanes;
+    for (int i = 0; i < 4; ++i) putBeside(trial.soles[frames[i]][side], i, lanes);
     kernel.aim(lanes_[side], lanes, legs);
     bool risen = false;
     for (int i = 0; i < 4; ++i) {
       legs.targets[side].longest[i] =
           std::clamp(legs.targets[side].captured[i], LegReach::kStraight * leg_lengths_[side],
                      LegReach::kLongest * leg_lengths_[side]);
-      lanes.pitch[i] = risenPitch(soles[i], side, i, legs);
-      risen = risen || lanes.pitch[i] != soles[i].pitch;
+      const double pitch = lanes.pitch[i];
+      lanes.pitch[i] = risenPitch(pitch, side, i, legs);
+      risen = risen || lanes.pitch[i] != pitch;
     }
     if (risen) kernel.aim(lanes_[side], lanes, legs);
   }
 }
 
-// Of one of four soles.
-double FootController::risenPitch(const Sole& sole, Side side, int lane,
+// Of one of four soles, that is pitched so.
+double FootController::risenPitch(double pitch, Side side, int lane,
                                   const LaneLegFrames& legs) const {
   const LaneLegFrames::Target& target = legs.targets[side];
-  const double distance = target.distance[lane];
-  const double longest = target.longest[lane];
-  if (distance < longest - kHeelRests) return sole.pitch;
-  const LaneLeg& leg = lanes_[side];
-  const Eigen::Vector3d hip(legs.hip(leg, 0, lane), legs.hip(leg, 1, lane), legs.hip(leg, 2, lane));
-  return raisedPitch(sole, shapes_[side], hip, distance, longest);
+  if (!(target.behind[lane] > 0.0)) return pitch;
+  const double* p = target.hip_S + lane;
+  return raisedPitch(pitch, shapes_[side], {{p[0], p[4], p[8]}, target.behind[lane]},
+                     target.distance[lane], target.longest[lane]);
 }
 
 void FootController::turn(const Four& frames, const LaneLegFrames& legs, AnimationBuffer& buffer,

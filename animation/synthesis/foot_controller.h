@@ -35,6 +35,14 @@ class FootController : public SubController {
   static Four fourFrom(int first, int last);
   LaneLeg laneLeg(Side side, const Eigen::Vector3d& knee_axis) const;
   LaneLegs view() const;
+  // Legs under hips that are where they were.
+  struct Trial {
+    std::vector<Eigen::Quaterniond> captured;  // [frame][chain_], as they were
+    std::vector<double> height;                // of the root, as it was [m]
+    std::vector<double> missing;               // by so much has it to be lower at each frame [m]
+    std::vector<char> reached;                 // whether both reach their targets
+    std::vector<std::array<Sole, 2>> soles;    // by Side
+  };
   // Which captured cycle a foot follows, from frame to frame.
   struct Follows {
     const FootState* state = nullptr;  // that the cycle is of
@@ -47,17 +55,12 @@ class FootController : public SubController {
     LaneLegFrames legs;
     std::array<Follows, 2> follows;  // by Side
   };
-  void aim(const AnimationBuffer& buffer, const Four& frames, Scratch& scratch) const;
-  double risenPitch(const Sole& sole, Side side, int lane, const LaneLegFrames& legs) const;
+  void addSoles(const FrameState& state, Scratch& scratch, Trial& trial) const;
+  void aim(const AnimationBuffer& buffer, const Four& frames, const Trial& trial,
+           LaneLegFrames& legs) const;
+  double risenPitch(double pitch, Side side, int lane, const LaneLegFrames& legs) const;
   void turn(const Four& frames, const LaneLegFrames& legs, AnimationBuffer& buffer,
             bool reached[4]) const;
-  // Legs under hips that are where they were.
-  struct Trial {
-    std::vector<Eigen::Quaterniond> captured;  // [frame][chain_], as they were
-    std::vector<double> height;                // of the root, as it was [m]
-    std::vector<double> missing;               // by so much has it to be lower at each frame [m]
-    std::vector<char> reached;                 // whether both reach their targets
-  };
   bool tryLegs(AnimationBuffer& buffer, Scratch& scratch, Trial& trial) const;
 
   JointRoles roles_;

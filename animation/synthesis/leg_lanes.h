@@ -51,6 +51,8 @@ struct LaneLegFrames {
     double distance[4];                  ///< of the ankle from the hip [m]
     double captured[4];                  ///< the same before the leg is turned to the target [m]
     double longest[4];                   ///< that the leg may be [m]; the caller's
+    double hip_S[12];                    ///< the hip in the sole's frame [m]
+    double behind[4];                    ///< HipOverSole [m]
   } targets[2];                          ///< by Side
 
   double hip(const LaneLeg& leg, int axis, int frame) const {

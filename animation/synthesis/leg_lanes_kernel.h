@@ -92,6 +92,11 @@ inline void aimLanes(const LaneLeg& leg, const LaneSoles& soles, LaneLegFrames& 
   storePoint(target.ankle, ankle);
   storeQuad(target.q_WF, product(product(product(q_WS, about_y), about_x), same(leg.q_SF)));
   storeToes(soles, half, target);
+  const Point away = hip - pointAt(soles.position);
+  storePoint(target.hip_S, placed(conjugate(q_WS), Point{}, away));
+  const Point ahead = placedAt(q_WS, Point{}, 1.0, 0.0, 0.0);
+  store(target.behind,
+        (away.x - leg.ball_x * ahead.x) * ahead.x + (away.y - leg.ball_x * ahead.y) * ahead.y);
   store(target.distance, length(ankle - hip));
   store(target.captured, length(pointAt(jointAt(frames, leg.foot.chain) + 16) - hip));
 }

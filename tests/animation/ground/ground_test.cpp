@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 #include "animation/ground/stair_ground.h"
 
@@ -16,6 +17,13 @@ TEST(FlatGround, IsFoundWithinReachOnly) {
   EXPECT_FALSE(ground.height(1, 2, 2.4, 0.29).has_value());
   EXPECT_FALSE(ground.height(1, 2, 3.0, 0.29).has_value());
   EXPECT_FALSE(ground.height(1, 2, std::numeric_limits<double>::quiet_NaN(), 1.0).has_value());
+}
+
+TEST(FlatGround, ItsCrestsAreThoseOfEveryGround) {
+  const FlatGround ground(0.25);
+  for (const auto& [low, high] : {std::pair(0.0, 1.0), {0.25, 0.25}, {0.3, 0.9}, {-1.0, 0.2}})
+    EXPECT_EQ(ground.crest({0, 0}, {0.4, 0.3}, 0.05, low, high),
+              ground.Ground::crest({0, 0}, {0.4, 0.3}, 0.05, low, high));
 }
 
 TEST(Ground, ACrestIsTheHighestOfWhatEndsWithinTheRange) {

@@ -103,6 +103,28 @@ TEST(FootBlend, OfOneCycleIsThatCycleToTheBit) {
 }
 
 // Blending what cycles do is blending the cycles: meanFoot averages their numbers.
+TEST(FootBlend, AsOneCycleDoesTheSame) {
+  Generator generator(6);
+  const std::vector<const FootCycle*>& feet = libraryFeet();
+  FootCycle own;
+  for (size_t i = 0; i + 2 < feet.size(); ++i) {
+    FootBlend blend;
+    const double share = uniform(generator, 0.0, 0.5);
+    blend.add(*feet[i], share), blend.add(*feet[i + 1], 0.3), blend.add(*feet[i + 2], 0.7 - share);
+    const FootBlend one = blend.asOne(own);
+    for (double tau = 0.0; tau <= 1.0; tau += 0.03) {
+      EXPECT_NEAR(one.progress(tau), blend.progress(tau), 1e-15);
+      EXPECT_NEAR(one.pitch(2.0 * tau), blend.pitch(2.0 * tau), 1e-14);
+      EXPECT_NEAR(one.toeRoll(2.0 * tau), blend.toeRoll(2.0 * tau), 1e-15);
+      for (const auto terms :
+           {&FootCycle::height, &FootCycle::sideways, &FootCycle::roll, &FootCycle::yaw})
+        EXPECT_NEAR(one.polynomial(terms, tau), blend.polynomial(terms, tau), 1e-15);
+    }
+  }
+  const FootBlend single(*feet[0]);  // is itself
+  EXPECT_EQ(single.asOne(own).pitch(0.3), footPitch(*feet[0], 0.3));
+}
+
 TEST(FootBlend, OfThreeAlikeSharesIsTheirMeanFoot) {
   const auto& feet = libraryFeet();
   ASSERT_GE(feet.size(), 3u);

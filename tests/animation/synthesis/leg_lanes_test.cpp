@@ -104,6 +104,30 @@ TEST(LegLanes, AnklesAreAimedWhereFootTargetHasThem) {
   }
 }
 
+TEST(LegLanes, HipsAreOverTheirSolesWhereTheyAreInTheWorld) {
+  Generator generator(53);
+  const Leg leg;
+  for (int trial = 0; trial < 200; ++trial) {
+    Frames four(generator);
+    four.make(legKernel(), leg);
+    const LaneLegFrames::Target& made = four.frames.targets[kLeft];
+    for (int i = 0; i < 4; ++i) {
+      const auto at = [&](const double* quantity) {
+        return Eigen::Vector3d(quantity[i], quantity[4 + i], quantity[8 + i]);
+      };
+      const Eigen::Quaterniond q_WS = soleFrame(four.soles.heading[i], at(four.soles.normal));
+      const Eigen::Vector3d hip(four.frames.hip(leg.legs.legs[kLeft], 0, i),
+                                four.frames.hip(leg.legs.legs[kLeft], 1, i),
+                                four.frames.hip(leg.legs.legs[kLeft], 2, i));
+      const Eigen::Vector3d away = hip - at(four.soles.position);
+      EXPECT_NEAR((q_WS * at(made.hip_S) - away).norm(), 0.0, 1e-13);
+      const Eigen::Vector3d ball = q_WS * Eigen::Vector3d(leg.shape.ball_x, 0.0, 0.0);
+      const Eigen::Vector3d ahead = q_WS * Eigen::Vector3d::UnitX();
+      EXPECT_NEAR(made.behind[i], (away - ball).head<2>().dot(ahead.head<2>()), 1e-13);
+    }
+  }
+}
+
 TEST(LegLanes, EveryInstructionSetTurnsLegsAlike) {
   if (avx2Legs() == nullptr) GTEST_SKIP() << "a machine without AVX2";
   Generator generator(52);
@@ -118,6 +142,9 @@ TEST(LegLanes, EveryInstructionSetTurnsLegsAlike) {
     for (int i = 0; i < 4; ++i) {
       ASSERT_EQ(plain.reached[i], quick.reached[i]);
       ASSERT_EQ(plain.missing[i], quick.missing[i]);
+      const auto &one = plain.frames.targets[kLeft], &other = quick.frames.targets[kLeft];
+      ASSERT_EQ(one.behind[i], other.behind[i]);
+      for (const int k : {i, 4 + i, 8 + i}) ASSERT_EQ(one.hip_S[k], other.hip_S[k]);
       reaching += plain.reached[i];
       if (!plain.reached[i]) continue;
       ASSERT_TRUE(std::equal(plain.rotations[i], plain.rotations[i] + 20, quick.rotations[i]));
