@@ -237,10 +237,13 @@ bool StepPlacer::natural(WalkSteps& walk, const WalkRequest& request) const {
   walk.steps = profile.steps();
   walk.first = firstFoot(request, walk.steps, request.any_leading);
   if (lastFoot(walk) != walk.end.leading) {
-    walk.end.leading = lastFoot(walk);
-    walk.end_feet = stanceFeet(walk.end);
-    walk.refused = walk.end_feet.refused;
-    if (walk.refused != WalkRule::kNone) return false;
+    Stance end = walk.end;
+    end.leading = lastFoot(walk);
+    const StanceFeet feet = stanceFeet(end);
+    walk.refused = feet.refused;
+    if (walk.refused != WalkRule::kNone) return false;  // and it ends as asked, if at all
+    walk.end = end;
+    walk.end_feet = feet;
   }
   walk.feet.emplace(s_.placement, walk.from, walk.end, walk.steps, walk.first);
   const double length = request.path.length();

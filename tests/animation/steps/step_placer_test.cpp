@@ -4,6 +4,7 @@
 
 #include "animation/ground/slope_ground.h"
 #include "animation/ground/stair_ground.h"
+#include "base/sample_stream.h"
 #include "tests/animation/step_character.h"
 #include "tests/animation/walk_paths.h"
 
@@ -95,6 +96,39 @@ TEST(StepPlacer, OnALevelSpotFeetOfATurnStayAndOverAnEdgeTheyDoNot) {
   const StairGround edge({.rise = -0.2, .going = 1.0, .count = 1, .start = 0.0});
   Footsteps over(placement, from, to, 4, kLeft);
   EXPECT_NE(stepCharacter().placer(edge).standOnGround(over), WalkRule::kNone);
+}
+
+// A walk is kept as what it is made of, with the foot in front that it ended with. Where it ends
+// beside the edge of a landing one foot may stand in front, and the other not.
+TEST(StepPlacer, PlannedAgainWithTheFootThatItEndedWithAWalkIsTheSame) {
+  constexpr int kRisers = 5;
+  constexpr double kGoing = 0.29;
+  const StairGround stairs({.rise = 0.17, .going = kGoing, .count = kRisers, .start = 0.0});
+  const StepPlacer placer = stepCharacter().placer(stairs);
+  SampleStream stream(5, 0);
+  int walks = 0, by_one_foot = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Eigen::Vector2d begin(stream.uniform(-2.0, -0.3), 0.0);
+    const Eigen::Vector2d end((kRisers - 1) * kGoing + stream.uniform(0.2, 0.6), 0.0);
+    const double turned = stream.uniform(-0.5, 0.5);
+    const RootPath path({makeBezier(begin, 0.0, end, turned, 1.0 / 3.0)});
+    const Stance from = stanceAt(path, false, stream.uniform() < 0.5);
+    Stance to = stanceAt(path, true, false, i % 2 == 0 ? kLeft : kRight);
+    to.position.z() = *stairs.height(end.x(), 0.0, 0.0, 2.0);
+    const WalkSteps walk = placer.plan({from, to, path, true, {}});
+    if (walk.refused != WalkRule::kNone) continue;
+    ++walks;
+    to.leading = other(to.leading);
+    by_one_foot += placer.stanceFeet(to).refused != WalkRule::kNone;
+    const WalkSteps again = placer.plan({from, walk.end, path, true, {}});
+    ASSERT_EQ(again.refused, WalkRule::kNone) << i;
+    EXPECT_EQ(again.end.leading, walk.end.leading) << i;
+    ASSERT_EQ(again.feet->places().size(), walk.feet->places().size()) << i;
+    for (size_t k = 0; k < walk.feet->places().size(); ++k)
+      EXPECT_EQ(again.feet->places()[k].position, walk.feet->places()[k].position) << i;
+  }
+  EXPECT_GE(walks, 50);
+  EXPECT_GE(by_one_foot, 5);
 }
 
 }  // namespace
