@@ -90,6 +90,37 @@ TEST(NarrowGaps, NoneThatIsWalkedThroughShutsOff) {
   EXPECT_GE(shut, 4);
 }
 
+// Arms hang as one sets off, and the body leans aside over the foot that stands: more get through
+// than of those who come along walking.
+TEST(NarrowGaps, NoneThatIsWalkedThroughFromAStopBeforeItShutsOff) {
+  SampleStream stream(3, 0);
+  int from_stops = 0, from_afar = 0;
+  for (int i = 0; i < 8; ++i) {
+    const double height = stream.uniform(1.2, 2.0);
+    const Walker walker({0.38 * height}, height);
+    const auto at = [&](double low, double high, double aside, double turned) {
+      Waypoint place;
+      place.stance.position =
+          kMiddle +
+          height * Eigen::Vector3d(stream.uniform(low, high), stream.uniform(-aside, aside), 0.0);
+      place.stance.heading = stream.uniform(-turned, turned);
+      return place;
+    };
+    const auto passes = [&](const Waypoint& from, const Waypoint& to) {
+      if (!walker.steering.steer(from, to, *walker.scratch).edge) return false;
+      EXPECT_FALSE(walker.isShutOff(from.stance.position, to.stance.position)) << height;
+      return true;
+    };
+    for (int k = 0; k < 25; ++k) {
+      const Waypoint to = at(0.5, 1.0, 0.2, 0.5);
+      from_stops += passes(at(-0.2, -0.1, 0.06, 1.0), to);
+      from_afar += passes(at(-1.0, -0.3, 0.2, 0.3), to);
+    }
+  }
+  EXPECT_GE(from_stops, 10);
+  EXPECT_GT(from_stops, from_afar);
+}
+
 TEST(NarrowGaps, ThoseThatThePelvisIsTooThickForShutOffAndNoOthers) {
   for (const double height : {1.2, 1.5, 2.0}) {
     double thick = 0.0;  // front to back
