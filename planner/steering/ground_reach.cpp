@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "base/union_find.h"
@@ -19,6 +20,7 @@ constexpr double kTwoFeet = 0.2;     // from one foot's line to the other's, and
 constexpr double kSole = 0.35;       // what tilts a foot is no farther from its middle [m]
 constexpr double kFlat = 1e-3;       // of heights on ground without a slope [m]
 constexpr int kSweepsOfNearest = 4;  // from one side of a gap to the other
+constexpr int kBlock = 8;            // squares along a side of what is looked at as one
 constexpr double kLevel = GroundCells::kLevel;
 
 // Ground over a square.
@@ -26,6 +28,13 @@ struct Spot {
   Eigen::Vector2i square;
   double height = 0.0;
   int floor = -1;  // of GroundCells
+};
+
+// What ground there is over some squares: no floor, one, or several.
+struct Block {
+  bool known = false, several = false;
+  std::optional<int> floor;
+  double low = HUGE_VAL, high = -HUGE_VAL;  // [m]
 };
 
 class Reach {
@@ -65,6 +74,9 @@ class Reach {
       if (span.ground) visit(spotOf(square, span));
     }
   }
+  const Block& blockAt(const Eigen::Vector2i& block);
+  bool mayJoin(const Spot& spot, const Block& block);
+  void joinAround(const Spot& spot);
   bool isInner(const Spot& spot) const;
   bool isFlat(const Spot& spot) const;
   bool leads(const Spot& a, std::optional<bool>& a_is_flat, const Spot& b) const;
@@ -81,6 +93,8 @@ class Reach {
   std::map<int, int> numbers_;  // of floors, as they were met
   UnionFind sets_{0};           // of these numbers
   std::vector<Spot> edges_;     // where ground ends, or something is over or under it
+  std::vector<Block> blocks_;   // kBlock squares by as many, x fastest
+  int block_columns_ = 0;
 };
 
 std::optional<Spot> Reach::spotAt(const Eigen::Vector3d& p) const {
@@ -158,15 +172,53 @@ void Reach::joinFloors() {
     }
   }
   sets_ = UnionFind(static_cast<int>(numbers_.size()));
+  block_columns_ = (cells_.columns() + kBlock - 1) / kBlock;
+  blocks_.resize(static_cast<size_t>(block_columns_) * ((cells_.rows() + kBlock - 1) / kBlock));
+  for (const Spot& spot : edges_) joinAround(spot);
+}
+
+const Block& Reach::blockAt(const Eigen::Vector2i& at) {
+  Block& block = blocks_[static_cast<size_t>(at.y()) * block_columns_ + at.x()];
+  if (std::exchange(block.known, true)) return block;
+  for (int j = 0; j < kBlock; ++j) {
+    for (int i = 0; i < kBlock; ++i) {
+      eachOver(kBlock * at + Eigen::Vector2i(i, j), [&](const Spot& spot) {
+        block.several = block.several || block.floor.value_or(spot.floor) != spot.floor;
+        block.floor = spot.floor;
+        block.low = std::min(block.low, spot.height);
+        block.high = std::max(block.high, spot.height);
+      });
+    }
+  }
+  return block;
+}
+
+// False of what is joined to the spot already, or too high over it or too far below.
+bool Reach::mayJoin(const Spot& spot, const Block& block) {
+  if (!block.floor || (!block.several && setOf(*block.floor) == setOf(spot.floor))) return false;
+  const double off = std::max(block.low - spot.height, spot.height - block.high);
+  const double most = steepest_ * (reach_ + 3.0 * cells_.cell());
+  return off <= limits_.highestStep() + kLevel + most;
+}
+
+void Reach::joinAround(const Spot& spot) {
   const int far = static_cast<int>(std::ceil(reach_ / cells_.cell()));
-  for (const Spot& spot : edges_) {
-    std::optional<bool> is_flat;
-    for (int j = -far; j <= far; ++j) {
-      for (int i = -far; i <= far; ++i) {
-        eachOver(spot.square + Eigen::Vector2i(i, j), [&](const Spot& other) {
-          if (other.floor == spot.floor || !leads(spot, is_flat, other)) return;
-          sets_.join(numberOf(spot.floor), numberOf(other.floor));
-        });
+  const Eigen::Vector2i low = (spot.square.array() - far).max(0);
+  const Eigen::Vector2i high =
+      (spot.square.array() + far).min(Eigen::Array2i(cells_.columns(), cells_.rows()) - 1);
+  std::optional<bool> is_flat;
+  for (int row = low.y() / kBlock; row <= high.y() / kBlock; ++row) {
+    for (int column = low.x() / kBlock; column <= high.x() / kBlock; ++column) {
+      if (!mayJoin(spot, blockAt({column, row}))) continue;
+      for (int y = std::max(low.y(), kBlock * row);
+           y <= std::min(high.y(), kBlock * row + kBlock - 1); ++y) {
+        for (int x = std::max(low.x(), kBlock * column);
+             x <= std::min(high.x(), kBlock * column + kBlock - 1); ++x) {
+          eachOver({x, y}, [&](const Spot& other) {
+            if (other.floor != spot.floor && !joins(spot, other) && leads(spot, is_flat, other))
+              sets_.join(numberOf(spot.floor), numberOf(other.floor));
+          });
+        }
       }
     }
   }

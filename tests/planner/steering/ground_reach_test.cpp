@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "base/rotation.h"
+#include "base/union_find.h"
 #include "tests/environments/test_scenes.h"
 
 namespace amble {
@@ -147,6 +149,59 @@ TEST(GroundReach, ALongerStepNeverFindsAGapThatAShorterDoesNot) {
     found = here;
   }
   EXPECT_FALSE(found);
+}
+
+// Platforms on a grid, near or far from their neighbours, a step or more higher: by all pairs of
+// them, some of which are joined by way of others only.
+TEST(GroundReach, OfPlatformsThoseAreJoinedThatAChainOfStepsLeadsBetween) {
+  constexpr int kRow = 4, kCount = kRow * kRow;
+  constexpr double kSide = 2.2;
+  std::mt19937 random(3);
+  const auto draw = [&](int count) { return static_cast<int>(random() % count); };
+  int joined = 0, by_others = 0, apart = 0;
+  for (int scene_number = 0; scene_number < 8; ++scene_number) {
+    std::array<std::array<double, kRow>, 2> low;  // of each column and row
+    for (auto& line : low) {
+      line[0] = 0.0;
+      for (int i = 1; i < kRow; ++i) line[i] = line[i - 1] + kSide + (draw(3) < 2 ? 0.3 : 2.0);
+    }
+    std::vector<SceneObject> objects;
+    std::vector<Eigen::AlignedBox3d> tops;
+    for (int i = 0; i < kCount; ++i) {
+      const double z = std::array{0.0, 0.15, 1.5, 1.65}[draw(4)];
+      const Eigen::Vector3d corner(low[0][i % kRow], low[1][i / kRow], z);
+      tops.emplace_back(corner, corner + Eigen::Vector3d(kSide, kSide, 0.0));
+      objects.push_back(makeObject("platform " + std::to_string(i), Box{{kSide, kSide, 0.1}},
+                                   tops[i].center() - Eigen::Vector3d(0, 0, 0.05)));
+    }
+    const auto isStep = [&](int a, int b) {
+      const double rise = std::abs(tops[a].min().z() - tops[b].min().z());
+      const double far = std::sqrt(tops[a].squaredExteriorDistance(tops[b]) - rise * rise);
+      return far < kStep && rise < 0.2;
+    };
+    UnionFind chains(kCount);
+    for (int a = 0; a < kCount; ++a)
+      for (int b = 0; b < a; ++b)
+        if (isStep(a, b)) chains.join(a, b);
+    const Scene scene = sceneOf(objects);
+    const SceneGround ground(scene);
+    const GroundCells& cells = ground.cells();
+    for (int a = 0; a < kCount; ++a) {
+      const auto reached = ReachedGround(ground, tops[a].center(), kStep).heights();
+      for (int b = 0; b < kCount; ++b) {
+        if (a == b) continue;
+        const bool chained = chains.find(a) == chains.find(b);
+        const Eigen::Vector2i at = cells.squareAt(tops[b].center().head<2>());
+        EXPECT_EQ(reached[at.y() * cells.columns() + at.x()].isEmpty(), !chained)
+            << scene_number << ": " << a << " to " << b;
+        (chained ? joined : apart) += 1;
+        by_others += chained && !isStep(a, b);
+      }
+    }
+  }
+  EXPECT_GT(joined, 100);
+  EXPECT_GT(by_others, 50);
+  EXPECT_GT(apart, 100);
 }
 
 }  // namespace
