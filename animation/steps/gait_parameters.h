@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 namespace amble {
 
@@ -25,5 +26,11 @@ struct GaitWishes {
   std::function<double(double)> stride = {};
   std::function<double(double)> lift = {};  ///< GaitParameters::lift, 0.5 to 3 of the captured [m]
 };
+
+/// Asked what a walk will be before it is animated: whether it is to be, or planned further. Most
+/// of a walk's cost comes after that. First as soon as it is known how long it takes and where its
+/// feet stand, with lifts of 0, and where that is wanted once more with the lifts.
+/// @param intervals  between its frames; @param gait  of its steps, in their order
+using WalkFilter = std::function<bool(int intervals, std::span<const GaitParameters> gait)>;
 
 }  // namespace amble

@@ -16,7 +16,7 @@ namespace {
 // the last foot say otherwise.
 Side firstFoot(const WalkRequest& request, int steps, bool any_leading) {
   constexpr double kStraight = 1e-6;  // [1/m]
-  const auto& [from, to, path, any, wishes] = request;
+  const auto& [from, to, path, any, wishes, is_wanted] = request;
   if (!from.standing) return other(from.leading);
   if (!to.standing && !any_leading) return steps % 2 == 1 ? to.leading : other(to.leading);
   return path.at(0.5 * path.length()).curvature > kStraight ? kLeft : kRight;
@@ -191,7 +191,7 @@ StepPlacer::StepPlacer(const Ground& ground, const std::array<FootShape, 2>& sha
       clearance_(ground, shapes, kHighestLift * settings.scale) {}
 
 WalkSteps StepPlacer::plan(const WalkRequest& request) const {
-  const auto& [from, to, path, any_leading, wishes] = request;
+  const auto& [from, to, path, any_leading, wishes, is_wanted] = request;
   WalkSteps walk;
   walk.from = from;
   walk.end = to;
@@ -222,7 +222,7 @@ WalkSteps StepPlacer::plan(const WalkRequest& request) const {
     }
     adapted(walk, request, limits);
   }
-  if (walk.refused != WalkRule::kNone) return walk;
+  if (walk.refused != WalkRule::kNone || walk.unwanted) return walk;
   if (limits.pace || limits.stride || walk.timing || isSlower(walk))
     walk.feet->setSupports(halfSupports(walk, s_));
   walk.level = isLevel(walk);
@@ -265,7 +265,16 @@ bool StepPlacer::natural(WalkSteps& walk, const WalkRequest& request) const {
   return walk.refused == WalkRule::kNone;
 }
 
+// Unless that is not wanted.
 void StepPlacer::swing(WalkSteps& walk, const WalkRequest& request) const {
+  if (request.is_wanted != nullptr) {
+    const std::vector<FootPlace>& places = walk.feet->places();
+    walk.gait.clear();
+    for (int i = 1; i <= walk.steps; ++i)
+      walk.gait.push_back(gaitOf(places[i], places[i + 1], 0.0));
+    walk.unwanted = !(*request.is_wanted)(walk.frames(), walk.gait);
+    if (walk.unwanted) return;
+  }
   if (!shapeSwings(swings_, clearance_, request.wishes, request.path.length(), walk.end.standing,
                    *walk.feet, walk.gait)) {
     walk.refused = WalkRule::kStepHeight;

@@ -27,11 +27,13 @@ struct WalkRequest {
   const RootPath& path;
   bool any_leading = true;  ///< either foot may lead at the end; else to.leading
   const GaitWishes& wishes;
+  const WalkFilter* is_wanted = nullptr;  ///< asked before swings are planned
 };
 
-/// A walk's steps. Where refused, nothing else may be asked.
+/// A walk's steps. Where refused or unwanted, nothing else but their number may be asked.
 struct WalkSteps {
   WalkRule refused = WalkRule::kNone;
+  bool unwanted = false;  ///< by the request; its swings are not planned, and might be refused
   int steps = 0;
   Stance from, end;  ///< `end` with the foot that leads
   StanceFeet from_feet, end_feet;

@@ -22,8 +22,6 @@ double askedLift(const SwingFeet& feet, double lift, Side side, double slower) {
   return lift * std::pow(own / captured, keep);
 }
 
-namespace {
-
 // Thesis, eq. 6.8: the step's parts along and across the walk's plane. Left and right feet's toeing
 // out cancel.
 GaitParameters gaitOf(const FootPlace& from, const FootPlace& to, double lift) {
@@ -31,6 +29,8 @@ GaitParameters gaitOf(const FootPlace& from, const FootPlace& to, double lift) {
   const double heading = from.heading + 0.5 * wrapAngle(to.heading - from.heading);
   return {step.x() * std::cos(heading) + step.y() * std::sin(heading), lift, step.z()};
 }
+
+namespace {
 
 // The lift of a swing on the level depends on how it rolls and is shaped, not on where it goes.
 bool isCaptured(const FootState& swing) {

@@ -26,6 +26,9 @@ struct SwingFeet {
 /// gives the captured walk back. @param slower  FootState::slower [m/s, >= 0]
 double askedLift(const SwingFeet& feet, double lift, Side side, double slower = 0.0);
 
+/// What a step to `to`, from the other foot's print, is.
+GaitParameters gaitOf(const FootPlace& from, const FootPlace& to, double lift);
+
 /// Shapes every swing of `steps`, whose prints are on their ground, and says of every step what it
 /// is (`gait`, of placings 1 to the last).
 /// @param length  of the root path, that wishes are asked by [m]; @param to_standing  whether the

@@ -315,10 +315,10 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
                                  bool any_leading, AnimationBuffer& out, const GaitWishes& wishes,
                                  const WalkFilter& is_wanted) const {
   const Impl& m = *impl_;
-  const WalkRequest request{from, to, path, any_leading, wishes};
+  const WalkRequest request{from, to, path, any_leading, wishes, is_wanted ? &is_wanted : nullptr};
   const WalkSteps walk = m.placer.plan(request);
   if (walk.refused != WalkRule::kNone) return {walk.refused, walk.steps, walk.end.leading};
-  if (is_wanted && !is_wanted(walk.frames(), walk.gait))
+  if (walk.unwanted || (is_wanted && !is_wanted(walk.frames(), walk.gait)))
     return {WalkRule::kNone, walk.steps, walk.end.leading, true};
   out.states.clear();
   out.states.push_back(m.stanceState(from, walk.from_feet, 0.0));

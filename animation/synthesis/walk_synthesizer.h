@@ -41,13 +41,8 @@ struct WalkResult {
   WalkRule refused = WalkRule::kNone;
   int steps = 0;
   Side leading = kLeft;   ///< the foot in front at the end, if the walk ends walking
-  bool unwanted = false;  ///< it was planned, and then not animated (WalkFilter)
+  bool unwanted = false;  ///< it was planned, perhaps not to its end, and not animated (WalkFilter)
 };
-
-/// Asked once the steps of a walk are planned, what it will be: whether it is to be animated. Most
-/// of a walk's cost comes after that.
-/// @param intervals  between its frames; @param gait  of its steps, in their order
-using WalkFilter = std::function<bool(int intervals, std::span<const GaitParameters> gait)>;
 
 /// Const after construction: threads may share it. Buffers are the caller's, and keep their memory
 /// from call to call.

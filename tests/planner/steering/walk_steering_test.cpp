@@ -449,18 +449,35 @@ TEST(WalkSteeringUneven, PassagesOfAStairAreWalkedUpAndDown) {
     const WalkEdge& edge = *rising.edge;
     EXPECT_GT(edge.effort, 0.0);  // 0.85 m are won
     if (edge.turn_first != 0.0 || edge.turn_last != 0.0) continue;
-    // Planned it costs what it does when it has been made.
+    // Planned it costs what it does when it has been made, and before that it is told no more.
     const CharacterSettings& settings = room.synthesizer.settings();
+    std::vector<std::pair<double, double>> told;  // duration, effort
     AnimationBuffer buffer;
-    const WalkResult planned = room.synthesizer.walk(
-        edge.from, edge.to, edge.path, edge.any_leading, buffer, {},
-        [&](int intervals, std::span<const GaitParameters> gait) {
-          ++foretold;
-          EXPECT_NEAR(intervals * settings.frame_time, edge.duration, 1e-9);
-          EXPECT_EQ(effortOf(gait, room.synthesizer.capturedLift(), settings.speed), edge.effort);
-          return false;
-        });
-    EXPECT_TRUE(planned.unwanted);
+    const auto plan = [&](size_t most) {
+      told.clear();
+      return room.synthesizer.walk(
+          edge.from, edge.to, edge.path, edge.any_leading, buffer, {},
+          [&](int intervals, std::span<const GaitParameters> gait) {
+            told.emplace_back(intervals * settings.frame_time,
+                              effortOf(gait, room.synthesizer.capturedLift(), settings.speed));
+            return told.size() < most;
+          });
+    };
+    EXPECT_FALSE(plan(100).unwanted);
+    ASSERT_GE(told.size(), 2u);
+    EXPECT_NEAR(told.back().first, edge.duration, 1e-9);
+    EXPECT_EQ(told.back().second, edge.effort);
+    for (const auto& [duration, effort] : told) {
+      EXPECT_LE(duration, edge.duration + 1e-9);
+      EXPECT_LE(effort, edge.effort + 1e-9);
+      EXPECT_GT(effort, 0.0);
+    }
+    // Nothing is planned further that is not wanted.
+    for (size_t most = 1; most <= 2; ++most) {
+      EXPECT_TRUE(plan(most).unwanted);
+      EXPECT_EQ(told.size(), most);
+    }
+    ++foretold;
   }
   EXPECT_GT(up, 0);
   EXPECT_GT(down, 0);
