@@ -91,11 +91,15 @@ struct GroundLayer::Sweep {
     return low - radius >= most || high + radius <= least;
   }
 
-  // Planes across the axes, of the triangle, and across the line from the triangle to the middle.
+  // Planes across the axes.
+  bool isBeside(const Slab& slab) const {
+    return (box.min().array() >= slab.max.array()).any() ||
+           (box.max().array() <= slab.min.array()).any();
+  }
+
+  // Those of the triangle, and across the line from the triangle to the middle.
   bool isClearOf(const Triangle3& t, const Slab& slab) const {
-    if ((box.min().array() >= slab.max.array()).any() ||
-        (box.max().array() <= slab.min.array()).any() || isApart(slab.normal, slab.low, slab.high))
-      return true;
+    if (isApart(slab.normal, slab.low, slab.high)) return true;
     const Eigen::Vector3d middle = 0.25 * (points[0] + points[1] + points[2] + points[3]);
     const Eigen::Vector3d way = middle - nearestPoint(t, middle);
     const double far = way.norm();
@@ -351,9 +355,16 @@ bool GroundLayer::isClearBetween(const Capsule& a, const Capsule& b, double dept
   if (!meetsSpan(sweep.box)) return true;
   const Eigen::AlignedBox2d plan(Eigen::Vector2d(sweep.box.min().head<2>()),
                                  Eigen::Vector2d(sweep.box.max().head<2>()));
+  std::array<int, 16> asked;  // of the triangles that lie over several squares the first ones
+  size_t count = 0;
   bool clear = true;
-  grid_.visitBox(plan,
-                 [&](int t) { clear = clear && sweep.isClearOf(grid_.triangles()[t], slabs_[t]); });
+  grid_.visitBox(plan, [&](int t) {
+    if (!clear || sweep.isBeside(slabs_[t])) return;
+    const auto end = asked.begin() + count;
+    if (std::find(asked.begin(), end, t) != end) return;
+    if (count < asked.size()) asked[count++] = t;
+    clear = sweep.isClearOf(grid_.triangles()[t], slabs_[t]);
+  });
   return clear;
 }
 
