@@ -38,6 +38,7 @@ struct GroundPatches::Tile {
   struct Patch {
     int levels = 0, level_count = -1;  // -1: not level
     int ends = 0, end_count = 0;
+    float low = HUGE_VALF, high = -HUGE_VALF;  // of all of those [m]
   };
   std::array<Patch, kTile * kTile> patches;
   std::vector<double> levels;
@@ -165,8 +166,13 @@ class GroundPatches::Maker {
       });
     }
     for (int k = 0; k < kTile * kTile; ++k) {
-      tile.patches[k].ends = static_cast<int>(tile.ends.size());
-      tile.patches[k].end_count = static_cast<int>(ends[k].size());
+      Tile::Patch& patch = tile.patches[k];
+      patch.ends = static_cast<int>(tile.ends.size());
+      patch.end_count = static_cast<int>(ends[k].size());
+      for (const Tile::Ends& each : ends[k]) {
+        patch.low = std::min(patch.low, each.low);
+        patch.high = std::max(patch.high, each.high);
+      }
       tile.ends.insert(tile.ends.end(), ends[k].begin(), ends[k].end());
     }
   }
@@ -234,8 +240,10 @@ std::optional<std::vector<int>> GroundPatches::endingOver(const Eigen::AlignedBo
       const Tile* tile = tileOf(i, j);
       if (tile == nullptr || low < tile->lowest || high > tile->highest) return std::nullopt;
       const int end = std::min(right + 1, i - i % kTile + kTile);
+      const Tile::Patch* row = &tile->patches[j % kTile * kTile + i % kTile];
       for (; i < end; ++i) {
-        const Tile::Patch& patch = tile->patches[j % kTile * kTile + i % kTile];
+        const Tile::Patch& patch = *row++;
+        if (patch.low > high || patch.high < low) continue;  // which most are
         for (int k = patch.ends; k < patch.ends + patch.end_count; ++k) {
           const Tile::Ends& ends = tile->ends[k];
           if (ends.low <= high && ends.high >= low) found.push_back(ends.triangle);
