@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "environments/ground/ground_cells.h"
 #include "environments/ground/ground_patches.h"
+#include "environments/ground/plan_strip.h"
 #include "environments/ground/plan_triangle.h"
 
 namespace amble {
@@ -55,92 +56,10 @@ bool mayEndBetween(const Triangle3& t, const HeightRange& own, double low, doubl
   return own.high <= high || std::abs(upwardness(t)) >= GroundPatches::kUpright;
 }
 
-// The plane of a triangle in a strip's frame: what of it is over a box is no higher than over its
-// middle and half of its sides, up the slope.
-struct Plane {
-  double height = HUGE_VAL;         // over the frame's origin [m]; infinite: it stands upright
-  double along = 0.0, aside = 0.0;  // its slope [1]
-
-  double highestOver(double begin, double end, double half_width) const {
-    constexpr double kRounding = 1e-6;  // of slopes up to 1,000 over some metres [m]
-    return height + 0.5 * (begin + end) * along + 0.5 * (end - begin) * std::abs(along) +
-           half_width * std::abs(aside) + kRounding;
-  }
-};
-
-// What is near to a segment of the plane, in the segment's own frame: along it and aside.
-struct Strip {
-  Eigen::Vector2d origin, along, aside;
-  Eigen::AlignedBox2d box;
-
-  Strip(const PlanSegment& segment, double half_width) : origin(segment.from) {
-    const Eigen::Vector2d way = segment.to - segment.from;
-    const double length = way.norm();
-    along =
-        length > 0.0 ? Eigen::Vector2d(way / length) : Eigen::Vector2d(Eigen::Vector2d::UnitX());
-    aside << -along.y(), along.x();
-    box = {Eigen::Vector2d(0.0, -half_width), Eigen::Vector2d(length, half_width)};
-  }
-
-  Eigen::Vector2d local(const Eigen::Vector3d& corner) const {
-    const Eigen::Vector2d p = corner.head<2>() - origin;
-    return {along.dot(p), aside.dot(p)};
-  }
-
-  Eigen::AlignedBox2d plan() const {
-    Eigen::AlignedBox2d plan;
-    for (const double s : {box.min().x(), box.max().x()})
-      for (const double side : {box.min().y(), box.max().y()})
-        plan.extend(origin + s * along + side * aside);
-    return plan;
-  }
-
-  Eigen::AlignedBox2d extentOf(const Triangle3& t) const {
-    Eigen::AlignedBox2d extent;
-    for (const Eigen::Vector3d& corner : t) extent.extend(local(corner));
-    return extent;
-  }
-
-  Plane planeOf(const Triangle3& t) const {
-    const Eigen::Vector2d a = local(t[0]), b = local(t[1]) - a, c = local(t[2]) - a;
-    const double area = b.x() * c.y() - b.y() * c.x();
-    const double up_b = t[1].z() - t[0].z(), up_c = t[2].z() - t[0].z();
-    const Eigen::Vector2d slope((up_b * c.y() - up_c * b.y()) / area,
-                                (up_c * b.x() - up_b * c.x()) / area);
-    constexpr double kSteepest = 1000.0;
-    if (!(slope.cwiseAbs().maxCoeff() < kSteepest)) return {};
-    return {t[0].z() - slope.dot(a), slope.x(), slope.y()};
-  }
-
-  // Of a level triangle: every piece of the strip that ends after the one and begins before the
-  // other holds a point of it, by more than rounding. Of others, and of those beside the strip,
-  // none.
-  std::pair<double, double> surelyMet(const Triangle3& t, double half_width) const {
-    constexpr double kSure = 1e-6;  // against rounding, of one frame against the other [m]
-    if (!isLevel(t)) return {HUGE_VAL, -HUGE_VAL};
-    Triangle3 own = t;
-    for (Eigen::Vector3d& corner : own) corner.head<2>() = local(corner);
-    Eigen::AlignedBox2d band = extentOf(t);
-    band.min().y() = -half_width + kSure;
-    band.max().y() = half_width - kSure;
-    if (band.isEmpty()) return {HUGE_VAL, -HUGE_VAL};
-    const auto met = boundsWithin(own, band);
-    if (!met) return {HUGE_VAL, -HUGE_VAL};
-    return {met->min().x() + kSure, met->max().x() - kSure};
-  }
-
-  // The highest point of a triangle within it, if that lies between the two heights [m].
-  double crestOf(Triangle3 t, double low, double high) const {
-    for (Eigen::Vector3d& corner : t) corner.head<2>() = local(corner);
-    const auto heights = heightsWithin(t, box);
-    return heights && heights->high >= low && heights->high <= high ? heights->high : kNone;
-  }
-};
-
 // A triangle along a line.
 struct Thing {
   double top, begin, end;  // along the line
-  Plane plane;
+  StripPlane plane;
   int triangle;
   // Pieces that reach beyond both have some of it in them; empty where that is not known.
   double sure_begin, sure_end;
@@ -340,7 +259,7 @@ void SceneGround::visitEnding(const Eigen::AlignedBox2d& plan, double low, doubl
 double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
                           double low, double high) const {
   constexpr double kRounding = 1e-6;  // [m]
-  const Strip strip({a, b}, half_width);
+  const PlanStrip strip({a, b}, half_width);
   const Eigen::AlignedBox2d plan = strip.plan();
   const Eigen::AlignedBox2d around(plan.min().array() - kRounding, plan.max().array() + kRounding);
   double highest = kNone;
@@ -350,8 +269,9 @@ double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, do
     const double needed = std::max(highest, low);
     if (own.high < needed || isBeside(thing, around) || !mayEndBetween(thing, own, low, high))
       return;
-    if (strip.planeOf(thing).highestOver(0.0, strip.box.max().x(), half_width) < needed) return;
-    highest = std::max(highest, strip.crestOf(thing, low, high));
+    const Triangle3 in_strip = strip.local(thing);
+    if (StripPlane(in_strip).highestOver(strip.box) < needed) return;
+    highest = std::max(highest, crestWithin(in_strip, strip.box, low, high));
   });
   return highest;
 }
@@ -363,7 +283,7 @@ std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, dou
   constexpr double kRounding = 1e-6;  // [m]
   std::vector<double> crests(pieces.size(), kNone);
   if (pieces.empty()) return crests;
-  const Strip whole({pieces.front().from, pieces.back().to}, half_width + kRounding);
+  const PlanStrip whole({pieces.front().from, pieces.back().to}, half_width + kRounding);
   std::vector<int> near;
   visitEnding(whole.plan(), low, high, [&](int t) {
     if (mayEndBetween(all().triangles()[t], parts_->heights[t], low, high)) near.push_back(t);
@@ -373,37 +293,42 @@ std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, dou
   std::vector<Thing> things;
   for (const int t : near) {
     const Triangle3& thing = all().triangles()[t];
-    const Eigen::AlignedBox2d at = whole.extentOf(thing);
+    const Triangle3 own = whole.local(thing);
+    Eigen::AlignedBox2d at;
+    for (const Eigen::Vector3d& corner : own) at.extend(Eigen::Vector2d(corner.head<2>()));
     if (!at.intersects(whole.box)) continue;
-    const auto [sure_begin, sure_end] = whole.surelyMet(thing, half_width);
+    const auto [sure_begin, sure_end] = surelyMet(own, half_width);
     things.push_back({parts_->heights[t].high, at.min().x() - kRounding, at.max().x() + kRounding,
-                      whole.planeOf(thing), t, sure_begin, sure_end});
+                      StripPlane(own), t, sure_begin, sure_end});
   }
   std::sort(things.begin(), things.end());
   struct Piece {
-    Strip strip;
-    double begin, end;  // along the line
+    PlanStrip strip;
+    Eigen::AlignedBox2d box;  // in the whole
   };
   std::vector<Piece> along;
   along.reserve(pieces.size());
   for (const PlanSegment& piece : pieces) {
-    along.push_back({Strip(piece, half_width), whole.along.dot(piece.from - whole.origin),
-                     whole.along.dot(piece.to - whole.origin)});
+    const double begin = whole.along.dot(piece.from - whole.origin),
+                 end = whole.along.dot(piece.to - whole.origin);
+    along.push_back({PlanStrip(piece, half_width),
+                     {Eigen::Vector2d(begin, -half_width), Eigen::Vector2d(end, half_width)}});
   }
   for (const Thing& thing : things) {
     const Triangle3& triangle = all().triangles()[thing.triangle];
-    const auto first = std::partition_point(
-        along.begin(), along.end(), [&](const Piece& piece) { return piece.end < thing.begin; });
-    for (auto piece = first; piece != along.end() && piece->begin <= thing.end; ++piece) {
+    const auto first = std::partition_point(along.begin(), along.end(), [&](const Piece& piece) {
+      return piece.box.max().x() < thing.begin;
+    });
+    for (auto piece = first; piece != along.end() && piece->box.min().x() <= thing.end; ++piece) {
       double& crest = crests[piece - along.begin()];
       if (thing.top <= crest) continue;
-      if (piece->end > thing.sure_begin && piece->begin < thing.sure_end) {
+      if (piece->box.max().x() > thing.sure_begin && piece->box.min().x() < thing.sure_end) {
         crest = thing.top;  // it is level
         continue;
       }
-      if (thing.plane.highestOver(piece->begin, piece->end, half_width) < std::max(crest, low))
-        continue;
-      crest = std::max(crest, piece->strip.crestOf(triangle, low, high));
+      if (thing.plane.highestOver(piece->box) < std::max(crest, low)) continue;
+      crest =
+          std::max(crest, crestWithin(piece->strip.local(triangle), piece->strip.box, low, high));
     }
   }
   return crests;
