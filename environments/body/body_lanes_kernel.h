@@ -46,13 +46,12 @@ inline void placeLanes(const LaneBody& body, const LanePoses& poses, double* scr
     recall(scratch + body.part_joint[i] * kJoint, q, p);
     const Point from = placed(q, p, body.part_from + 3 * i),
                 to = placed(q, p, body.part_to + 3 * i);
-    const Four first = transposed({{from.x, from.y, from.z, to.x}});
+    const Four first = transposed({{from.x, from.y, from.z, to.x}}),
+               second = transposed({{to.x, to.y, to.z, body.radius[i] + Lanes{}}});
     for (int lane = 0; lane < 4; ++lane) {
       double* capsule = capsules[lane] + i * kCapsuleDoubles;
       store(capsule, first.v[lane]);
-      capsule[4] = to.y[lane];
-      capsule[5] = to.z[lane];
-      capsule[6] = body.radius[i];
+      store(capsule + 3, second.v[lane]);
     }
   }
 }
@@ -76,13 +75,12 @@ inline Lanes chordOf(const double* const a[4], const double* const b[4], int par
   Four first, second;
   for (int lane = 0; lane < 4; ++lane) {
     const double *from = a[lane] + part * kCapsuleDoubles, *to = b[lane] + part * kCapsuleDoubles;
-    const Lanes d = loaded(to) - loaded(from);
-    const Lanes e = {to[4] - from[4], to[5] - from[5], 0.0, 0.0};
+    const Lanes d = loaded(to) - loaded(from), e = loaded(to + 3) - loaded(from + 3);
     first.v[lane] = d * d;
     second.v[lane] = e * e;
   }
   const Four one = transposed(first), two = transposed(second);
-  return root(larger(one.v[0] + one.v[1] + one.v[2], one.v[3] + two.v[0] + two.v[1]));
+  return root(larger(one.v[0] + one.v[1] + one.v[2], two.v[0] + two.v[1] + two.v[2]));
 }
 
 // The bounds of motion_bound.h, link by link from the root.
