@@ -227,7 +227,14 @@ std::optional<std::span<const double>> GroundPatches::levelsAt(double x, double 
 
 std::optional<std::vector<int>> GroundPatches::endingOver(const Eigen::AlignedBox2d& box,
                                                           double low, double high) const {
+  constexpr size_t kFew = 16;  // among which it is quicker to look than to sort all in the end
   std::vector<int> found;
+  const auto add = [&](int triangle) {
+    if (found.size() <= kFew && std::find(found.begin(), found.end(), triangle) != found.end())
+      return;
+    if (found.empty()) found.reserve(kFew);
+    found.push_back(triangle);
+  };
   if (!slots_) return found;
   const auto within = [&](double value, int axis) {
     return std::clamp(patchAt(value, axis), 0, tiles_of_[axis] * kTile - 1);
@@ -246,7 +253,7 @@ std::optional<std::vector<int>> GroundPatches::endingOver(const Eigen::AlignedBo
         if (patch.low > high || patch.high < low) continue;  // which most are
         for (int k = patch.ends; k < patch.ends + patch.end_count; ++k) {
           const Tile::Ends& ends = tile->ends[k];
-          if (ends.low <= high && ends.high >= low) found.push_back(ends.triangle);
+          if (ends.low <= high && ends.high >= low) add(ends.triangle);
         }
       }
     }
