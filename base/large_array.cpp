@@ -13,10 +13,9 @@ constexpr size_t kLeastMapped = size_t{4} << 20;
 
 }  // namespace
 
-void* takeBytes(size_t bytes, Begin begin) {
+void* takeZeroed(size_t bytes) {
   if (bytes < kLeastMapped) {
-    const size_t size = std::max<size_t>(1, bytes);
-    void* const memory = begin == Begin::kZero ? std::calloc(size, 1) : std::malloc(size);
+    void* const memory = std::calloc(std::max<size_t>(1, bytes), 1);
     if (memory == nullptr) throw std::bad_alloc();
     return memory;
   }

@@ -55,7 +55,7 @@ struct SampleBuffer {
       : width(samples_x),
         height(samples_y),
         depth(static_cast<size_t>(samples_x) * samples_y),
-        look(depth.size(), Begin::kAnyhow) {}
+        look(depth.size()) {}
 
   int width, height;
   LargeArray<float> depth;  ///< [m]; 0 where there is nothing
