@@ -249,7 +249,7 @@ int BodyReach::Flood::touchedOnUneven(const Eigen::Vector2d& p, const Eigen::Ali
 // What the ball touches wherever in the square it is, and whatever of the ground around the feet
 // stand on; kNothing: perhaps nothing.
 int BodyReach::Flood::object(const Eigen::Vector2d& p) {
-  if (!around_.near(ball_).has(p)) return kNoGround;
+  if (!around_.near(ball_).has(p, std::sqrt(0.5) * square_)) return kNoGround;
   const Eigen::AlignedBox1d feet = around_.range.around(p);
   if (feet.isEmpty()) return kNothing;
   const double rise = feet.sizes()[0], radius = ball_.radius - std::sqrt(0.5) * square_;

@@ -7,7 +7,7 @@
 /// steps lead past. Whatever else of a body's is over no ground leans out over an edge.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,24 +20,35 @@ namespace amble {
 class NearGround {
  public:
   /// @param longest_step  of the middles of two feet [m, > 0]; @param beyond  edges, that parts
-  /// lean out [m, >= 0]; to the grid's squares, of 0.1 m: none counts as too far that is as near as
-  /// this. Cost: linear in the squares of GroundCells. @pre the ground outlives it
+  /// lean out [m, >= 0]. Beside ground exact; beside places between it to the grid's squares, of
+  /// 0.1 m: none counts as too far that is as near as this. Cost: linear in the squares of
+  /// GroundCells. @pre the ground outlives it
   NearGround(const SceneGround& ground, const ReachedGround& reached, double longest_step,
              double beyond);
 
-  bool has(const Eigen::Vector2d& p) const;
+  static constexpr double kMostAround = 0.05;  ///< [m]
+  /// Whether any place is that is so far from p at most [m, 0 to kMostAround]. Cost: some
+  /// nanoseconds, beyond an edge some hundred.
+  bool has(const Eigen::Vector2d& p, double around = 0.0) const;
 
  private:
+  // Of squares: nothing is near; perhaps ground is; or they are ground, or near a place between.
+  enum Square : std::uint8_t { kFar = 0, kBeside = 1, kNear = 2 };
   void markBridges(int reach);
   void widen(double by);
+  bool isWithin(const Eigen::Vector2d& p, double distance) const;
+  bool isReached(const Eigen::Vector3d& surface) const;
   bool isBetween(int x, int y, int reach, std::span<const std::uint64_t> bins) const;
   bool isOn(int x, int y) const {
     return x >= 0 && y >= 0 && x < count_.x() && y < count_.y() &&
            on_[static_cast<size_t>(y) * count_.x() + x];
   }
 
+  const SceneGround& ground_;
   const GroundCells& cells_;
-  int margin_ = 0;                // squares around those of the cells
+  double beyond_;
+  std::vector<Eigen::AlignedBox1d> heights_;  // of reached ground, by square of the cells
+  int margin_ = 0;                            // squares around those of the cells
   Eigen::Vector2i count_{0, 0};   // with them; 0: nothing is known, and all counts as near
   std::vector<std::uint8_t> on_;  // by square, x fastest
 };

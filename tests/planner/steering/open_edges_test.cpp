@@ -53,12 +53,13 @@ void expectTheWall(const OpenFloor& open, const Eigen::Vector3d& to, const std::
 
 TEST(OpenEdges, WallsThatGoOnBeyondTheFloorShutOffHoweverThick) {
   for (const double thick : {0.1, 1.0, 2.0}) {
-    for (const double length : {5.0, 8.0}) {
+    for (const double length : {4.3, 5.0, 8.0}) {
       const SceneObject wall = boxObject("wall", {thick, length, 2.5}, {4, 2, 1.25});
       const std::string what = std::to_string(thick) + " by " + std::to_string(length);
       expectTheWall(OpenFloor({floorBetween(0, 8), wall}), kEastOfWall, what);
       expectTheWall(OpenFloor({floorBetween(0, 4), floorBetween(4, 8), wall}), kEastOfWall,
                     "two, " + what);
+      if (length < 5.0) continue;  // beside so high a step nothing is known of legs
       expectTheWall(OpenFloor({floorBetween(0, 4), floorBetween(4, 8, 0.2), wall}),
                     kEastOfWall + Eigen::Vector3d(0, 0, 0.2), "two heights, " + what);
     }
