@@ -64,6 +64,7 @@ bool plansAroundATable(const amble::MotionLibrary& library) {
   request.bounds = {Eigen::Vector2d(0, 0), Eigen::Vector2d(6, 4)};
   request.start = {{1, 2, 0}, 0.0};
   request.goal = {{5, 2, 0}, 0.0};
+  request.limits.max_failures = amble::Planner::kFailures;
   const amble::PlanOutcome once = amble::planWalk(request);
   const amble::Planner planner(request);
   const amble::PlanOutcome again = planner.plan({request.start, request.goal});
