@@ -68,11 +68,9 @@ class WalkSynthesizer {
   double stepLength() const;        ///< of the straight walk at the plan's speed [m]
   double maxTurnRate() const;       ///< fastest turn of a walk [rad/s]
   /// How long before a stance that walks the body begins to go straight on, and after it is as its
-  /// path's curve again; by trial: sooner, and the pelvis jerks [s].
+  /// path's curve again; by trial: sooner, and the pelvis jerks [s]. Meanwhile it faces beside the
+  /// path by 4/27 of that times the turn rate at most (FrameState::facing).
   static constexpr double kTurnIn = 0.25;
-  /// The body faces beside the heading of its path by no more (FrameState::facing) [rad]: what
-  /// t (1 - t / T)^2 is at most, times the turn rate.
-  double mostFacing() const { return 4.0 / 27.0 * kTurnIn * maxTurnRate(); }
   double shortestWalk() const;  ///< from standing to standing [m]
 
   /// Walks along `path` from one stance to another; `path` begins at from.position and ends at
