@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/sample_stream.h"
 #include "tests/environments/test_scenes.h"
 
@@ -59,6 +62,29 @@ TEST(NearGround, IsNotOnTopOfWallsBeyondTheFloor) {
   const NearFloor near({nearFloorObject(), makeObject("wall", Box{{1, 10, 2.5}}, {0, 0, 1.25})});
   EXPECT_TRUE(near.has(0, 0)) << "between two parts of the floor";
   for (const double y : {2.0 + kLeanOut + kOfSquares, 4.5, -4.5}) EXPECT_FALSE(near.has(0, y)) << y;
+}
+
+// A floor's triangles go on under what stands on it: beyond an edge the nearest of them is no
+// ground where that is a wall's end, but the floor beside the wall is.
+TEST(NearGround, IsBesideTheEndOfAWallWhatIsNearTheFloorBesideIt) {
+  constexpr double kWest = -3.0, kEast = 3.0, kEdge = 2.0;
+  for (const double thick : {0.1, 0.4, 0.8, 1.5}) {
+    for (const double middle : {0.0, 0.03, 0.07}) {
+      const NearFloor near({nearFloorObject(),
+                            makeObject("wall", Box{{thick, 2.0 * kEdge, 2.5}}, {middle, 0, 1.25})});
+      const auto distance = [&](const Eigen::Vector2d& p, double west, double east) {
+        return std::hypot(std::max({west - p.x(), p.x() - east, 0.0}), p.y() - kEdge);
+      };
+      SampleStream stream(1, 0);
+      for (int i = 0; i < 500; ++i) {
+        const Eigen::Vector2d p(stream.uniform(-1.2, 1.2), stream.uniform(kEdge, kEdge + kLeanOut));
+        if (std::min(distance(p, kWest, middle - 0.5 * thick),
+                     distance(p, middle + 0.5 * thick, kEast)) <= kLeanOut) {
+          EXPECT_TRUE(near.has(p.x(), p.y())) << thick << ' ' << middle << ": " << p.transpose();
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
