@@ -131,7 +131,7 @@ std::string sunkText(const MotionLibrary& library) {
   AnimationBuffer stood;
   synthesizer.stand({}, stood);
   const Body body = makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
-                             {synthesizer.ankleHeight(), synthesizer.toeHeight()},
+                             soleHeights(synthesizer.feet()),
                              {.upright = referenceOf(synthesizer.skeleton(), synthesizer.roles(),
                                                      library.stand().rotations)});
   std::string text;

@@ -17,14 +17,13 @@ namespace {
 // How far the floor may be from the feet that stand on it [m].
 constexpr double kNearFloor = 0.3;
 
-SoleHeight soleOf(const Clip& clip, const JointRoles& roles, double floor, double stature) {
-  if (roles.legs[kLeft].toe >= 0) {
-    const FootShape shape = makeFootShape(clip.skeleton, roles, kLeft, stature);
-    return {shape.ankle_height, shape.radius};
-  }
+SoleHeights solesOf(const Clip& clip, const JointRoles& roles, double floor, double stature) {
+  if (roles.legs[kLeft].toe >= 0 && roles.legs[kRight].toe >= 0)
+    return soleHeights(makeFootShapes(clip.skeleton, roles, stature));
   // A foot whose ankle is lower is a broken capture; one that is higher hangs in the air [m].
   constexpr double kThinnest = 0.02, kThickest = 0.12;
-  return {std::clamp(lowestAnkle(clip, roles) - floor, kThinnest, kThickest), 0.5 * kThinnest};
+  return evenSoles(
+      {std::clamp(lowestAnkle(clip, roles) - floor, kThinnest, kThickest), 0.5 * kThinnest});
 }
 
 // Under the lower ankle of a frame: how high the nearest floor is, and how far from the ankle.
@@ -68,7 +67,7 @@ double lowestAnkle(const Clip& clip, const JointRoles& roles) {
 }
 
 Body capturedBody(const Clip& clip, const JointRoles& roles, double floor, double stature) {
-  return makeBody(clip.skeleton, roles, stature, soleOf(clip, roles, floor, stature),
+  return makeBody(clip.skeleton, roles, stature, solesOf(clip, roles, floor, stature),
                   {.upright = referenceOf(clip, roles)});
 }
 

@@ -1,5 +1,6 @@
 #include "scenarios/walker_body.h"
 
+#include "animation/body/foot_shape.h"
 #include "animation/body/reference_pose.h"
 
 namespace amble {
@@ -8,8 +9,8 @@ Body walkerBody(const WalkSynthesizer& walker, const MotionLibrary& library) {
   const BodyStance stance{
       .upright = referenceOf(walker.skeleton(), walker.roles(), library.stand().rotations),
       .head = walker.standingHead()};
-  return makeBody(walker.skeleton(), walker.roles(), walker.stature(),
-                  {walker.ankleHeight(), walker.toeHeight()}, stance);
+  return makeBody(walker.skeleton(), walker.roles(), walker.stature(), soleHeights(walker.feet()),
+                  stance);
 }
 
 }  // namespace amble

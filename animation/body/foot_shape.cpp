@@ -29,6 +29,15 @@ Eigen::Matrix3d headingAxes(const Eigen::Vector3d& up, const Eigen::Vector3d& fo
   return axes;
 }
 
+// Of both ankles over the sole [m].
+double ankleHeight(const Skeleton& skeleton, const JointRoles& roles, const Eigen::Vector3d& up,
+                   double stature) {
+  const auto drop = [&](Side side) { return -skeleton.joint(roles.legs[side].toe).offset.dot(up); };
+  const double left = drop(kLeft), right = drop(kRight);
+  return std::max(0.5 * (left + right) + kBallHeightOfStature * stature,
+                  std::max(left, right) + kLowestBallOfStature * stature);
+}
+
 }  // namespace
 
 double statureOf(const Skeleton& skeleton, const JointRoles& roles) {
@@ -68,8 +77,8 @@ FootShape makeFootShape(const Skeleton& skeleton, const JointRoles& roles, Side 
   const double length = kFootLengthOfStature * stature;
 
   FootShape shape;
-  shape.radius = kBallHeightOfStature * stature;
-  shape.ankle_height = shape.radius - toe.offset.dot(up);
+  shape.ankle_height = ankleHeight(skeleton, roles, up, stature);
+  shape.radius = shape.ankle_height + toe.offset.dot(up);
   double tip = toe.end_sites.empty() ? 0.0 : toe.end_sites[0].dot(axes.col(0));
   if (tip < 0.02 * stature) tip = 0.035 * stature;                    // rigs without a toe's tip
   const double back = std::max(length - ball - tip, 0.02 * stature);  // heel behind the ankle
@@ -83,6 +92,12 @@ FootShape makeFootShape(const Skeleton& skeleton, const JointRoles& roles, Side 
   shape.q_FT = Eigen::Quaterniond::Identity();
   shape.lateral_T = axes.col(1);
   return shape;
+}
+
+std::array<FootShape, 2> makeFootShapes(const Skeleton& skeleton, const JointRoles& roles,
+                                        double stature) {
+  return {makeFootShape(skeleton, roles, kLeft, stature),
+          makeFootShape(skeleton, roles, kRight, stature)};
 }
 
 Eigen::Quaterniond soleFrame(double heading, const Eigen::Vector3d& normal) {

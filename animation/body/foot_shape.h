@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 
 #include "animation/body/joint_roles.h"
 #include "animation/body/skeleton.h"
@@ -14,7 +15,8 @@
 namespace amble {
 
 struct FootShape {
-  double radius = 0.0;  ///< of heel and ball, height of the toe joint over a flat sole [m, > 0]
+  /// Of heel and ball, height of the toe joint over a flat sole: each foot has its own [m, > 0].
+  double radius = 0.0;
   double ankle_height = 0.0;  ///< over a flat sole [m]
   /// Of the ankle, of heel centre, toe joint and toe tip's centre, in the sole frame [m].
   double ankle_x = 0.0, heel_x = 0.0, ball_x = 0.0, tip_x = 0.0;
@@ -33,17 +35,24 @@ inline constexpr double kLegOfStature = 0.491;
 inline constexpr double kAnkleHeightOfLeg = 0.039 / kLegOfStature;
 /// Breadth of the foot: Gordon et al. (1989), 0.101 of 1.756 m, as the body's soles have it.
 inline constexpr double kFootBreadthOfStature = 0.0575;
-/// Height of the toe joint over the sole; chosen so that the ankle of our captures comes to Drillis
-/// & Contini's 0.039 of stature.
-inline constexpr double kBallHeightOfStature = 0.0095;
+/// Height of the toe joint over the sole, of both feet in the mean; chosen so that the ankle of our
+/// captures comes to Drillis & Contini's 0.039 of stature. No toe joint is lower than the second,
+/// for feet have some height and roll about it: where one would be, both ankles are higher.
+inline constexpr double kBallHeightOfStature = 0.0095, kLowestBallOfStature = 0.006;
 
 /// Stature from leg length (thigh + shank) [m].
 double statureOf(const Skeleton& skeleton, const JointRoles& roles);
 
-/// Feet are flat in the rest pose (all rotations zero), as in every common rig. @pre the roles have
-/// a toe joint.
+/// Feet are flat in the rest pose (all rotations zero), as in every common rig. Both ankles are as
+/// high over the sole: captured ones are, to some millimetres, and a leg that stood on a higher one
+/// would be bent. What feet of one rig differ by in how far they drop, the toe joint's height
+/// takes.
+/// @pre the roles have toe joints
 FootShape makeFootShape(const Skeleton& skeleton, const JointRoles& roles, Side side,
                         double stature);
+/// Of both feet, by Side.
+std::array<FootShape, 2> makeFootShapes(const Skeleton& skeleton, const JointRoles& roles,
+                                        double stature);
 
 /// Rest pose's frame in the heading frame (x forward, y left, z up): forward is where the feet
 /// point.

@@ -1,5 +1,6 @@
 #include "animation/clips/rest_feet_flat.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "animation/body/foot_shape.h"
@@ -12,28 +13,41 @@
 namespace amble {
 namespace {
 
-// How far below level a bone of the rest pose points, towards where the walker faces, in the
-// heading frame [rad].
-double dropOf(const Eigen::Vector3d& bone) { return std::atan2(-bone.z(), bone.x()); }
+// Feet that stand as they are at rest but for so much stand so [rad].
+constexpr double kStandsAsAtRest = 0.1 * kDegree;
 
-// Of feet and toes, and what is below them: the turn after which feet drop by `drop` and toes not
+// Where a foot points at rest, in the heading frame; one that hangs says little of that.
+Eigen::Vector3d aheadOf(const Eigen::Vector3d& bone, bool hangs) {
+  if (hangs) return Eigen::Vector3d::UnitX();
+  return Eigen::Vector3d(bone.x(), bone.y(), 0.0).normalized();
+}
+
+// Of feet and toes, and what is below them: the turn after which feet drop by `drops` and toes not
 // at all.
-void turnFeet(const Skeleton& skeleton, const JointRoles& roles, double drop,
+void turnFeet(const Skeleton& skeleton, const JointRoles& roles, const std::array<double, 2>& drops,
               std::vector<Eigen::Quaterniond>& turns) {
   const Eigen::Quaterniond q_HR = restToPelvisHeading(skeleton, roles);
-  const auto lowered = [&](double by) {
-    return (q_HR.conjugate() * Eigen::AngleAxisd(by, Eigen::Vector3d::UnitY()) * q_HR).normalized();
-  };
-  const auto turnFrom = [&](int root, const Eigen::Quaterniond& turn) {
-    for (int j = root; j < skeleton.size(); ++j) {
-      if (skeleton.isAncestor(root, j)) turns[j] = turn;
-    }
-  };
-  for (const LegJoints& leg : roles.legs) {
+  const bool hangs = restFootDrop(skeleton, roles) > kHangingFoot;
+  for (const Side side : {kLeft, kRight}) {
+    const LegJoints& leg = roles.legs[side];
     const Joint& toe = skeleton.joint(leg.toe);
-    turnFrom(leg.foot, lowered(dropOf(q_HR * toe.offset) - drop));
+    const Eigen::Vector3d ahead = aheadOf(q_HR * toe.offset, hangs);
+    const Eigen::Vector3d left = Eigen::Vector3d::UnitZ().cross(ahead);
+    // How far a bone drops below level towards where the foot points.
+    const auto dropOf = [&](const Eigen::Vector3d& bone) {
+      const Eigen::Vector3d seen = q_HR * bone;
+      return std::atan2(-seen.z(), seen.dot(ahead));
+    };
+    const auto turnFrom = [&](int root, double by) {
+      const Eigen::Quaterniond turn =
+          (q_HR.conjugate() * Eigen::AngleAxisd(by, left) * q_HR).normalized();
+      for (int j = root; j < skeleton.size(); ++j) {
+        if (skeleton.isAncestor(root, j)) turns[j] = turn;
+      }
+    };
+    turnFrom(leg.foot, dropOf(toe.offset) - drops[side]);
     if (toe.end_sites.empty() || toe.end_sites[0].isZero()) continue;
-    turnFrom(leg.toe, lowered(dropOf(q_HR * toe.end_sites[0])));
+    turnFrom(leg.toe, dropOf(toe.end_sites[0]));
   }
 }
 
@@ -85,28 +99,40 @@ Clip withTurnedFrames(const Clip& clip, const std::vector<Eigen::Quaterniond>& t
   return turned;
 }
 
-std::optional<double> standingFootDrop(const Clip& clip, const JointRoles& roles) {
+std::optional<std::array<double, 2>> standingFootDrops(const Clip& clip, const JointRoles& roles) {
   const FootPaths paths = footPaths(clip, roles);
   const std::array<double, 2> legs = legLengths(clip, roles);
-  std::vector<double> drops;
+  std::array<std::optional<double>, 2> median;
   for (const Side side : {kLeft, kRight}) {
+    std::vector<double> drops;
     for (int i = 1; i + 1 < clip.frames(); ++i) {
       if (!stands(paths[side], i, legs[side], clip.frame_time)) continue;
       const Eigen::Vector3d foot = paths[side].row(i).tail<3>() - paths[side].row(i).head<3>();
       drops.push_back(std::atan2(-foot.z(), foot.head<2>().norm()));
     }
+    if (!drops.empty()) median[side] = upperMedian(drops);
   }
-  if (drops.empty()) return std::nullopt;
-  return upperMedian(drops);
+  if (!median[kLeft] && !median[kRight]) return std::nullopt;
+  return std::array{median[kLeft].value_or(median[kRight].value_or(0.0)),
+                    median[kRight].value_or(median[kLeft].value_or(0.0))};
+}
+
+Clip withFeetAtRest(const Clip& clip, const JointRoles& roles, const std::array<double, 2>& drops) {
+  std::vector<Eigen::Quaterniond> turns(clip.skeleton.size(), Eigen::Quaterniond::Identity());
+  turnFeet(clip.skeleton, roles, drops, turns);
+  return withTurnedFrames(clip, turns);
 }
 
 bool restFeetFlat(Clip& clip, const JointRoles& roles) {
-  if (restFootDrop(clip.skeleton, roles) <= kHangingFoot) return false;
-  const std::optional<double> drop = standingFootDrop(clip, roles);
-  if (!drop) return false;
+  const std::optional<std::array<double, 2>> drops = standingFootDrops(clip, roles);
+  if (!drops) return false;
+  const bool hangs = restFootDrop(clip.skeleton, roles) > kHangingFoot;
+  const std::array<double, 2> now = footDrops(clip.skeleton, roles);
+  const auto off = [&](Side side) { return std::abs((*drops)[side] - now[side]); };
+  if (!hangs && std::max(off(kLeft), off(kRight)) < kStandsAsAtRest) return false;
   std::vector<Eigen::Quaterniond> turns(clip.skeleton.size(), Eigen::Quaterniond::Identity());
-  turnFeet(clip.skeleton, roles, *drop, turns);
-  turnArms(clip, roles, turns);
+  turnFeet(clip.skeleton, roles, *drops, turns);
+  if (hangs) turnArms(clip, roles, turns);
   clip = withTurnedFrames(clip, turns);
   return true;
 }

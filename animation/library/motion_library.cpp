@@ -51,8 +51,7 @@ const Motion* MotionLibrary::find(const std::string& motion) const {
 }
 
 std::array<FootShape, 2> MotionLibrary::feet() const {
-  return {makeFootShape(skeleton, roles, kLeft, stature),
-          makeFootShape(skeleton, roles, kRight, stature)};
+  return makeFootShapes(skeleton, roles, stature);
 }
 
 MotionLack whatItLacks(const MotionLibrary& library) {

@@ -54,8 +54,8 @@ FootCycle readFoot(const YamlNode& node) {
 
 WalkCycle readCycle(const YamlNode& node, int joints) {
   node.requireKeys({"speed", "turn_rate", "period", "cycles", "closure", "capture", "residual",
-                    "slide", "step_width", "prints_left", "foot_forward", "toe_out", "left",
-                    "right", "harmonics", "alpha", "beta"});
+                    "slide", "step_width", "prints_left", "foot_forward", "toe_out", "foot_drops",
+                    "left", "right", "harmonics", "alpha", "beta"});
   WalkCycle cycle;
   cycle.speed = node.at("speed").asPositive("speed [m/s]", 5.0);
   cycle.turn_rate = node.at("turn_rate").asDouble(-360, 360, "turn rate [degrees/s]") * kDegree;
@@ -71,6 +71,7 @@ WalkCycle readCycle(const YamlNode& node, int joints) {
   const Eigen::VectorXd forward = node.at("foot_forward").asVec(2, "distances [m]", -1.0, 1.0);
   cycle.foot_forward = {forward[kLeft], forward[kRight]};
   cycle.toe_out = degreePair(node.at("toe_out"));
+  if (const YamlNode drops = node["foot_drops"]) cycle.foot_drops = degreePair(drops);
   cycle.feet = {readFoot(node.at("left")), readFoot(node.at("right"))};
   const int harmonics = node.at("harmonics").asInt(1, kMaxHarmonics, "harmonics");
   const int channels = 3 + 3 * joints;

@@ -37,6 +37,7 @@ void putCycle(YamlWriter& out, const WalkCycle& cycle) {
   if (cycle.prints_left != 0.0) put(out, "prints_left", cycle.prints_left);
   putList(out, "foot_forward", cycle.foot_forward);
   putList(out, "toe_out", cycle.toe_out, kDegree);
+  if (cycle.foot_drops) putList(out, "foot_drops", *cycle.foot_drops, kDegree);
   putCapture(out, cycle.capture);
   putFoot(out, "left", cycle.feet[kLeft]);
   putFoot(out, "right", cycle.feet[kRight]);

@@ -57,6 +57,9 @@ struct WalkCycle {
   std::array<double, 2> foot_forward = {0, 0};
   /// Heading of the footprint against the path beside it, left positive, by Side [rad].
   std::array<double, 2> toe_out = {0, 0};
+  /// Of a walk of the library's own rig: how far its captured feet drop where they stand
+  /// (footDrops), by Side, from which the library has its soles (library_soles.h) [rad].
+  std::optional<std::array<double, 2>> foot_drops = std::nullopt;
 
   /// Of the capture (the papers' "stride") [m, > 0].
   double stepLength() const { return 0.5 * speed * period; }

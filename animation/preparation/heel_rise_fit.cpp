@@ -28,7 +28,7 @@ constexpr int kForward = kPitches, kRolls = kForward + 1, kProgress = kRolls + k
 // together. By trial, on walks of seven persons.
 struct Weight {
   static constexpr double kStraight = 150.0;  // of straight knees, which are seen, more
-  static constexpr double kAnkle = 0.3;       // of the ankle
+  static constexpr double kAnkle = 0.39;      // of the ankle
   static constexpr double kPitch = 0.35;      // of the pitch against the captured one
   static constexpr double kFlat = 100.0;      // the same of a foot that stands flat
   static constexpr double kBends = 0.5;       // of what the pitch's second differences are more

@@ -1,6 +1,7 @@
 #include "animation/preparation/mirror_cycle.h"
 
 #include <cmath>
+#include <utility>
 
 #include "animation/clips/mirror_clip.h"
 #include "base/rotation.h"
@@ -65,6 +66,7 @@ WalkCycle mirrorCycle(const WalkCycle& cycle, const Skeleton& skeleton, const Jo
   other.prints_left = 0.0 - cycle.prints_left;
   other.foot_forward = {cycle.foot_forward[kRight], cycle.foot_forward[kLeft]};
   other.toe_out = {-cycle.toe_out[kRight], -cycle.toe_out[kLeft]};
+  if (other.foot_drops) std::swap((*other.foot_drops)[kLeft], (*other.foot_drops)[kRight]);
   std::vector<double> phases;
   for (int i = 0; i < kPhases; ++i) phases.push_back(static_cast<double>(i) / kPhases);
   const Clip clip = mirrorClip(straightened(cycle, skeleton, reference), roles);

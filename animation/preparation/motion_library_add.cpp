@@ -5,6 +5,7 @@
 
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
+#include "animation/body/rest_feet.h"
 #include "animation/captures/bvh.h"
 #include "animation/clips/add_toes.h"
 #include "animation/clips/carry_over.h"
@@ -17,6 +18,7 @@
 #include "animation/library/speed_engine_reader.h"
 #include "animation/library/statures.h"
 #include "animation/preparation/engine_clip.h"
+#include "animation/preparation/library_soles.h"
 #include "animation/preparation/mirror_cycle.h"
 #include "animation/preparation/transition_fit.h"
 #include "animation/preparation/transition_sequence_fit.h"
@@ -50,13 +52,18 @@ Skeleton withBvhNames(const Skeleton& skeleton) {
   return Skeleton(std::move(joints));
 }
 
-bool sameSkeleton(const Skeleton& a, const Skeleton& b) {
+// Of one rig, however its feet drop at rest.
+bool sameRig(const Skeleton& a, const Skeleton& b, const JointRoles& roles) {
   bool same = a.size() == b.size();
-  for (int i = 0; same && i < a.size(); ++i) {
-    same = a.joint(i).name == b.joint(i).name &&
-           (i == 0 || (a.joint(i).offset - b.joint(i).offset).norm() < kSameOffset);
+  for (int i = 1; same && i < a.size(); ++i) {
+    const Joint &one = a.joint(i), &other = b.joint(i);
+    const bool of_foot =
+        one.parent == roles.legs[kLeft].foot || one.parent == roles.legs[kRight].foot;
+    const double off = of_foot ? std::abs(one.offset.norm() - other.offset.norm())
+                               : (one.offset - other.offset).norm();
+    same = one.name == other.name && one.parent == other.parent && off < kSameOffset;
   }
-  return same;
+  return same && a.joint(0).name == b.joint(0).name;
 }
 
 void adoptSkeleton(MotionLibrary& library, const LevelCapture& capture, const std::string& file) {
@@ -80,13 +87,27 @@ Clip carriedToLibrary(const MotionLibrary& library, const Clip& clip, const Join
   return levelled(carried, library.roles);
 }
 
+bool isOfLibrarysRig(const MotionLibrary& library, const LevelCapture& capture) {
+  return sameRig(capture.motion.clip.skeleton, library.skeleton, library.roles);
+}
+
+void lift(Clip& clip, double rise) {
+  for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i).z() += rise;
+}
+
+// A clip of the library's rig on soles of its own.
+Clip onSoles(const MotionLibrary& library, const Clip& clip, const std::array<double, 2>& drops) {
+  Clip turned = withFeetAtRest(clip, library.roles, drops);
+  turned.skeleton = withFootDrops(library.skeleton, library.roles, drops);
+  lift(turned, riseBetween(clip.skeleton, turned.skeleton, library.roles));
+  return turned;
+}
+
 Clip onLibrarySkeleton(const MotionLibrary& library, const LevelCapture& capture) {
-  Clip clip = capture.motion.clip;
-  if (sameSkeleton(clip.skeleton, library.skeleton)) {
-    clip.skeleton = library.skeleton;
-    return clip;
-  }
+  const Clip& clip = capture.motion.clip;
   const JointRoles& roles = capture.motion.roles;
+  if (isOfLibrarysRig(library, capture))
+    return onSoles(library, clip, footDrops(library.skeleton, library.roles));
   return carriedToLibrary(library, clip, roles, referenceOf(clip, roles),
                           referenceOf(library.skeleton, library.roles, library.stand().rotations));
 }
@@ -130,16 +151,22 @@ void requireFit(const WalkCycle& cycle, const std::string& file) {
   }
 }
 
-// Of the clip; of a clip that is one cycle only, and ends as it began, of that cycle repeated.
+// Of the clip, on its soles, as the library has it; of a clip that is one cycle only, and ends as
+// it began, of that cycle repeated.
 WalkCycle cycleOf(const MotionLibrary& library, const Clip& clip, const CycleOptions& options,
                   std::pair<int, int>& used, std::vector<FourierSeries>* captured = nullptr) {
+  const std::array<FootShape, 2> feet =
+      makeFootShapes(clip.skeleton, library.roles, library.stature);
+  const double rise = riseBetween(clip.skeleton, library.skeleton, library.roles);
   const auto prepared = [&](const Clip& of) {
-    return prepareWalkCycle(of, library.roles, library.feet(), library.stand().rotations, options,
-                            &used, captured);
+    WalkCycle cycle = prepareWalkCycle(of, library.roles, feet, library.stand().rotations, options,
+                                       &used, captured);
+    cycle.series.alpha(2, 0) += rise;
+    for (size_t k = 0; captured != nullptr && k < captured->size(); ++k)
+      (*captured)[k].alpha(2, 0) += rise;
+    return cycle;
   };
-  if (options.frames || hasCycle(clip, library.roles, library.feet(), options)) {
-    return prepared(clip);
-  }
+  if (options.frames || hasCycle(clip, library.roles, feet, options)) return prepared(clip);
   const std::optional<Clip> loop = repeatedLoop(clip, library.roles, kLoopRuns);
   if (!loop) return prepared(clip);  // which says what is missing
   const WalkCycle cycle = prepared(*loop);
@@ -147,9 +174,9 @@ WalkCycle cycleOf(const MotionLibrary& library, const Clip& clip, const CycleOpt
   return cycle;
 }
 
-// @param plants  of the clip, where they are known
+// @param own_rig  whether the clip is of the library's; plants  of it, where they are known
 void prepareCycle(const MotionLibrary& library, const MotionRequest& request, const Clip& clip,
-                  const FootPlants* plants, Motion& motion) {
+                  bool own_rig, const FootPlants* plants, Motion& motion) {
   const std::string file = request.file.string();
   CycleOptions options{file, false, request.harmonics, request.frames, plants};
   options.turning = request.turning
@@ -158,6 +185,12 @@ void prepareCycle(const MotionLibrary& library, const MotionRequest& request, co
   std::pair<int, int> used;
   motion.cycle = cycleOf(library, clip, options, used);
   requireFit(motion.cycle, file);
+  if (own_rig && motion.kind == MotionKind::kWalk && !options.turning) {
+    const std::array<double, 2> drops =
+        standingDrops(motion.cycle, clip.skeleton, library.roles, library.stand().rotations);
+    motion.cycle = cycleOf(library, onSoles(library, clip, drops), options, used);
+    motion.cycle.foot_drops = drops;
+  }
   if (request.source.mirrored) {
     motion.cycle =
         mirrorCycle(motion.cycle, library.skeleton, library.roles, library.stand().rotations);
@@ -298,7 +331,9 @@ LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadO
   LevelCapture capture = readLevelCapture(file, read);
   Clip& clip = capture.motion.clip;
   addToes(clip, capture.motion.roles, file.string());
-  if (restFeetFlat(clip, capture.motion.roles)) clip = levelled(clip, capture.motion.roles);
+  const Skeleton as_captured = clip.skeleton;
+  if (restFeetFlat(clip, capture.motion.roles))
+    lift(clip, riseBetween(as_captured, clip.skeleton, capture.motion.roles));
   clip.skeleton = withBvhNames(clip.skeleton);
   return capture;
 }
@@ -344,7 +379,8 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   switch (request.kind) {
     case MotionKind::kWalk:
     case MotionKind::kMovement:
-      prepareCycle(library, request, clip, engines ? &engines->plants : nullptr, motion);
+      prepareCycle(library, request, clip, isOfLibrarysRig(library, capture),
+                   engines ? &engines->plants : nullptr, motion);
       break;
     case MotionKind::kPosture:
     case MotionKind::kBlocking:
@@ -361,6 +397,7 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   if (engines) motion.cycle.capture = qualityOf(*engines, library.stature);
   for (int& frame : motion.source.frames) frame = engines ? 0 : frame + capture.first_frame;
   library.motions.push_back(std::move(motion));
+  if (library.motions.back().cycle.foot_drops) settleSoles(library);
 }
 
 std::vector<FourierSeries> capturedCycles(const MotionLibrary& library, const Motion& motion,
@@ -371,7 +408,11 @@ std::vector<FourierSeries> capturedCycles(const MotionLibrary& library, const Mo
   again_asked.source = motion.source;
   const std::optional<WalkOfEngine> engines = engineWalkOf(again_asked);
   const LevelCapture capture = engines ? engines->capture : readForLibrary(file, read);
-  const Clip clip = onLibrarySkeleton(library, capture);
+  Clip clip = onLibrarySkeleton(library, capture);
+  if (std::optional<std::array<double, 2>> own = motion.cycle.foot_drops) {
+    if (motion.source.mirrored) std::swap((*own)[kLeft], (*own)[kRight]);
+    clip = onSoles(library, clip, *own);
+  }
   CycleOptions options{file.string(),
                        motion.turning,
                        motion.cycle.series.harmonics(),

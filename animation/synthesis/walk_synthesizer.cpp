@@ -47,8 +47,7 @@ struct WalkSynthesizer::Impl {
         stature(library.stature * scale),
         skeleton(library.skeleton.scaled(scale)),
         roles(library.roles),
-        shapes{makeFootShape(skeleton, roles, kLeft, stature),
-               makeFootShape(skeleton, roles, kRight, stature)},
+        shapes(makeFootShapes(skeleton, roles, stature)),
         reference(library.stand().rotations),
         blend(library, scale, the_settings.speed),
         feet(skeleton, roles, shapes, blend,
@@ -255,9 +254,7 @@ double WalkSynthesizer::capturedLift() const {
   return 0.5 * (impl_->capturedLift(kLeft) + impl_->capturedLift(kRight));
 }
 double WalkSynthesizer::stature() const { return impl_->stature; }
-double WalkSynthesizer::ankleHeight() const { return impl_->shapes[kLeft].ankle_height; }
 JointFrame WalkSynthesizer::standingHead() const { return impl_->standingHead(); }
-double WalkSynthesizer::toeHeight() const { return impl_->shapes[kLeft].radius; }
 double WalkSynthesizer::stepLength() const { return impl_->placement.step_length; }
 double WalkSynthesizer::maxTurnRate() const { return impl_->blend.maxTurnRate(); }
 double WalkSynthesizer::shortestWalk() const {

@@ -62,8 +62,6 @@ class WalkSynthesizer {
   double stature() const;                        ///< [m]
   double capturedStep() const;                   ///< step length of the captured walk, scaled [m]
   double capturedLift() const;      ///< GaitParameters::lift of the captured walk, scaled [m]
-  double ankleHeight() const;       ///< of the ankle over a flat sole [m]
-  double toeHeight() const;         ///< of the toe joint over a flat sole [m]
   JointFrame standingHead() const;  ///< the head's joint when standing at (0, 0, 0) on the level
   double stepLength() const;        ///< of the straight walk at the plan's speed [m]
   double maxTurnRate() const;       ///< fastest turn of a walk [rad/s]

@@ -36,9 +36,9 @@ constexpr double kAnkle = radiusOf(0.222);
 constexpr double kFootBreadth = fraction(0.101);
 
 // A sole's radius is the ball joint's height, so that a foot that rolls about the ball does not
-// sink in; but a rig whose toe joint lies on the floor has feet with some height all the same, as a
-// fraction of stature.
-constexpr double kThinnestSole = 0.006;
+// sink in; but feet whose toe joint lies on the floor have some height all the same, as a fraction
+// of stature.
+constexpr double kThinnestSole = kLowestBallOfStature;
 
 // Of the ankle's height over the sole: a rig's ankle may be lower than an ankle is thick, and the
 // shank, which leans by thirty degrees while its foot stands, must not reach the ground.
@@ -57,11 +57,11 @@ Eigen::Vector3d nearestAxis(const Eigen::Vector3d& v) {
 class BodyMaker {
  public:
   BodyMaker(const Skeleton& skeleton, const JointRoles& roles, double stature,
-            const SoleHeight& sole, const BodyStance& stance)
+            const SoleHeights& soles, const BodyStance& stance)
       : skeleton_(skeleton),
         roles_(roles),
         stature_(stature),
-        sole_(sole),
+        soles_(soles),
         standing_head_(stance.head) {
     body_.shaped_in = stance.upright;
     // The rest pose, in which every joint's axes are the root's.
@@ -172,7 +172,8 @@ class BodyMaker {
           (standing_head_->q_WJ * pose_.q[roles_.head].conjugate() * pose_.up).z();
       return std::max(least, least + (stature_ - least - standing_head_->p_WJ.z()) / upright);
     }
-    const double joint_height = sole_.ankle + pose_.up.dot(pose_.at[roles_.head] - pose_.feet);
+    const double joint_height = 0.5 * (soles_[kLeft].ankle + soles_[kRight].ankle) +
+                                pose_.up.dot(pose_.at[roles_.head] - pose_.feet);
     return std::clamp(stature_ - joint_height, least, kHeadHeight * stature_);
   }
 
@@ -223,7 +224,7 @@ class BodyMaker {
     addLimb(kSideNames[side] + "thigh", leg.up_leg, pose_.at[leg.leg] - pose_.at[leg.up_leg],
             kThigh, kKnee);
     addLimb(kSideNames[side] + "shank", leg.leg, pose_.at[leg.foot] - pose_.at[leg.leg], kCalf,
-            std::min(kAnkle, kShankOverSole * sole_.ankle / stature_));
+            std::min(kAnkle, kShankOverSole * soles_[side].ankle / stature_));
   }
 
   // The sole is two capsules from the heel to either side of the ball, the toes one more, the
@@ -231,10 +232,11 @@ class BodyMaker {
   // roll: a foot that rolls does not sink in.
   void addFoot(Side side) {
     const LegJoints& leg = roles_.legs[side];
+    const SoleHeight& sole = soles_[side];
     const double length = kFootLengthOfStature * stature_,
                  half_breadth = 0.5 * kFootBreadth * stature_;
-    const double radius = std::clamp(sole_.toe, kThinnestSole * stature_, half_breadth);
-    Eigen::Vector3d ball = rest_.forward * (0.5 * length) - rest_.up * (sole_.ankle - sole_.toe);
+    const double radius = std::clamp(sole.toe, kThinnestSole * stature_, half_breadth);
+    Eigen::Vector3d ball = rest_.forward * (0.5 * length) - rest_.up * (sole.ankle - sole.toe);
     double heel = 0.2 * length,
            tip = 0.27 * length - radius;  // centres: behind the ankle, before the ball
     if (leg.toe >= 0) {
@@ -243,9 +245,9 @@ class BodyMaker {
       heel = shape.ankle_x - shape.heel_x;
       tip = shape.tip_x - shape.ball_x;
     }
-    const auto [normal, along] = solePlane(ball);
-    const Eigen::Vector3d p_heel = normal * (radius - sole_.ankle) - along * heel;
-    const Eigen::Vector3d p_ball = ball + normal * (radius - sole_.toe);
+    const auto [normal, along] = solePlane(ball, sole);
+    const Eigen::Vector3d p_heel = normal * (radius - sole.ankle) - along * heel;
+    const Eigen::Vector3d p_ball = ball + normal * (radius - sole.toe);
     const Eigen::Vector3d out = normal.cross(along) * (side == kLeft ? 1.0 : -1.0);
     const Eigen::Vector3d spread = out * (half_breadth - radius);
     const std::string& name = kSideNames[side];
@@ -256,8 +258,7 @@ class BodyMaker {
              p_toe + along * std::max(0.0, tip), radius, side);
     // As thick as the ankle, but not below the sole.
     const Eigen::Vector3d middle = 0.5 * ball;
-    const double instep =
-        std::min({kAnkle * stature_, 0.5 * (sole_.ankle + sole_.toe), sole_.ankle});
+    const double instep = std::min({kAnkle * stature_, 0.5 * (sole.ankle + sole.toe), sole.ankle});
     addLevel(name + "instep", leg.foot, Eigen::Vector3d::Zero(), middle, instep, side);
   }
 
@@ -267,7 +268,7 @@ class BodyMaker {
   // The plane that the ankle is sole.ankle and the ball sole.toe above: normal = cos(b) up + sin(b)
   // ahead with normal . ball = sole.toe - sole.ankle. It is level in the rest pose where the rig's
   // feet are flat then.
-  SolePlane solePlane(const Eigen::Vector3d& ball) const {
+  SolePlane solePlane(const Eigen::Vector3d& ball, const SoleHeight& sole) const {
     const double rise = rest_.up.dot(ball);
     Eigen::Vector3d ahead = ball - rest_.up * rise;
     double run = ahead.norm();
@@ -278,7 +279,7 @@ class BodyMaker {
     }
     const double length = std::hypot(run, rise);
     const double sine =
-        length > 0.0 ? std::clamp((sole_.toe - sole_.ankle) / length, -1.0, 1.0) : 0.0;
+        length > 0.0 ? std::clamp((sole.toe - sole.ankle) / length, -1.0, 1.0) : 0.0;
     const double tilt = std::asin(sine) - std::atan2(rise, run);
     return {std::cos(tilt) * rest_.up + std::sin(tilt) * ahead,
             std::cos(tilt) * ahead - std::sin(tilt) * rest_.up};
@@ -287,7 +288,7 @@ class BodyMaker {
   const Skeleton& skeleton_;
   const JointRoles& roles_;
   const double stature_;
-  const SoleHeight sole_;
+  const SoleHeights soles_;
   const std::optional<JointFrame> standing_head_;
   Upright rest_;  // in which feet are flat (FootShape)
   Upright pose_;  // in which somebody stands
@@ -296,10 +297,19 @@ class BodyMaker {
 
 }  // namespace
 
+SoleHeights evenSoles(const SoleHeight& both) { return {both, both}; }
+
+SoleHeights soleHeights(const std::array<FootShape, 2>& feet) {
+  const auto of = [&](Side side) { return SoleHeight{feet[side].ankle_height, feet[side].radius}; };
+  return {of(kLeft), of(kRight)};
+}
+
 Body makeBody(const Skeleton& skeleton, const JointRoles& roles, double stature,
-              const SoleHeight& sole, const BodyStance& stance) {
-  assert(stature > 0.0 && sole.ankle > 0.0 && sole.toe >= 0.0);
-  return BodyMaker(skeleton, roles, stature, sole, stance).make();
+              const SoleHeights& soles, const BodyStance& stance) {
+  assert(stature > 0.0);
+  assert(std::ranges::all_of(
+      soles, [](const SoleHeight& sole) { return sole.ankle > 0.0 && sole.toe >= 0.0; }));
+  return BodyMaker(skeleton, roles, stature, soles, stance).make();
 }
 
 void placeBody(const Body& body, std::span<const JointFrame> joints,

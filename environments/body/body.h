@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,8 @@
 #include "animation/body/skeleton.h"
 
 namespace amble {
+
+struct FootShape;  // foot_shape.h
 
 /// A capsule in its joint's frame.
 struct BodyPart {
@@ -36,13 +39,15 @@ struct Body {
   ReferencePose shaped_in = {};
 };
 
-/// Radii are fractions of stature. Shoulder to shoulder and chest front to back are covered by more
-/// than one capsule. Soles' undersides lie on the ground when the feet of the rest pose do:
-/// `sole_height` says how far ankle and ball are above it.
+/// How far joints of a foot are over the ground while its sole is flat.
 struct SoleHeight {
-  double ankle;  ///< height of the ankle joint over the ground when the sole is flat [m]
-  double toe;    ///< height of the toe joint (ball) then [m]
+  double ankle = 0.0;  ///< [m, > 0]
+  double toe = 0.0;    ///< of the toe joint (ball) [m, > 0]
 };
+/// By Side.
+using SoleHeights = std::array<SoleHeight, 2>;
+SoleHeights soleHeights(const std::array<FootShape, 2>& feet);
+SoleHeights evenSoles(const SoleHeight& both);
 
 /// How somebody with the skeleton stands.
 struct BodyStance {
@@ -55,8 +60,10 @@ struct BodyStance {
   std::optional<JointFrame> head = {};
 };
 
+/// Radii are fractions of stature. Shoulder to shoulder and chest front to back are covered by more
+/// than one capsule. Soles' undersides lie on the ground when the feet of the rest pose do.
 Body makeBody(const Skeleton& skeleton, const JointRoles& roles, double stature,
-              const SoleHeight& sole, const BodyStance& stance = {});
+              const SoleHeights& soles, const BodyStance& stance = {});
 
 /// Capsule ends of every part in World. @pre from.size() == to.size() == parts.size()
 void placeBody(const Body& body, std::span<const JointFrame> joints,

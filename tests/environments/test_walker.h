@@ -19,7 +19,7 @@ struct TestWalker {
   JointRoles roles = guessJointRoles(skeleton, "test walker");
   double stature = 1.70;
   FootShape foot = makeFootShape(skeleton, roles, kLeft, stature);
-  Body body = makeBody(skeleton, roles, stature, {foot.ankle_height, foot.radius});
+  Body body = makeBody(skeleton, roles, stature, evenSoles({foot.ankle_height, foot.radius}));
   /// Of the root while it stands as in the rest pose on z = 0 [m].
   double root_height = foot.ankle_height + 0.89;
 

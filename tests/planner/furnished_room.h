@@ -50,7 +50,7 @@ struct FurnishedRoom {
   const SceneGround ground{scene, 0.0};
   const WalkSynthesizer synthesizer;
   const Body body = makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
-                             {synthesizer.ankleHeight(), synthesizer.toeHeight()});
+                             soleHeights(synthesizer.feet()));
   const CollisionWorld world{scene, ground, synthesizer.skeleton(), body};
   const Eigen::AlignedBox2d bounds{Eigen::Vector2d(0, 0), Eigen::Vector2d(6, 4)};
 };

@@ -20,7 +20,7 @@ class SoleTracksTest : public testing::Test {
       : library_(openMotionLibrary("default")),
         synthesizer_(library_, ground_, {}),
         body_(makeBody(synthesizer_.skeleton(), synthesizer_.roles(), synthesizer_.stature(),
-                       {synthesizer_.ankleHeight(), synthesizer_.toeHeight()})) {
+                       soleHeights(synthesizer_.feet()))) {
     AnimationBuffer one;
     synthesizer_.stand({}, one);
     poses_ = PoseArray(one.poses.joints());

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "animation/body/rest_feet.h"
 #include "base/rotation.h"
 #include "tests/animation/random_clip.h"
 #include "tests/animation/rig.h"
@@ -55,6 +56,35 @@ TEST(FootShape, TheFlatFootsFrameIsTheRestPoses) {
   for (const FootShape& foot : rig.feet) {
     EXPECT_LT(foot.q_SF.angularDistance(restToHeading(rig.skeleton, rig.roles)), 1e-7);
     EXPECT_LT((foot.lateral_T - Eigen::Vector3d::UnitX()).norm(), 1e-12);
+  }
+}
+
+// However differently its feet drop: both ankles are as high over the sole, a toe joint is where
+// the foot has it below them, none in the floor, and the flat foot is the rest pose's.
+TEST(FootShape, EachFootHasASoleOfItsOwnUnderAnklesThatAreAsHigh) {
+  const Rig rig;
+  const double stature = statureOf(rig.skeleton, rig.roles);
+  for (const double left : {-10.0, 8.0, 20.0, 45.0}) {
+    for (const double right : {8.0, 20.0, 33.0}) {
+      const std::array<double, 2> drops = {left * kDegree, right * kDegree};
+      const Skeleton skeleton = withFootDrops(rig.skeleton, rig.roles, drops);
+      const std::array<FootShape, 2> feet = makeFootShapes(skeleton, rig.roles, stature);
+      EXPECT_EQ(feet[kLeft].ankle_height, feet[kRight].ankle_height);
+      const double mean = 0.5 * (feet[kLeft].radius + feet[kRight].radius) / stature;
+      EXPECT_GE(mean, kBallHeightOfStature - 1e-12);
+      for (const Side side : {kLeft, kRight}) {
+        const FootShape& foot = feet[side];
+        const double length = skeleton.joint(rig.roles.legs[side].toe).offset.norm();
+        EXPECT_NEAR(foot.ankle_height - foot.radius, length * std::sin(drops[side]), 1e-12);
+        EXPECT_NEAR(foot.ball_x - foot.ankle_x, length * std::cos(drops[side]), 1e-12);
+        EXPECT_GE(foot.radius, kLowestBallOfStature * stature - 1e-12);
+        EXPECT_LT(foot.q_SF.angularDistance(rig.feet[side].q_SF), 1e-7);
+        if (foot.radius > (kLowestBallOfStature + 1e-6) * stature &&
+            feet[other(side)].radius > (kLowestBallOfStature + 1e-6) * stature) {
+          EXPECT_NEAR(mean, kBallHeightOfStature, 1e-12);  // ankles are no higher than they need be
+        }
+      }
+    }
   }
 }
 

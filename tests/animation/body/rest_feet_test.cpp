@@ -41,5 +41,24 @@ TEST(RestFeet, ToesAboveTheAnkleDoNotHang) {
   EXPECT_NEAR(restFootDrop(up, rig.roles), restFootDrop(rig.skeleton, rig.roles), 1e-9);
 }
 
+TEST(RestFeet, ARigHasTheFootDropsThatItIsGivenAndNothingElseOfItMoves) {
+  const Rig rig;
+  const std::array<double, 2> drops = {5.0 * kDegree, 38.0 * kDegree};
+  const Skeleton other = withFootDrops(rig.skeleton, rig.roles, drops);
+  const std::array<double, 2> has = footDrops(other, rig.roles);
+  for (const Side side : {kLeft, kRight}) {
+    EXPECT_NEAR(has[side], drops[side], 1e-12);
+    const int toe = rig.roles.legs[side].toe;
+    EXPECT_NEAR(other.joint(toe).offset.norm(), rig.skeleton.joint(toe).offset.norm(), 1e-12);
+    EXPECT_EQ(other.joint(toe).end_sites, rig.skeleton.joint(toe).end_sites);
+  }
+  const Skeleton back = withFootDrops(other, rig.roles, footDrops(rig.skeleton, rig.roles));
+  for (int j = 0; j < rig.skeleton.size(); ++j) {
+    EXPECT_LT((back.joint(j).offset - rig.skeleton.joint(j).offset).norm(), 1e-12) << j;
+    const bool is_toe = j == rig.roles.legs[kLeft].toe || j == rig.roles.legs[kRight].toe;
+    if (!is_toe) EXPECT_EQ(other.joint(j).offset, rig.skeleton.joint(j).offset) << j;
+  }
+}
+
 }  // namespace
 }  // namespace amble

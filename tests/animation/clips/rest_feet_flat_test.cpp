@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "animation/body/reference_pose.h"
 #include "animation/body/rest_feet.h"
@@ -56,7 +57,7 @@ TEST(RestFeetFlat, FeetThatNeverStandStayAsTheyAre) {
   const Rig rig;
   Clip clip = hanging(rig, 1.2);
   for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i).x() += 3.0 * i * clip.frame_time;
-  EXPECT_FALSE(standingFootDrop(clip, rig.roles).has_value());
+  EXPECT_FALSE(standingFootDrops(clip, rig.roles).has_value());
   EXPECT_FALSE(restFeetFlat(clip, rig.roles));
 }
 
@@ -85,6 +86,40 @@ TEST(RestFeetFlat, FeetAreShapedAsTheyStand) {
       EXPECT_NEAR(foot.tip_x, rig.feet[side].tip_x, 1e-6) << more;
       EXPECT_LT(foot.q_SF.angularDistance(rig.feet[side].q_SF), 1e-6) << more;
     }
+  }
+}
+
+// Markers tilt feet, the left and the right one differently: the rig's walk with frames of its feet
+// turned by so much each.
+TEST(RestFeetFlat, EachFootIsFlatAsItStandsItself) {
+  const Rig rig;
+  const Clip walk = rig.walk({});
+  for (const auto& [left, right] : {std::pair(13.0, 4.0), std::pair(-6.0, 4.0)}) {
+    std::vector<Eigen::Quaterniond> turns(walk.skeleton.size(), Eigen::Quaterniond::Identity());
+    for (const Side side : {kLeft, kRight}) {
+      const LegJoints& leg = rig.roles.legs[side];
+      const double tilt = (side == kLeft ? left : right) * kDegree;
+      turns[leg.foot] = turns[leg.toe] = Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitX());
+    }
+    const Clip tilted = withTurnedFrames(walk, turns);
+    Clip rested = tilted;
+    ASSERT_TRUE(restFeetFlat(rested, rig.roles));
+    expectSamePlaces(tilted, rested);
+    const std::array<double, 2> drops = footDrops(rested.skeleton, rig.roles);
+    const std::array<double, 2> own = footDrops(rig.skeleton, rig.roles);
+    for (const Side side : {kLeft, kRight}) {
+      EXPECT_NEAR(drops[side], own[side], 1e-6);
+      const LegJoints& leg = rig.roles.legs[side];
+      for (int i = 0; i < walk.frames(); i += 11) {
+        for (const int joint : {leg.foot, leg.toe}) {
+          EXPECT_LT(
+              rested.poses.rotations(i)[joint].angularDistance(walk.poses.rotations(i)[joint]),
+              1e-6);
+        }
+      }
+    }
+    Clip again = rested;
+    EXPECT_FALSE(restFeetFlat(again, rig.roles));
   }
 }
 

@@ -114,9 +114,10 @@ struct Compared {
 };
 
 // What issue and QUALITY.md ask for: 2.5 degrees for hips and knees, 2 for the least flexion, 1 %
-// of the period, 4 mm of the pelvis. The same of ankles without what is constant, but for one leg:
-// markers tilt a standing foot, the left and the right one of a person by up to ten degrees
-// differently, and ours are flat.
+// of the period, 4 mm of the pelvis, 2.5 of ankles, too, but for two of 18 legs: Male1's left foot
+// turns by eight degrees while its sole is down, where ours lies flat (3.3; without what is
+// constant it is held), and the heel of 07_12's rises later than one does on a print that stays
+// (2.9).
 TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
   AMBLE_NEEDS_CAPTURES();
   for (const auto& [clip, stand] :
@@ -138,9 +139,10 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
     for (const Side side : {kLeft, kRight}) {
       EXPECT_LT(walk.rms(&Carried::hip, side), 2.5) << side;
       EXPECT_LT(walk.rms(&Carried::knee, side), 2.5) << side;
-      if (std::string(clip) != "cmu_mb2/07_12.bvh" || side != kLeft) {
-        EXPECT_LT(walk.rmsWithoutMean(&Carried::ankle, side), 2.5) << side;
-      }
+      const bool late = side == kLeft && std::string(clip) == "cmu_mb2/07_12.bvh";
+      const bool turns = side == kLeft && std::string(clip) == "accad_male1/Male1_B3_Walk.bvh";
+      EXPECT_LT(walk.rms(&Carried::ankle, side), late || turns ? 3.5 : 2.5) << side;
+      if (!late) EXPECT_LT(walk.rmsWithoutMean(&Carried::ankle, side), 2.5) << side;
       const FootCycle& foot = walk.cycle().feet[side];
       EXPECT_NEAR(std::remainder(walk.made.strike[side] - foot.strike, 1.0), 0.0, 0.02);
       EXPECT_NEAR(std::remainder(walk.made.lift_off[side] - foot.lift_off, 1.0), 0.0, 0.02);

@@ -270,8 +270,9 @@ TEST(BodyLaws, ATallerBodyIsBroaderInProportionWhateverItsPose) {
   const TestWalker walker;
   for (const double factor : {0.6, 1.3}) {
     const Skeleton skeleton = walker.skeleton.scaled(factor);
-    const Body body = makeBody(skeleton, walker.roles, factor * walker.stature,
-                               {factor * walker.foot.ankle_height, factor * walker.foot.radius});
+    const Body body =
+        makeBody(skeleton, walker.roles, factor * walker.stature,
+                 evenSoles({factor * walker.foot.ankle_height, factor * walker.foot.radius}));
     const Pose pose = bentPose(walker, random, 0.5);
     Pose scaled = pose;
     scaled.p_WR *= factor;

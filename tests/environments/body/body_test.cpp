@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "animation/body/reference_pose.h"
+#include "animation/body/rest_feet.h"
 #include "animation/captures/bvh.h"
 #include "animation/captures/motion_reader.h"
 #include "test_paths.h"
@@ -51,8 +52,8 @@ TEST(Body, IsAsTallAsItSaysAsItStands) {
     pose.rotations[walker.roles.head] = expRotation({bow, 0, 0});
     std::vector<JointFrame> joints(walker.skeleton.size());
     forwardKinematics(walker.skeleton, pose, joints);
-    const Body body = makeBody(walker.skeleton, walker.roles, walker.stature, {0.06, 0.02},
-                               {.head = joints[walker.roles.head]});
+    const Body body = makeBody(walker.skeleton, walker.roles, walker.stature,
+                               evenSoles({0.06, 0.02}), {.head = joints[walker.roles.head]});
     const Placed placed = place(walker.skeleton, body, pose);
     const auto head = std::find_if(body.parts.begin(), body.parts.end(),
                                    [](const BodyPart& part) { return part.name == "head"; });
@@ -119,8 +120,9 @@ TEST(Body, FeetPointForwardAndSolesSpreadToEitherSide) {
 TEST(Body, ScalesWithStature) {
   const TestWalker walker;
   const double factor = 0.8;
-  const Body small = makeBody(walker.skeleton.scaled(factor), walker.roles, factor * walker.stature,
-                              {factor * walker.foot.ankle_height, factor * walker.foot.radius});
+  const Body small =
+      makeBody(walker.skeleton.scaled(factor), walker.roles, factor * walker.stature,
+               evenSoles({factor * walker.foot.ankle_height, factor * walker.foot.radius}));
   ASSERT_EQ(small.parts.size(), walker.body.parts.size());
   for (size_t i = 0; i < small.parts.size(); ++i) {
     EXPECT_NEAR(small.parts[i].radius, factor * walker.body.parts[i].radius, 1e-12);
@@ -151,6 +153,31 @@ TEST(Body, AFootThatRollsOverHeelAndBallDoesNotSinkIn) {
   }
 }
 
+// Feet that drop differently have soles of their own: in the rest pose, where both are flat, each
+// reaches down to the ground and nothing of it below.
+TEST(Body, BothSolesLieOnTheGroundThoughFeetDropDifferently) {
+  const TestWalker walker;
+  for (const auto& [left, right] : {std::pair(0.65, 0.5), std::pair(0.25, 0.42)}) {
+    const Skeleton skeleton = withFootDrops(walker.skeleton, walker.roles, {left, right});
+    const std::array<FootShape, 2> feet = makeFootShapes(skeleton, walker.roles, walker.stature);
+    const Body body = makeBody(skeleton, walker.roles, walker.stature, soleHeights(feet));
+    std::array<std::vector<double>, 2> lowest;
+    for (const BodyPart& part : body.parts) {
+      if (part.sole < 0) continue;
+      const Side side = static_cast<Side>(part.sole);
+      const LegJoints& leg = walker.roles.legs[side];
+      const JointFrame foot{feet[side].q_SF, Eigen::Vector3d(0.0, 0.0, feet[side].ankle_height)};
+      const JointFrame toe{feet[side].q_SF, foot * skeleton.joint(leg.toe).offset};
+      const JointFrame& frame = part.joint == leg.toe ? toe : foot;
+      lowest[side].push_back(std::min((frame * part.from).z(), (frame * part.to).z()) -
+                             part.radius);
+    }
+    for (const Side side : {kLeft, kRight}) {
+      EXPECT_NEAR(*std::min_element(lowest[side].begin(), lowest[side].end()), 0.0, 1e-9);
+    }
+  }
+}
+
 TEST(Body, CanBeMadeOfEveryCommonRig) {
   const std::filesystem::path mocap = std::filesystem::path(AMBLE_SHARED) / "mocap";
   if (!std::filesystem::exists(mocap)) GTEST_SKIP() << mocap << " is not there";
@@ -160,7 +187,8 @@ TEST(Body, CanBeMadeOfEveryCommonRig) {
     const JointRoles roles = guessJointRoles(clip.skeleton, name);
     const Skeleton skeleton = clip.skeleton.scaled(guessUnit(clip.skeleton, roles));
     const double stature = statureOf(skeleton, roles);
-    const Body body = makeBody(skeleton, roles, stature, {0.039 * stature, 0.0095 * stature});
+    const Body body =
+        makeBody(skeleton, roles, stature, evenSoles({0.039 * stature, 0.0095 * stature}));
     EXPECT_EQ(body.parts.size(), 25u) << name;
     for (const BodyPart& part : body.parts) {
       EXPECT_TRUE(part.from.allFinite() && part.to.allFinite()) << name << part.name;
@@ -181,7 +209,7 @@ TEST(Body, HeadAndNeckMeetInEveryCommonRig) {
       BodyStance options;
       if (upright) options.upright = referenceOf(motion.clip, motion.roles);
       const Body body = makeBody(motion.clip.skeleton, motion.roles, stature,
-                                 {0.039 * stature, 0.0095 * stature}, options);
+                                 evenSoles({0.039 * stature, 0.0095 * stature}), options);
       const BodyPart& head = body.parts[body.head];
       const auto neck = std::find_if(body.parts.begin(), body.parts.end(),
                                      [](const BodyPart& part) { return part.name == "neck"; });
@@ -207,8 +235,9 @@ TEST(Body, TrunksAreWhereTheirJointsAreInAnyRigThatWalks) {
     const Clip& clip = motion.clip;
     const JointRoles& roles = motion.roles;
     const double stature = statureOf(clip.skeleton, roles);
-    const Body body = makeBody(clip.skeleton, roles, stature, {0.039 * stature, 0.0095 * stature},
-                               {.upright = referenceOf(clip, roles)});
+    const Body body =
+        makeBody(clip.skeleton, roles, stature, evenSoles({0.039 * stature, 0.0095 * stature}),
+                 {.upright = referenceOf(clip, roles)});
     const int frame = clip.frames() / 2;
     std::vector<JointFrame> joints(clip.skeleton.size());
     forwardKinematics(clip, frame, joints);

@@ -66,8 +66,8 @@ class BetweenFrames : public testing::Test {
                                  {defaultLibrary(), floor_, {0.0, 1.2}},
                                  {defaultLibrary(), floor_, {0.0, 1.6}}};
   const WalkSynthesizer& walker_ = walkers_[1];
-  Body body_ = makeBody(walker_.skeleton(), walker_.roles(), walker_.stature(),
-                        {walker_.ankleHeight(), walker_.toeHeight()});
+  Body body_ =
+      makeBody(walker_.skeleton(), walker_.roles(), walker_.stature(), soleHeights(walker_.feet()));
 };
 
 TEST_F(BetweenFrames, APlateWhereAPartIsAtSomeMomentIsMet) {

@@ -38,7 +38,8 @@ TEST(SunkParts, ComeDeepestFirstWithTheirDepth) {
 TEST(SunkParts, ALowAnkleDoesNotPutTheShankIntoTheFloor) {
   const TestWalker walker;
   for (const double ankle : {0.02, 0.029, 0.04, 0.07}) {
-    const Body body = makeBody(walker.skeleton, walker.roles, walker.stature, {ankle, 0.015});
+    const Body body =
+        makeBody(walker.skeleton, walker.roles, walker.stature, evenSoles({ankle, 0.015}));
     for (const BodyPart& part : body.parts) {
       if (part.name != "left shank") continue;
       const Eigen::Vector3d& p_ankle = walker.skeleton.joint(walker.roles.legs[kLeft].foot).offset;

@@ -55,7 +55,7 @@ bool plansAroundATable(const amble::MotionLibrary& library) {
   const amble::SceneGround ground(scene);
   const amble::WalkSynthesizer walker(library, ground, {});
   const amble::Body body = amble::makeBody(walker.skeleton(), walker.roles(), walker.stature(),
-                                           {walker.ankleHeight(), walker.toeHeight()});
+                                           amble::soleHeights(walker.feet()));
   const amble::CollisionWorld world(scene, ground, walker.skeleton(), body);
   amble::PlanRequest request;
   request.synthesizer = &walker;

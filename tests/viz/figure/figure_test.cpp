@@ -219,7 +219,8 @@ TEST(Figure, IsWholeWhereTheRestPoseHasLegsAndArmsAgainstTheTrunk) {
     stance.upright.q_HJ.push_back(to_heading * turns[j].conjugate());
   }
   const Skeleton rig(joints);
-  const Body body = makeBody(rig, walker().roles, walker().stature, {0.06, 0.02}, stance);
+  const Body body =
+      makeBody(rig, walker().roles, walker().stature, evenSoles({0.06, 0.02}), stance);
   const Figure skin = makeFigure(rig, body);
   EXPECT_TRUE(isClosed(skin));
   EXPECT_EQ(skin.vertices.size() + skin.triangles.size(), 3 * skin.triangles.size() / 2 + 2);
@@ -230,7 +231,7 @@ TEST(Figure, OfAChildAndOfAGiantIsThatOfTheMeanScaled) {
     const Skeleton scaled = walker().skeleton.scaled(factor);
     const Body body =
         makeBody(scaled, walker().roles, factor * walker().stature,
-                 {factor * walker().foot.ankle_height, factor * walker().foot.radius});
+                 evenSoles({factor * walker().foot.ankle_height, factor * walker().foot.radius}));
     const Figure skin = makeFigure(scaled, body);
     EXPECT_TRUE(isClosed(skin));
     EXPECT_LE(skin.triangles.size(), 5000);

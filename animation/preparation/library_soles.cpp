@@ -1,0 +1,88 @@
+#include "animation/preparation/library_soles.h"
+
+#include <cmath>
+#include <utility>
+
+#include "animation/body/foot_shape.h"
+#include "animation/body/pose.h"
+#include "animation/body/rest_feet.h"
+#include "base/rotation.h"
+
+namespace amble {
+namespace {
+
+void raise(Motion& motion, double rise) {
+  switch (motion.kind) {
+    case MotionKind::kWalk:
+    case MotionKind::kMovement:
+      motion.cycle.series.alpha(2, 0) += rise;
+      break;
+    case MotionKind::kPosture:
+    case MotionKind::kBlocking:
+      motion.posture.root_height += rise;
+      break;
+    case MotionKind::kStart:
+    case MotionKind::kStop:
+      if (!motion.transition.sequence.empty())
+        motion.transition.sequence.spline.row(2).array() += rise;
+      break;
+    case MotionKind::kTurnOnSpot:
+      motion.turn.spline.row(2).array() += rise;
+      break;
+  }
+}
+
+}  // namespace
+
+double riseBetween(const Skeleton& from, const Skeleton& to, const JointRoles& roles) {
+  const auto ankle = [&](const Skeleton& skeleton) {
+    return makeFootShape(skeleton, roles, kLeft, statureOf(skeleton, roles)).ankle_height;
+  };
+  return ankle(to) - ankle(from);
+}
+
+std::array<double, 2> standingDrops(const WalkCycle& cycle, const Skeleton& skeleton,
+                                    const JointRoles& roles,
+                                    const std::vector<Eigen::Quaterniond>& reference) {
+  constexpr double kFrom = 0.1, kUntil = 0.5;  // of a stance
+  constexpr int kSamples = 17;
+  std::array<double, 2> drops = {0.0, 0.0};
+  std::vector<JointFrame> joints(skeleton.size());
+  Pose pose;
+  pose.rotations.resize(joints.size());
+  for (const Side side : {kLeft, kRight}) {
+    const LegJoints& leg = roles.legs[side];
+    const FootCycle& foot = cycle.feet[side];
+    const double stance = foot.lift_off - foot.strike - std::floor(foot.lift_off - foot.strike);
+    for (int i = 0; i < kSamples; ++i) {
+      const double share = kFrom + (kUntil - kFrom) * i / (kSamples - 1);
+      const Eigen::VectorXd channels = fourierAt(cycle.series, foot.strike + share * stance);
+      for (size_t j = 0; j < joints.size(); ++j) {
+        pose.rotations[j] =
+            reference[j] * expRotation(channels.segment<3>(3 + 3 * static_cast<Eigen::Index>(j)));
+      }
+      forwardKinematics(skeleton, pose, joints);
+      const Eigen::Vector3d toe = joints[leg.toe].p_WJ - joints[leg.foot].p_WJ;
+      drops[side] += std::atan2(-toe.z(), toe.head<2>().norm()) / kSamples;
+    }
+  }
+  return drops;
+}
+
+void settleSoles(MotionLibrary& library) {
+  std::array<double, 2> sum = {0.0, 0.0};
+  int walks = 0;
+  for (const Motion& motion : library.motions) {
+    if (motion.kind != MotionKind::kWalk || motion.turning || !motion.cycle.foot_drops) continue;
+    for (const Side side : {kLeft, kRight}) sum[side] += (*motion.cycle.foot_drops)[side];
+    ++walks;
+  }
+  if (walks == 0) return;
+  Skeleton settled =
+      withFootDrops(library.skeleton, library.roles, {sum[kLeft] / walks, sum[kRight] / walks});
+  const double rise = riseBetween(library.skeleton, settled, library.roles);
+  for (Motion& motion : library.motions) raise(motion, rise);
+  library.skeleton = std::move(settled);
+}
+
+}  // namespace amble

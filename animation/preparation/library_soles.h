@@ -1,0 +1,37 @@
+/// The soles that a library's character stands on: how its feet drop at rest (footDrops), which is
+/// how FootShape reads them.
+///
+/// They are the mean of what the straight walks of its own rig stand on, each walk with its mirror
+/// image if the library has it: of walks rather than of the posture `stand`, for it is walks that
+/// are compared with their captures, and markers tilt feet that are loaded in passing otherwise
+/// than feet of somebody who poses. A walk is prepared on the soles that it was captured on itself,
+/// so that it is the same whatever came before; on the library's it stands flat, too, and its root
+/// is as far over its ankles.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+
+#include "animation/library/motion_library.h"
+
+namespace amble {
+
+/// How much higher ankles are over the sole of one skeleton than of another, which is the same rig
+/// but for how its feet drop [m].
+double riseBetween(const Skeleton& from, const Skeleton& to, const JointRoles& roles);
+
+/// How far the feet of a captured mean cycle drop while their soles are down, by Side [rad]: the
+/// mean from a tenth of their stance, when the fore foot has landed, to half of it, when the heel
+/// begins to rise. Of the mean cycle rather than of each stance, for that is what the walk is to
+/// be; stances of one capture differ by some degrees. @param skeleton, reference  that the series
+/// is of
+std::array<double, 2> standingDrops(const WalkCycle& cycle, const Skeleton& skeleton,
+                                    const JointRoles& roles,
+                                    const std::vector<Eigen::Quaterniond>& reference);
+
+/// The library on the mean soles of its straight walks (WalkCycle::foot_drops); as it is where none
+/// says what it stood on.
+void settleSoles(MotionLibrary& library);
+
+}  // namespace amble
