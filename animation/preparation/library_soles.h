@@ -2,11 +2,12 @@
 /// how FootShape reads them.
 ///
 /// They are the mean of what the straight walks of its own rig stand on, each walk with its mirror
-/// image if the library has it: of walks rather than of the posture `stand`, for it is walks that
-/// are compared with their captures, and markers tilt feet that are loaded in passing otherwise
-/// than feet of somebody who poses. A walk is prepared on the soles that it was captured on itself,
-/// so that it is the same whatever came before; on the library's it stands flat, too, and its root
-/// is as far over its ankles.
+/// image if the library has it, and where there are turns between that and what turns stand on: of
+/// walks rather than of the posture `stand`, for it is walks that are compared with their captures,
+/// and markers tilt feet that are loaded in passing otherwise than feet of somebody who poses. A
+/// straight walk is prepared on the soles that it was captured on itself, so that it is the same
+/// whatever came before, a turn on those of a library that has it; on the library's both stand
+/// flat, too, and roots are as far over their ankles.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -30,8 +31,12 @@ std::array<double, 2> standingDrops(const WalkCycle& cycle, const Skeleton& skel
                                     const JointRoles& roles,
                                     const std::vector<Eigen::Quaterniond>& reference);
 
-/// The library on the mean soles of its straight walks (WalkCycle::foot_drops); as it is where none
-/// says what it stood on.
+/// On what soles a library is with a turn that stood on these, beside its straight walks [rad].
+std::array<double, 2> solesWithTurn(const MotionLibrary& library,
+                                    const std::array<double, 2>& turn);
+
+/// The library on the soles of its walks (WalkCycle::foot_drops); as it is where none says what it
+/// stood on.
 void settleSoles(MotionLibrary& library);
 
 }  // namespace amble

@@ -185,10 +185,11 @@ void prepareCycle(const MotionLibrary& library, const MotionRequest& request, co
   std::pair<int, int> used;
   motion.cycle = cycleOf(library, clip, options, used);
   requireFit(motion.cycle, file);
-  if (own_rig && motion.kind == MotionKind::kWalk && !options.turning) {
+  if (own_rig && motion.kind == MotionKind::kWalk) {
     const std::array<double, 2> drops =
         standingDrops(motion.cycle, clip.skeleton, library.roles, library.stand().rotations);
-    motion.cycle = cycleOf(library, onSoles(library, clip, drops), options, used);
+    const std::array<double, 2> soles = options.turning ? solesWithTurn(library, drops) : drops;
+    motion.cycle = cycleOf(library, onSoles(library, clip, soles), options, used);
     motion.cycle.foot_drops = drops;
   }
   if (request.source.mirrored) {
@@ -331,9 +332,16 @@ LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadO
   LevelCapture capture = readLevelCapture(file, read);
   Clip& clip = capture.motion.clip;
   addToes(clip, capture.motion.roles, file.string());
-  const Skeleton as_captured = clip.skeleton;
-  if (restFeetFlat(clip, capture.motion.roles))
-    lift(clip, riseBetween(as_captured, clip.skeleton, capture.motion.roles));
+  const JointRoles& roles = capture.motion.roles;
+  const Skeleton before = clip.skeleton;
+  const bool hung = restFootDrop(before, roles) > kHangingFoot;  // and said nothing of the floor
+  if (restFeetFlat(clip, roles)) {
+    if (hung) {
+      clip = levelled(clip, roles);
+    } else {
+      lift(clip, riseBetween(before, clip.skeleton, roles));
+    }
+  }
   clip.skeleton = withBvhNames(clip.skeleton);
   return capture;
 }
@@ -411,7 +419,7 @@ std::vector<FourierSeries> capturedCycles(const MotionLibrary& library, const Mo
   Clip clip = onLibrarySkeleton(library, capture);
   if (std::optional<std::array<double, 2>> own = motion.cycle.foot_drops) {
     if (motion.source.mirrored) std::swap((*own)[kLeft], (*own)[kRight]);
-    clip = onSoles(library, clip, *own);
+    clip = onSoles(library, clip, motion.turning ? solesWithTurn(library, *own) : *own);
   }
   CycleOptions options{file.string(),
                        motion.turning,
