@@ -1,8 +1,12 @@
 #include "animation/clips/mirror_clip.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "animation/body/foot_shape.h"
+#include "animation/body/rest_feet.h"
 #include "animation/clips/carry_over.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {
@@ -27,10 +31,25 @@ JointRoles mirrored(JointRoles roles) {
   return roles;
 }
 
+// With feet that stand on their soles as they head: markers roll each foot in its own way, by which
+// it would be turned otherwise than its image.
+void standFeet(const Skeleton& skeleton, const JointRoles& roles, ReferencePose& reference) {
+  for (const Side side : {kLeft, kRight}) {
+    const LegJoints& leg = roles.legs[side];
+    const FootShape foot = makeFootShape(skeleton, roles, side, 1.0);
+    const Eigen::Vector3d ahead =
+        reference.q_HJ[leg.foot] * foot.q_SF.conjugate() * Eigen::Vector3d::UnitX();
+    reference.q_HJ[leg.foot] = aboutZ(std::atan2(ahead.y(), ahead.x())) * foot.q_SF;
+    reference.q_HJ[leg.toe] = reference.q_HJ[leg.foot];
+  }
+}
+
 }  // namespace
 
 Clip mirrorClip(const Clip& clip, const JointRoles& roles) {
-  const ReferencePose reference = referenceOf(clip, roles);
+  ReferencePose reference = referenceOf(clip, roles);
+  if (restFootDrop(clip.skeleton, roles) <= kHangingFoot)
+    standFeet(clip.skeleton, roles, reference);
   Clip other = clip;
   other.skeleton = mirrored(clip.skeleton);
   for (int i = 0; i < clip.frames(); ++i) {

@@ -18,7 +18,7 @@ constexpr int kDigits = 7;
 constexpr double kOne = 1e7;  // in units of the last of them
 
 // Of offsets that a BVH rounded: closer is the same joint [m].
-constexpr double kSameOffset = 1e-5;
+constexpr double kSameOffset = 1e-6;
 
 std::string number(double value) { return plainNumber(value, kDigits); }
 

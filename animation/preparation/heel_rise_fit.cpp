@@ -39,7 +39,7 @@ struct Weight {
   static constexpr double kTooFar = 3000.0;   // of a leg in front that is too long, in its lengths
   static constexpr double kTooLow = 3000.0;   // of a sole that does not clear the ground, in metres
   // Of the pelvis against where it was, in metres: a wave a cycle, and how much more faster ones.
-  static constexpr double kAlong = 3.0, kUp = 25.0, kWaves = 0.01;
+  static constexpr double kAlong = 3.0, kUp = 27.0, kWaves = 0.01;
   static constexpr double kNone = 1e3;  // of what is 0: may not be less and would, feet that are
                                         // flat, waves that a series lacks
 };

@@ -7,10 +7,13 @@
 #include "animation/body/foot_shape.h"
 #include "animation/body/pose.h"
 #include "animation/body/rest_feet.h"
+#include "animation/clips/rest_feet_flat.h"
 #include "base/rotation.h"
 
 namespace amble {
 namespace {
+
+constexpr double kSameOffset = 1e-3;  // of joints of one subject in two clips [m]
 
 void raise(Motion& motion, double rise) {
   switch (motion.kind) {
@@ -34,6 +37,32 @@ void raise(Motion& motion, double rise) {
 }
 
 }  // namespace
+
+bool isOfRig(const MotionLibrary& library, const Skeleton& skeleton) {
+  const Skeleton& own = library.skeleton;
+  const JointRoles& roles = library.roles;
+  if (skeleton.size() != own.size() || skeleton.joint(0).name != own.joint(0).name) return false;
+  for (int i = 1; i < own.size(); ++i) {
+    const Joint &one = skeleton.joint(i), &other = own.joint(i);
+    const bool of_foot =
+        one.parent == roles.legs[kLeft].foot || one.parent == roles.legs[kRight].foot;
+    const double off = of_foot ? std::abs(one.offset.norm() - other.offset.norm())
+                               : (one.offset - other.offset).norm();
+    if (one.name != other.name || one.parent != other.parent || off >= kSameOffset) return false;
+  }
+  return true;
+}
+
+void raise(Clip& clip, double rise) {
+  for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i).z() += rise;
+}
+
+Clip onSoles(const MotionLibrary& library, const Clip& clip, const std::array<double, 2>& drops) {
+  Clip turned = withFeetAtRest(clip, library.roles, drops);
+  turned.skeleton = withFootDrops(library.skeleton, library.roles, drops);
+  raise(turned, riseBetween(clip.skeleton, turned.skeleton, library.roles));
+  return turned;
+}
 
 double riseBetween(const Skeleton& from, const Skeleton& to, const JointRoles& roles) {
   const auto ankle = [&](const Skeleton& skeleton) {
@@ -102,15 +131,19 @@ std::array<double, 2> solesWithTurn(const MotionLibrary& library,
   return {between(kLeft), between(kRight)};
 }
 
+void standOn(Skeleton soles, MotionLibrary& library) {
+  const double rise = riseBetween(library.skeleton, soles, library.roles);
+  for (Motion& motion : library.motions) raise(motion, rise);
+  library.skeleton = std::move(soles);
+}
+
 void settleSoles(MotionLibrary& library) {
   const std::optional<std::array<double, 2>> turns = meanDrops(library, true);
   const std::optional<std::array<double, 2>> straight = meanDrops(library, false);
   if (!turns && !straight) return;
-  const std::array<double, 2> drops = turns ? solesWithTurn(library, *turns) : *straight;
-  Skeleton settled = withFootDrops(library.skeleton, library.roles, drops);
-  const double rise = riseBetween(library.skeleton, settled, library.roles);
-  for (Motion& motion : library.motions) raise(motion, rise);
-  library.skeleton = std::move(settled);
+  standOn(withFootDrops(library.skeleton, library.roles,
+                        turns ? solesWithTurn(library, *turns) : *straight),
+          library);
 }
 
 }  // namespace amble

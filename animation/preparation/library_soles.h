@@ -14,9 +14,20 @@
 #include <array>
 #include <vector>
 
+#include "animation/body/clip.h"
 #include "animation/library/motion_library.h"
 
 namespace amble {
+
+/// Whether a skeleton is the library's own, however its feet drop at rest.
+bool isOfRig(const MotionLibrary& library, const Skeleton& skeleton);
+
+/// The whole clip so much higher [m].
+void raise(Clip& clip, double rise);
+
+/// A clip of the library's rig on soles of these drops [rad]: joints stay where they are in World,
+/// but roots are as much higher as ankles are over the sole.
+Clip onSoles(const MotionLibrary& library, const Clip& clip, const std::array<double, 2>& drops);
 
 /// How much higher ankles are over the sole of one skeleton than of another, which is the same rig
 /// but for how its feet drop [m].
@@ -34,6 +45,10 @@ std::array<double, 2> standingDrops(const WalkCycle& cycle, const Skeleton& skel
 /// On what soles a library is with a turn that stood on these, beside its straight walks [rad].
 std::array<double, 2> solesWithTurn(const MotionLibrary& library,
                                     const std::array<double, 2>& turn);
+
+/// The library on the soles of this skeleton, which is its own but for how feet drop at rest; its
+/// motions keep how their feet stand on them.
+void standOn(Skeleton soles, MotionLibrary& library);
 
 /// The library on the soles of its walks (WalkCycle::foot_drops); as it is where none says what it
 /// stood on.

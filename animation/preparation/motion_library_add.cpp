@@ -31,7 +31,6 @@
 namespace amble {
 namespace {
 
-constexpr double kSameOffset = 1e-3;  // of joints of one subject in two clips [m]
 // What is unfit for a library; by trial, good captures have 0.5 degrees and 20 mm.
 constexpr double kTurnOfClip = 25.0 * kDegree;  // walkers sway by ten
 constexpr double kLargestResidual = 2.0;        // of a cycle's angles [degrees]
@@ -50,20 +49,6 @@ Skeleton withBvhNames(const Skeleton& skeleton) {
   std::vector<Joint> joints = skeleton.joints();
   for (size_t j = 0; j < joints.size(); ++j) joints[j].name = names[j];
   return Skeleton(std::move(joints));
-}
-
-// Of one rig, however its feet drop at rest.
-bool sameRig(const Skeleton& a, const Skeleton& b, const JointRoles& roles) {
-  bool same = a.size() == b.size();
-  for (int i = 1; same && i < a.size(); ++i) {
-    const Joint &one = a.joint(i), &other = b.joint(i);
-    const bool of_foot =
-        one.parent == roles.legs[kLeft].foot || one.parent == roles.legs[kRight].foot;
-    const double off = of_foot ? std::abs(one.offset.norm() - other.offset.norm())
-                               : (one.offset - other.offset).norm();
-    same = one.name == other.name && one.parent == other.parent && off < kSameOffset;
-  }
-  return same && a.joint(0).name == b.joint(0).name;
 }
 
 void adoptSkeleton(MotionLibrary& library, const LevelCapture& capture, const std::string& file) {
@@ -87,26 +72,10 @@ Clip carriedToLibrary(const MotionLibrary& library, const Clip& clip, const Join
   return levelled(carried, library.roles);
 }
 
-bool isOfLibrarysRig(const MotionLibrary& library, const LevelCapture& capture) {
-  return sameRig(capture.motion.clip.skeleton, library.skeleton, library.roles);
-}
-
-void lift(Clip& clip, double rise) {
-  for (int i = 0; i < clip.frames(); ++i) clip.poses.p_WR(i).z() += rise;
-}
-
-// A clip of the library's rig on soles of its own.
-Clip onSoles(const MotionLibrary& library, const Clip& clip, const std::array<double, 2>& drops) {
-  Clip turned = withFeetAtRest(clip, library.roles, drops);
-  turned.skeleton = withFootDrops(library.skeleton, library.roles, drops);
-  lift(turned, riseBetween(clip.skeleton, turned.skeleton, library.roles));
-  return turned;
-}
-
 Clip onLibrarySkeleton(const MotionLibrary& library, const LevelCapture& capture) {
   const Clip& clip = capture.motion.clip;
   const JointRoles& roles = capture.motion.roles;
-  if (isOfLibrarysRig(library, capture))
+  if (isOfRig(library, capture.motion.clip.skeleton))
     return onSoles(library, clip, footDrops(library.skeleton, library.roles));
   return carriedToLibrary(library, clip, roles, referenceOf(clip, roles),
                           referenceOf(library.skeleton, library.roles, library.stand().rotations));
@@ -339,7 +308,7 @@ LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadO
     if (hung) {
       clip = levelled(clip, roles);
     } else {
-      lift(clip, riseBetween(before, clip.skeleton, roles));
+      raise(clip, riseBetween(before, clip.skeleton, roles));
     }
   }
   clip.skeleton = withBvhNames(clip.skeleton);
@@ -387,7 +356,7 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   switch (request.kind) {
     case MotionKind::kWalk:
     case MotionKind::kMovement:
-      prepareCycle(library, request, clip, isOfLibrarysRig(library, capture),
+      prepareCycle(library, request, clip, isOfRig(library, capture.motion.clip.skeleton),
                    engines ? &engines->plants : nullptr, motion);
       break;
     case MotionKind::kPosture:

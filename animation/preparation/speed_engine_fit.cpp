@@ -6,12 +6,14 @@
 
 #include "animation/analysis/classify_clip.h"
 #include "animation/analysis/foot_plants.h"
+#include "animation/body/rest_feet.h"
 #include "animation/body/rotation_mean.h"
 #include "animation/library/harmonics.h"
 #include "animation/preparation/cycle_samples.h"
 #include "animation/preparation/foot_cycle_fit.h"
 #include "animation/preparation/gait_space_fit.h"
 #include "animation/preparation/heel_rise_fit.h"
+#include "animation/preparation/library_soles.h"
 #include "animation/preparation/motion_library_add.h"
 #include "animation/preparation/walk_cycle_fit.h"
 #include "base/error.h"
@@ -68,6 +70,15 @@ void takeFeet(const GaitTrack& track, const Stretch& stretch, const MotionLibrar
   fitHeelRise(rig.skeleton, rig.roles, rig.feet(), rig.stand().rotations, walk);
   cycle.channels = samplesOf(walk.series, cycle.channels.cols());
   cycle.foot_forward = walk.foot_forward;
+}
+
+// What a walk's mean cycle stands on, by Side [rad].
+std::array<double, 2> walkedDrops(const MotionLibrary& rig, const Clip& level,
+                                  const std::string& name) {
+  const auto& reference = rig.stand().rotations;
+  const WalkCycle mean =
+      prepareWalkCycle(level, rig.roles, rig.feet(), reference, {name, false, kMaxHarmonics, {}});
+  return standingDrops(mean, level.skeleton, rig.roles, reference);
 }
 
 // `level` is on the engine's skeleton; its first frame is `first_frame` of the file.
@@ -290,6 +301,28 @@ Gait gaitOf(const Seen& seen) {
   throw InputError(seen.file(), 0, "neither walks, runs nor stands", "a walk, a run or standing");
 }
 
+// The engine stands on what its walks stand on in the mean: they are of one person and one set of
+// markers. Of captures without a cycle takeGaits warns.
+void standOnWalks(const std::vector<Seen>& all, MotionLibrary& rig) {
+  std::array<double, 2> sum = {0.0, 0.0};
+  int walks = 0;
+  for (const Seen& seen : all) {
+    if (seen.kind.largest() == MotionType::kStand) continue;
+    const Clip clip = clipForLibrary(rig, seen.capture, seen.file());
+    if (!isOfRig(rig, seen.clip().skeleton)) continue;
+    try {
+      if (gaitOf(seen) != Gait::kWalk) continue;
+      const std::array<double, 2> drops = walkedDrops(rig, clip, seen.file());
+      for (const Side side : {kLeft, kRight}) sum[side] += drops[side];
+      ++walks;
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  if (walks == 0) return;
+  standOn(withFootDrops(rig.skeleton, rig.roles, {sum[kLeft] / walks, sum[kRight] / walks}), rig);
+}
+
 using Warnings = std::vector<std::string>;
 
 // Cycles of every capture that moves, by Gait. One without a steady cycle is left out.
@@ -334,6 +367,7 @@ EngineData fitSpeedEngine(const EngineRequest& request, std::vector<std::string>
   for (const Seen& seen : all) {
     if (seen.kind.largest() == MotionType::kStand) takeStand(seen, rig);
   }
+  standOnWalks(all, rig);
   std::array<Captured, 2> gaits = takeGaits(all, rig, said);
   if (gaits[0].cycles.empty() && gaits[1].cycles.empty()) {
     throw InputError(request.captures.front().file.string(), 0, "holds no cycle, nor do the others",

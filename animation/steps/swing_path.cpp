@@ -68,7 +68,20 @@ struct SwingClearance::Strip {
 
   int cells() const { return static_cast<int>(height.size()); }
   double middleOf(int cell) const { return begin + (cell + 0.5) * Search::kCell; }
+  void raiseNosing();
 };
+
+// The edge of the tread that the foot comes down on, before its heel, is passed over while the
+// foot is all but down.
+void SwingClearance::Strip::raiseNosing() {
+  int edge = last_behind;
+  while (edge > 0 && own[edge - 1]) --edge;
+  if (edge <= 0 || height[edge] - height[edge - 1] < Margins::kOver) return;
+  const double behind = length - back - (begin + edge * Search::kCell);  // the heel's end
+  const double margin = std::min(Margins::kNosing, Margins::kNosingOfWay * behind);
+  for (int i = edge; i <= std::min(edge + Margins::kNosingCells - 1, last_behind); ++i)
+    height[i] += margin;
+}
 
 SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPlace& to,
                                             Side side) const {
@@ -116,10 +129,6 @@ SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPla
     strip.height.push_back(z - from.position.z());
     strip.own.push_back(same);
   }
-  std::vector<double> own_height(cells, -HUGE_VAL), other_height(cells, -HUGE_VAL);
-  for (int i = 0; i < cells; ++i) (strip.own[i] ? own_height : other_height)[i] = strip.height[i];
-  strip.own_height = RangeMaximum(std::move(own_height));
-  strip.other_height = RangeMaximum(std::move(other_height));
   strip.last_behind = cells - 1;
   while (strip.first_before < cells &&
          strip.middleOf(strip.first_before) < strip.ahead + Search::kCell)
@@ -127,6 +136,11 @@ SwingClearance::Strip SwingClearance::strip(const FootPlace& from, const FootPla
   while (strip.last_behind >= 0 &&
          strip.middleOf(strip.last_behind) > strip.length - strip.back - Search::kCell)
     --strip.last_behind;
+  strip.raiseNosing();
+  std::vector<double> own_height(cells, -HUGE_VAL), other_height(cells, -HUGE_VAL);
+  for (int i = 0; i < cells; ++i) (strip.own[i] ? own_height : other_height)[i] = strip.height[i];
+  strip.own_height = RangeMaximum(std::move(own_height));
+  strip.other_height = RangeMaximum(std::move(other_height));
   // A foot that stands nearer to a riser goes up nearer to it.
   for (int i = 0; i < cells; ++i) {
     const double before = strip.begin + i * Search::kCell - strip.ahead;

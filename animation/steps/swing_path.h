@@ -25,6 +25,11 @@ struct SwingMargins {
   /// Within so much of the print behind, and of the print ahead, margins over its own ground grow
   /// from 0: toes leave it fast, and come down to it slowly.
   static constexpr double kLeaving = 0.04, kNear = 0.12;
+  /// Over the edge of the tread that a foot comes down on, more than over the tread [m]: what
+  /// QUALITY.md asks for; of a heel that comes down nearer behind it, this share of the way. So
+  /// many cells are its edge.
+  static constexpr double kNosing = 0.01, kNosingOfWay = 0.5;
+  static constexpr int kNosingCells = 2;
   /// Of what there is before a riser that a foot stands near, the share that the tip keeps going
   /// up; all of it would ask feet to go straight up [0 to 1].
   static constexpr double kKeep = 0.75;

@@ -1,6 +1,7 @@
 /// A small furnished room with the default walker in it, for tests of what plans whole bodies.
 #pragma once
 
+#include "animation/body/foot_shape.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "environments/body/body.h"

@@ -77,7 +77,7 @@ TEST_P(EveryWalk, InAMirrorIsTheMirroredCycle) {
               0.03);
     EXPECT_LT(std::abs(std::remainder(other.feet[side].lift_off - image.feet[side].lift_off, 1.0)),
               0.03);
-    EXPECT_NEAR(other.toe_out[side], image.toe_out[side], 5.0 * kDegree);
+    EXPECT_NEAR(other.toe_out[side], image.toe_out[side], 0.5 * kDegree);
   }
 }
 
