@@ -46,26 +46,38 @@ std::optional<Swing> swingWithin(const GaitTrack& track, Side side, double begin
 struct SwingSample {
   double progress, height, sideways;
   double length;  // from print to print [m]
-  Eigen::Vector3d yaw_pitch_roll;
+  double yaw, roll;
+  double down;  // of the bone to the toe joint, as seen from beside
 };
 
-// Of a sole against a heading: the turn about z, the pitch as it is seen from beside the heading,
-// the roll. Feet that have just left point straight down, and beyond: there a turn about z and a
-// roll are the same, and the first is taken.
-Eigen::Vector3d yawPitchRoll(const Eigen::Quaterniond& q_WS, double heading) {
+// The pitch at which the bone from the ankle to the toe joint is seen from beside a heading to go
+// down by so much [rad], of a foot that is turned from it and rolled so. Of the bone rather than of
+// the foot's frame, which markers roll by up to 30 degrees, so that it is pitched as it rolls.
+double pitchOfBone(double down, double yaw, double roll, const FootShape& shape) {
+  const double ahead = shape.ball_x - shape.ankle_x, under = shape.ankle_height - shape.radius;
+  const double across = under * std::sin(roll), below = under * std::cos(roll);
+  const double sine = std::sin(down), cosine = std::cos(down);
+  const double size = std::hypot(ahead, below) * std::hypot(cosine, std::cos(yaw) * sine);
+  const double aside = std::asin(std::clamp(across * std::sin(yaw) * sine / size, -1.0, 1.0));
+  return wrapAngle(std::atan2(std::cos(yaw) * sine, cosine) - aside - std::atan2(below, ahead));
+}
+
+double seenDown(const Eigen::Vector3d& bone, double heading) {
+  const Eigen::Vector3d seen = aboutZ(-heading) * bone;
+  return std::atan2(-seen.z(), seen.x());
+}
+
+// Of a sole against a heading: the turn about z, and the roll. Feet that have just left point
+// straight down, and beyond: there a turn about z and a roll are the same, and the first is taken.
+Eigen::Vector2d yawRoll(const Eigen::Quaterniond& q_WS, double heading) {
   constexpr double kSteep = 60.0 * kDegree, kOver = 20.0 * kDegree;
   const Eigen::Quaterniond q = aboutZ(-heading) * q_WS;
   const Eigen::Vector3d ahead = q * Eigen::Vector3d::UnitX(), left = q * Eigen::Vector3d::UnitY();
   const double steep = smoothstep((std::abs(std::atan2(-ahead.z(), ahead.x())) - kSteep) / kOver);
   const double across = std::atan2(-left.x(), left.y());
-  Eigen::Vector3d turned(across, 0.0, 0.0);
-  if (steep < 1.0) {
-    turned = toEuler(q, {'Z', 'Y', 'X'});
-    turned[0] += steep * wrapAngle(across - turned[0]);
-    turned[2] *= 1.0 - steep;
-  }
-  turned[1] = std::atan2(-ahead.z(), ahead.x());
-  return turned;
+  if (steep >= 1.0) return {across, 0.0};
+  const Eigen::Vector3d turned = toEuler(q, {'Z', 'Y', 'X'});
+  return {turned[0] + steep * wrapAngle(across - turned[0]), (1.0 - steep) * turned[2]};
 }
 
 class SwingView {
@@ -83,9 +95,11 @@ class SwingView {
     const Eigen::Quaterniond q =
         track_.sole(side_, frame, from_.correction.slerp(tau, to_.correction));
     const double heading = from_.heading + smoothstep(tau) * wrapAngle(to_.heading - from_.heading);
-    const Eigen::Vector3d turned = yawPitchRoll(q, heading);
+    const Eigen::Vector2d turned = yawRoll(q, heading);
+    const double down = seenDown(track_.footBone(side_, frame), heading);
+    const double pitch = pitchOfBone(down, turned[0], turned[1], shape_);
     const Eigen::Vector3d sole =
-        track_.ankle(side_, frame) - aboutZ(heading + turned[0]) * rolledAnkle(shape_, turned[1]);
+        track_.ankle(side_, frame) - aboutZ(heading + turned[0]) * rolledAnkle(shape_, pitch);
     const Eigen::Vector2d line = (to_.print - from_.print).head<2>();
     const Eigen::Vector2d gone = (sole - from_.print).head<2>();
     SwingSample sample;
@@ -93,7 +107,7 @@ class SwingView {
     sample.sideways = (line.x() * gone.y() - line.y() * gone.x()) / line.norm();
     sample.length = line.norm();
     sample.height = sole.z() - from_.print.z() - tau * (to_.print.z() - from_.print.z());
-    sample.yaw_pitch_roll = turned;
+    sample.yaw = turned[0], sample.roll = turned[1], sample.down = down;
     return sample;
   }
 
@@ -101,9 +115,8 @@ class SwingView {
   double stancePitch(bool from, double x) const {
     const Plant& plant = from ? swing_.from : swing_.to;
     const double frame = plant.strike + x * (plant.lift_off - plant.strike);
-    const Eigen::Quaterniond q =
-        track_.sole(side_, frame, from ? from_.correction : to_.correction);
-    return yawPitchRoll(q, (from ? from_ : to_).heading)[1];
+    const double down = seenDown(track_.footBone(side_, frame), (from ? from_ : to_).heading);
+    return pitchOfBone(down, 0.0, 0.0, shape_);
   }
 
  private:
@@ -114,9 +127,9 @@ class SwingView {
   GaitTrack::FlatFoot from_, to_;
 };
 
-// Pitch over stance and swing, sampled and a little smoothed (captures shake). A foot that turns so
-// far out in its swing is pitched less than is seen from beside the heading.
-std::vector<double> pitchSamples(const SwingView& view, const SwingTerms& yaw) {
+// Pitch over stance and swing, sampled and a little smoothed (captures shake).
+std::vector<double> pitchSamples(const SwingView& view, const FootShape& shape,
+                                 const FootCycle& foot) {
   std::vector<double> raw;
   constexpr int kStance = FootCycle::kStanceSamples, kSwing = FootCycle::kSwingSamples;
   for (int i = 0; i < kStance; ++i) {
@@ -126,8 +139,8 @@ std::vector<double> pitchSamples(const SwingView& view, const SwingTerms& yaw) {
   }
   for (int i = 0; i < kSwing; ++i) {
     const double tau = static_cast<double>(i) / kSwing;
-    const double seen = view.at(tau).yaw_pitch_roll[1];
-    raw.push_back(std::atan2(std::sin(seen) * std::cos(swingPolynomial(yaw, tau)), std::cos(seen)));
+    raw.push_back(pitchOfBone(view.at(tau).down, swingPolynomial(foot.yaw, tau),
+                              swingPolynomial(foot.roll, tau), shape));
   }
   const int n = static_cast<int>(raw.size());
   std::vector<double> smooth(n);
@@ -162,13 +175,13 @@ FootCycle fitSwing(const GaitTrack& track, Side side, const FootShape& shape, co
     progress.push_back(sample.progress + 0.5 * foot.slip / sample.length - smoothstep(tau));
     height.push_back(sample.height);
     sideways.push_back(sample.sideways);
-    yaw.push_back(sample.yaw_pitch_roll[0]);
-    roll.push_back(sample.yaw_pitch_roll[2]);
+    yaw.push_back(sample.yaw);
+    roll.push_back(sample.roll);
   }
   foot.sideways = fitStray(sideways);
   foot.roll = fitStray(roll);
   foot.yaw = fitStray(yaw);
-  foot.pitch = pitchSamples(view, foot.yaw);
+  foot.pitch = pitchSamples(view, shape, foot);
   foot.progress = fitProgress(progress);
   foot.height = fitSwingHeight(shape, foot, height);
   return foot;

@@ -52,6 +52,11 @@ Eigen::Vector3d GaitTrack::ankle(Side side, double frame) const {
   return jointsAt(frame)[roles_.legs[side].foot].p_WJ;
 }
 
+Eigen::Vector3d GaitTrack::footBone(Side side, double frame) const {
+  const std::vector<JointFrame>& joints = jointsAt(frame);
+  return joints[roles_.legs[side].toe].p_WJ - joints[roles_.legs[side].foot].p_WJ;
+}
+
 GaitTrack::FlatFoot GaitTrack::flatFoot(Side side, const Plant& plant) const {
   const double middle = plant.strike + kMidStance * (plant.lift_off - plant.strike);
   const Eigen::Quaterniond q_WS = sole(side, middle, Eigen::Quaterniond::Identity());

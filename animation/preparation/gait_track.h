@@ -49,6 +49,8 @@ class GaitTrack {
   /// Sole's rotation in World, corrected.
   Eigen::Quaterniond sole(Side side, double frame, const Eigen::Quaterniond& correction) const;
   Eigen::Vector3d ankle(Side side, double frame) const;
+  /// From the ankle to the toe joint, in World [m].
+  Eigen::Vector3d footBone(Side side, double frame) const;
 
  private:
   void takePlants(const FootPlants& found);
