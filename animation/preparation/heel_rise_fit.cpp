@@ -27,19 +27,19 @@ constexpr int kForward = kPitches, kRolls = kForward + 1, kProgress = kRolls + k
 // What squares are weighed with against those of knee and hip, whose weights over a cycle are 1
 // together. By trial, on walks of seven persons.
 struct Weight {
-  static constexpr double kStraight = 150.0;  // of straight knees, which are seen, more
-  static constexpr double kAnkle = 0.45;      // of the ankle
-  static constexpr double kPitch = 0.45;       // of the pitch against the captured one
+  static constexpr double kStraight = 165.0;  // of straight knees, which are seen, more
+  static constexpr double kAnkle = 0.5;       // of the ankle
+  static constexpr double kPitch = 0.65;      // of the pitch against the captured one
   static constexpr double kFlat = 100.0;      // the same of a foot that stands flat
   static constexpr double kBends = 0.5;       // of what the pitch's second differences are more
   static constexpr double kToes = 0.1;        // of the toes against the captured ones
   static constexpr double kToesBend = 0.05;   // of the second differences of their coefficients
-  static constexpr double kMoved = 1.0;       // of the print against where it was, in metres
+  static constexpr double kMoved = 0.4;       // of the print against where it was, in metres
   static constexpr double kCurled = 10.0;     // of toes that reach down too far
   static constexpr double kTooFar = 3000.0;   // of a leg in front that is too long, in its lengths
   static constexpr double kTooLow = 3000.0;   // of a sole that does not clear the ground, in metres
   // Of the pelvis against where it was, in metres: a wave a cycle, and how much more faster ones.
-  static constexpr double kAlong = 3.0, kUp = 28.0, kWaves = 0.01;
+  static constexpr double kAlong = 3.0, kUp = 29.5, kWaves = 0.01;
   static constexpr double kNone = 1e3;  // of what is 0: may not be less and would, feet that are
                                         // flat, waves that a series lacks
 };

@@ -104,20 +104,11 @@ struct Compared {
   double rms(std::array<double, 2> Carried::*angle, Side side) const {
     return rmsBetween(made.at, captured, angle, side);
   }
-  /// The same of what is left once the mean of it is taken away.
-  double rmsWithoutMean(std::array<double, 2> Carried::*angle, Side side) const {
-    double mean = 0.0;
-    for (int i = 0; i < kCompared; ++i)
-      mean += ((made.at[i].*angle)[side] - (captured[i].*angle)[side]) / kCompared;
-    return std::sqrt(std::pow(rms(angle, side), 2) - mean * mean);
-  }
 };
 
-// What issue and QUALITY.md ask for: 2.5 degrees for hips and knees, 2 for the least flexion, 1 %
-// of the period, 4 mm of the pelvis, 2.5 of ankles, too, but for two of 18 legs: Male1's left foot
-// turns by eight degrees while its sole is down, where ours lies flat (3.3; without what is
-// constant it is held), and the heel of 07_12's rises later than one does on a print that stays
-// (2.9).
+// What issue and QUALITY.md ask for: 2.5 degrees for hips, knees and ankles, 2 for the least
+// flexion, 1 % of the period, 4 mm of the pelvis; but for one of 18 ankles: 07_12's left heel rises
+// later than one does on a print that stays.
 TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
   AMBLE_NEEDS_CAPTURES();
   for (const auto& [clip, stand] :
@@ -140,9 +131,7 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
       EXPECT_LT(walk.rms(&Carried::hip, side), 2.5) << side;
       EXPECT_LT(walk.rms(&Carried::knee, side), 2.5) << side;
       const bool late = side == kLeft && std::string(clip) == "cmu_mb2/07_12.bvh";
-      const bool turns = side == kLeft && std::string(clip) == "accad_male1/Male1_B3_Walk.bvh";
-      EXPECT_LT(walk.rms(&Carried::ankle, side), late || turns ? 3.5 : 2.5) << side;
-      EXPECT_TRUE(late || walk.rmsWithoutMean(&Carried::ankle, side) < 2.5) << side;
+      EXPECT_LT(walk.rms(&Carried::ankle, side), late ? 3.0 : 2.5) << side;
       const FootCycle& foot = walk.cycle().feet[side];
       EXPECT_NEAR(std::remainder(walk.made.strike[side] - foot.strike, 1.0), 0.0, 0.02);
       EXPECT_NEAR(std::remainder(walk.made.lift_off[side] - foot.lift_off, 1.0), 0.0, 0.02);
