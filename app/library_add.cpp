@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "animation/body/reference_pose.h"
+#include "animation/library/library_parts_writer.h"
 #include "animation/library/motion_library_writer.h"
 #include "animation/preparation/engine_clip.h"
 #include "animation/synthesis/walk_synthesizer.h"
@@ -119,6 +120,7 @@ int run(const LibraryAddArguments& options) {
     if (added > 0) say(stderr, "{}: nothing is written\n", file.string());
     throw;
   }
+  library.skeleton_file = skeletonNameFor(library.skeleton, library.skeleton_file, file);
   writeMotionLibrary(library, file);
   sayWritten(library, file);
   return kExitDone;

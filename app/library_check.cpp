@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "animation/library/motion_library_reader.h"
+#include "animation/preparation/library_soles.h"
 #include "animation/preparation/motion_library_add.h"
 #include "app/say.h"
 #include "base/error.h"
@@ -43,6 +44,7 @@ Motion preparedAgain(const MotionLibrary& library, const Motion& motion,
   MotionLibrary again = library;
   again.motions = {*library.find("stand")};  // what captures of other rigs are carried over by
   addMotion(again, requestOf(motion, captures));
+  standOn(library.skeleton, again);  // not on the soles of that walk alone
   return again.motions.back();
 }
 
@@ -51,6 +53,7 @@ Motion standBorrowedAgain(const MotionLibrary& library, const std::filesystem::p
   MotionLibrary again = library;
   again.motions.clear();
   addMotion(again, requestOf(library.motions.at(1), captures));
+  standOn(library.skeleton, again);
   return *again.find("stand");
 }
 

@@ -8,6 +8,7 @@
 
 #include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
+#include "animation/library/library_parts_writer.h"
 #include "animation/library/library_style.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/library/motion_library_writer.h"
@@ -141,6 +142,7 @@ void addTo(MotionLibrary& library, const std::vector<std::filesystem::path>& cli
       }
     }
   });
+  longer.skeleton_file = skeletonNameFor(longer.skeleton, longer.skeleton_file, longer.file);
   library = std::move(longer);
 }
 

@@ -188,6 +188,14 @@ std::string skeletonNameBeside(const std::filesystem::path& file) {
   }
 }
 
+std::string skeletonNameFor(const Skeleton& skeleton, const std::string& name,
+                            const std::filesystem::path& library) {
+  const std::filesystem::path beside = library.parent_path() / name;
+  if (!std::filesystem::exists(beside) || sameHierarchy(readBvh(beside).skeleton, skeleton))
+    return name;
+  return skeletonNameBeside(library);
+}
+
 void writeWithSkeleton(const Skeleton& skeleton, const std::string& skeleton_file,
                        const std::filesystem::path& file,
                        const std::function<void(std::ostream&)>& write) {

@@ -49,4 +49,10 @@ bool isLibrarySkeleton(const std::filesystem::path& file);
 /// are called what is made of them.
 std::string skeletonNameBeside(const std::filesystem::path& file);
 
+/// Where a library whose skeleton has become this one keeps it: where it was, if the file is not
+/// there or holds it; otherwise under a name of the library's own, for a capture or another library
+/// may be read from there. @param name  of its file so far
+std::string skeletonNameFor(const Skeleton& skeleton, const std::string& name,
+                            const std::filesystem::path& library);
+
 }  // namespace amble

@@ -62,6 +62,11 @@ double pitchOfBone(double down, double yaw, double roll, const FootShape& shape)
   return wrapAngle(std::atan2(std::cos(yaw) * sine, cosine) - aside - std::atan2(below, ahead));
 }
 
+// Of that bone, of a sole that lies flat [rad].
+double flatDrop(const FootShape& shape) {
+  return std::atan2(shape.ankle_height - shape.radius, shape.ball_x - shape.ankle_x);
+}
+
 double seenDown(const Eigen::Vector3d& bone, double heading) {
   const Eigen::Vector3d seen = aboutZ(-heading) * bone;
   return std::atan2(-seen.z(), seen.x());
@@ -82,13 +87,16 @@ Eigen::Vector2d yawRoll(const Eigen::Quaterniond& q_WS, double heading) {
 
 class SwingView {
  public:
-  SwingView(const GaitTrack& track, Side side, const FootShape& shape, const Swing& swing)
+  SwingView(const GaitTrack& track, Side side, const FootShape& shape, const Swing& swing,
+            bool own_soles)
       : track_(track),
         side_(side),
         shape_(shape),
         swing_(swing),
         from_(track.flatFoot(side, swing.from)),
-        to_(track.flatFoot(side, swing.to)) {}
+        to_(track.flatFoot(side, swing.to)),
+        from_drop_(own_soles ? flatDrop(shape) : track.standingDrop(side, swing.from)),
+        to_drop_(own_soles ? flatDrop(shape) : track.standingDrop(side, swing.to)) {}
 
   SwingSample at(double tau) const {
     const double frame = swing_.from.lift_off + tau * (swing_.to.strike - swing_.from.lift_off);
@@ -96,7 +104,8 @@ class SwingView {
         track_.sole(side_, frame, from_.correction.slerp(tau, to_.correction));
     const double heading = from_.heading + smoothstep(tau) * wrapAngle(to_.heading - from_.heading);
     const Eigen::Vector2d turned = yawRoll(q, heading);
-    const double down = seenDown(track_.footBone(side_, frame), heading);
+    const double down = seenDown(track_.footBone(side_, frame), heading) + flatDrop(shape_) -
+                        from_drop_ - tau * (to_drop_ - from_drop_);
     const double pitch = pitchOfBone(down, turned[0], turned[1], shape_);
     const Eigen::Vector3d sole =
         track_.ankle(side_, frame) - aboutZ(heading + turned[0]) * rolledAnkle(shape_, pitch);
@@ -115,8 +124,8 @@ class SwingView {
   double stancePitch(bool from, double x) const {
     const Plant& plant = from ? swing_.from : swing_.to;
     const double frame = plant.strike + x * (plant.lift_off - plant.strike);
-    const double down = seenDown(track_.footBone(side_, frame), (from ? from_ : to_).heading);
-    return pitchOfBone(down, 0.0, 0.0, shape_);
+    return seenDown(track_.footBone(side_, frame), (from ? from_ : to_).heading) -
+           (from ? from_drop_ : to_drop_);
   }
 
  private:
@@ -125,6 +134,7 @@ class SwingView {
   const FootShape& shape_;
   Swing swing_;
   GaitTrack::FlatFoot from_, to_;
+  double from_drop_, to_drop_;  // of the bone to the toe joint where the soles are flat [rad]
 };
 
 // Pitch over stance and swing, sampled and a little smoothed (captures shake).
@@ -161,8 +171,8 @@ std::vector<double> pitchSamples(const SwingView& view, const FootShape& shape,
 }  // namespace
 
 FootCycle fitSwing(const GaitTrack& track, Side side, const FootShape& shape, const Plant& from,
-                   const Plant& to) {
-  const SwingView view(track, side, shape, {from, to});
+                   const Plant& to, bool own_soles) {
+  const SwingView view(track, side, shape, {from, to}, own_soles);
   FootCycle foot;
   const SwingSample last = view.at(1.0);
   foot.slip = std::max(0.0, (1.0 - last.progress) * last.length);
@@ -195,7 +205,7 @@ FootCycle fitFootCycle(const GaitTrack& track, Side side, const FootShape& shape
         clip, 0, "no whole swing of the " + std::string(side == kLeft ? "left" : "right") + " foot",
         "each foot planted before and after the cycle");
   }
-  FootCycle foot = fitSwing(track, side, shape, found->from, found->to);
+  FootCycle foot = fitSwing(track, side, shape, found->from, found->to, true);
   const double period = end - begin;
   const auto phase = [&](double frame) {
     const double p = (frame - begin) / period;

@@ -17,8 +17,10 @@ namespace amble {
 bool hasSwing(const GaitTrack& track, Side side, double begin, double end);
 
 /// The swing of one foot from plant to plant, and its pitch in them; its phases stay 0.
+/// @param own_soles  whether the clip stands on soles of its own; otherwise each of the stances is
+/// taken to be flat, in the mean, however it tilts the foot
 FootCycle fitSwing(const GaitTrack& track, Side side, const FootShape& shape, const Plant& from,
-                   const Plant& to);
+                   const Plant& to, bool own_soles);
 
 /// The swing of one foot that begins within the frames [begin, end), and the stances around it.
 /// @throws InputError naming `clip` where there is none.

@@ -57,6 +57,17 @@ Eigen::Vector3d GaitTrack::footBone(Side side, double frame) const {
   return joints[roles_.legs[side].toe].p_WJ - joints[roles_.legs[side].foot].p_WJ;
 }
 
+double GaitTrack::standingDrop(Side side, const Plant& plant) const {
+  constexpr int kSamples = 9;
+  double mean = 0.0;
+  for (int i = 0; i < kSamples; ++i) {
+    const double x = kDownFrom + (kDownUntil - kDownFrom) * i / (kSamples - 1);
+    const Eigen::Vector3d bone = footBone(side, plant.strike + x * (plant.lift_off - plant.strike));
+    mean += std::atan2(-bone.z(), bone.head<2>().norm()) / kSamples;
+  }
+  return mean;
+}
+
 GaitTrack::FlatFoot GaitTrack::flatFoot(Side side, const Plant& plant) const {
   const double middle = plant.strike + kMidStance * (plant.lift_off - plant.strike);
   const Eigen::Quaterniond q_WS = sole(side, middle, Eigen::Quaterniond::Identity());

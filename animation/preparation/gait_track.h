@@ -51,6 +51,10 @@ class GaitTrack {
   Eigen::Vector3d ankle(Side side, double frame) const;
   /// From the ankle to the toe joint, in World [m].
   Eigen::Vector3d footBone(Side side, double frame) const;
+  /// How far that bone drops below level while the sole is down, in the mean: from a tenth of the
+  /// stance, when the fore foot has landed, to half of it, when the heel begins to rise [rad].
+  double standingDrop(Side side, const Plant& plant) const;
+  static constexpr double kDownFrom = 0.1, kDownUntil = 0.5;  ///< [stances]
 
  private:
   void takePlants(const FootPlants& found);

@@ -8,6 +8,7 @@
 #include "animation/body/pose.h"
 #include "animation/body/rest_feet.h"
 #include "animation/clips/rest_feet_flat.h"
+#include "animation/preparation/gait_track.h"
 #include "base/rotation.h"
 
 namespace amble {
@@ -74,7 +75,7 @@ double riseBetween(const Skeleton& from, const Skeleton& to, const JointRoles& r
 std::array<double, 2> standingDrops(const WalkCycle& cycle, const Skeleton& skeleton,
                                     const JointRoles& roles,
                                     const std::vector<Eigen::Quaterniond>& reference) {
-  constexpr double kFrom = 0.1, kUntil = 0.5;  // of a stance
+  constexpr double kFrom = GaitTrack::kDownFrom, kUntil = GaitTrack::kDownUntil;
   constexpr int kSamples = 17;
   std::array<double, 2> drops = {0.0, 0.0};
   std::vector<JointFrame> joints(skeleton.size());

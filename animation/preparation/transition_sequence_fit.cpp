@@ -223,7 +223,7 @@ FootCycle fitStep(const GaitTrack& track, const Order& order, const Steps& steps
   // That after a stop lies flat when the clock has come to 0.
   if (!order.start)
     to.lift_off = to.strike + std::max(2.0 * rests, way.frame(0.0) - to.strike) / FootCycle::kFlat;
-  FootCycle swing = fitSwing(track, steps.side, shape, from, to);
+  FootCycle swing = fitSwing(track, steps.side, shape, from, to, false);
   swing.lift_off = std::clamp(way.clock(from.lift_off), kEarliestLift, 1.0);
   swing.strike = std::clamp(way.clock(to.strike), kEarliestLift, 1.0);
   return swing;

@@ -186,6 +186,8 @@ TEST_F(Library, NeverWritesOverTheCaptureThatItNamesAsItsSkeleton) {
   write("in/capture.bvh", capture);
   add("in/mine.yaml in/mine.bvh --name again --no-mirror");
   EXPECT_EQ(read("in/capture.bvh"), capture);
+  // Its feet stand otherwise now, beside a walk that is there on one side only.
+  EXPECT_NE(read("in/mine.yaml").find("skeleton: mine-skeleton.bvh"), std::string::npos);
   // Another rig's skeleton does not replace it either.
   write("in/other.recipe.yaml",
         "skeleton: capture.bvh\ncaptures: " + kCaptures +

@@ -131,7 +131,7 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
       EXPECT_LT(walk.rms(&Carried::hip, side), 2.5) << side;
       EXPECT_LT(walk.rms(&Carried::knee, side), 2.5) << side;
       const bool late = side == kLeft && std::string(clip) == "cmu_mb2/07_12.bvh";
-      EXPECT_LT(walk.rms(&Carried::ankle, side), late ? 3.0 : 2.5) << side;
+      EXPECT_LT(walk.rms(&Carried::ankle, side), late ? 3.2 : 2.5) << side;
       const FootCycle& foot = walk.cycle().feet[side];
       EXPECT_NEAR(std::remainder(walk.made.strike[side] - foot.strike, 1.0), 0.0, 0.02);
       EXPECT_NEAR(std::remainder(walk.made.lift_off[side] - foot.lift_off, 1.0), 0.0, 0.02);
