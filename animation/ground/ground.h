@@ -1,7 +1,7 @@
 /// What feet stand on, as the animation sees it.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -39,12 +39,24 @@ class Ground {
   /// only ground is seen, sampled every 2 cm. @pre half_width >= 0, low <= high
   virtual double crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
                        double low, double high) const;
+  /// Whether crest() is above `low`.
+  virtual bool risesAbove(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
+                          double low, double high) const {
+    return crest(a, b, half_width, low, high) > low;
+  }
   /// crest() of each of the pieces of a straight line, which follow one another along it [m].
   virtual std::vector<double> crests(std::span<const PlanSegment> pieces, double half_width,
                                      double low, double high) const;
   /// surface() at each of some points that lie near to one another.
   virtual void surfaces(std::span<const Eigen::Vector2d> points, double z, double reach,
                         std::span<std::optional<SurfacePoint>> out) const;
+  /// The height of surface() at every point of a box of the plane, where it is one for certain and
+  /// every normal vertical to the bit [m]; none where that is not known.
+  virtual std::optional<double> levelOver(const Eigen::AlignedBox2d& box, double z,
+                                          double reach) const {
+    (void)box, (void)z, (void)reach;
+    return std::nullopt;
+  }
   /// Whether for certain all of it is level, at whatever heights: every normal is vertical to the
   /// bit.
   virtual bool isAllLevel() const { return false; }
@@ -61,6 +73,10 @@ class FlatGround : public Ground {
   double crest(const Eigen::Vector2d&, const Eigen::Vector2d&, double, double low,
                double high) const override {
     return height(0.0, 0.0, 0.5 * (low + high), 0.5 * (high - low)).value_or(-HUGE_VAL);
+  }
+  std::optional<double> levelOver(const Eigen::AlignedBox2d&, double z,
+                                  double reach) const override {
+    return height(0.0, 0.0, z, reach);
   }
   bool isAllLevel() const override { return true; }
 

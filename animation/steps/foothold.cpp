@@ -160,11 +160,22 @@ bool FootholdFinder::obstructed(const FootPlace& stood, const FootShape& foot) c
                  x1 = back + (front - back) * (i + 1) / cells;
     const double plane = z + std::max(tilt * x0, tilt * x1) + std::abs(across) * foot.half_width;
     const double most = plane + (level ? Unevenness::kPressed : 2.0 * Unevenness::kPressed);
-    if (ground_.crest(middle + x0 * ahead, middle + x1 * ahead, foot.half_width, most,
-                      plane + Unevenness::kInTheWay) > most)
+    if (ground_.risesAbove(middle + x0 * ahead, middle + x1 * ahead, foot.half_width, most,
+                           plane + Unevenness::kInTheWay))
       return true;
   }
   return false;
+}
+
+// Whether all samples of a sole are level with its middle for certain.
+bool FootholdFinder::isLevelUnder(const FootPlace& place, const FootShape& foot, double height,
+                                  double reach) const {
+  const SoleRows rows(place, foot);
+  Eigen::AlignedBox2d box;
+  for (const int row : {0, kRows - 1})
+    for (const int column : {0, kColumns - 1})
+      box.extend(place.position.head<2>() + rows.at(row, column));
+  return ground_.levelOver(box, height, reach) == height;
 }
 
 Foothold FootholdFinder::at(const FootPlace& place, Side side, double reach) const {
@@ -172,6 +183,14 @@ Foothold FootholdFinder::at(const FootPlace& place, Side side, double reach) con
   Samples samples;
   Foothold found;
   found.place = place;
+  const Eigen::Vector2d p = place.position.head<2>();
+  const auto level = ground_.levelOver({p, p}, place.position.z(), reach);
+  if (level && isLevelUnder(place, foot, *level, reach)) {
+    found.place.position.z() = *level + 0.0;
+    found.place.normal = Eigen::Vector3d::UnitZ();
+    if (obstructed(found.place, foot)) found.refusal = Foothold::Refusal::kEdge;
+    return found;
+  }
   if (const auto refusal = sample(place, foot, reach, samples)) {
     found.refusal = *refusal;
     return found;

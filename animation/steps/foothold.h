@@ -51,6 +51,8 @@ class FootholdFinder {
  private:
   struct SoleRows;
   struct Samples;
+  bool isLevelUnder(const FootPlace& place, const FootShape& foot, double height,
+                    double reach) const;
   std::optional<Foothold::Refusal> sample(const FootPlace& place, const FootShape& foot,
                                           double reach, Samples& out) const;
   bool sampleLevels(const FootPlace& place, const SoleRows& rows, double reach,

@@ -241,7 +241,7 @@ bool SwingClearance::isFree(const FootPlace& from, const FootPlace& to,
   const double z = from.position.z(), rise = to.position.z() - z, slope = rise / length;
   const double high = std::max(z, z + rise) + highest_ + Search::kSeen;
   const auto rises = [&](double s0, double s1, double over) {
-    return ground_.crest(a + s0 * unit, a + s1 * unit, foot.half_width, over, high) > over;
+    return ground_.risesAbove(a + s0 * unit, a + s1 * unit, foot.half_width, over, high);
   };
   if (rise == 0.0 && from.normal.z() == 1.0 && to.normal.z() == 1.0)
     return !rises(-back, length + ahead, z + Unevenness::kCleared);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "environments/ground/plan_strip.h"
 #include "environments/ground/plan_triangle.h"
 #include "environments/scene/scene_pieces.h"
 
@@ -225,17 +226,10 @@ std::optional<std::span<const double>> GroundPatches::levelsAt(double x, double 
   return std::span(tile->levels.data() + patch.levels, static_cast<size_t>(patch.level_count));
 }
 
-std::optional<std::vector<int>> GroundPatches::endingOver(const Eigen::AlignedBox2d& box,
-                                                          double low, double high) const {
-  constexpr size_t kFew = 16;  // among which it is quicker to look than to sort all in the end
-  std::vector<int> found;
-  const auto add = [&](int triangle) {
-    if (found.size() <= kFew && std::find(found.begin(), found.end(), triangle) != found.end())
-      return;
-    if (found.empty()) found.reserve(kFew);
-    found.push_back(triangle);
-  };
-  if (!slots_) return found;
+// Calls visit_row(tile, its patches of one row, their count, column and row of the first) for those
+// that meet a box, until it says no. False where that is so or a tile is not there.
+template <typename Visit>
+bool GroundPatches::visitPatches(const Eigen::AlignedBox2d& box, Visit visit_row) const {
   const auto within = [&](double value, int axis) {
     return std::clamp(patchAt(value, axis), 0, tiles_of_[axis] * kTile - 1);
   };
@@ -245,24 +239,151 @@ std::optional<std::vector<int>> GroundPatches::endingOver(const Eigen::AlignedBo
   for (int j = within(box.min().y() - kPatchRounding, 1); j <= last; ++j) {
     for (int i = left; i <= right;) {
       const Tile* tile = tileOf(i, j);
-      if (tile == nullptr || low < tile->lowest || high > tile->highest) return std::nullopt;
+      if (tile == nullptr) return false;
       const int end = std::min(right + 1, i - i % kTile + kTile);
-      const Tile::Patch* row = &tile->patches[j % kTile * kTile + i % kTile];
-      for (; i < end; ++i) {
-        const Tile::Patch& patch = *row++;
-        if (patch.low > high || patch.high < low) continue;  // which most are
-        for (int k = patch.ends; k < patch.ends + patch.end_count; ++k) {
-          const Tile::Ends& ends = tile->ends[k];
-          if (ends.low <= high && ends.high >= low) add(ends.triangle);
-        }
-      }
+      if (!visit_row(*tile, &tile->patches[j % kTile * kTile + i % kTile], end - i, i, j))
+        return false;
+      i = end;
     }
   }
-  if (found.size() > 1) {
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+  return true;
+}
+
+std::optional<double> GroundPatches::levelOver(const Eigen::AlignedBox2d& box, double z,
+                                               double reach) const {
+  const auto isOutside = [&](double value, int axis) {
+    const int patch = patchAt(value, axis);
+    return patch < 0 || patch >= tiles_of_[axis] * kTile;
+  };
+  for (const int axis : {0, 1})
+    if (isOutside(box.min()[axis], axis) || isOutside(box.max()[axis], axis)) return std::nullopt;
+  std::optional<double> level;
+  const bool same =
+      visitPatches(box, [&](const Tile& tile, const Tile::Patch* patch, int count, int, int) {
+        for (const Tile::Patch* end = patch + count; patch < end; ++patch) {
+          const double* levels = tile.levels.data() + patch->levels;
+          int k = patch->level_count - 1;  // the highest
+          while (k >= 0 && std::abs(levels[k] - z) > reach) --k;
+          if (k < 0 || levels[k] != level.value_or(levels[k])) return false;
+          level = levels[k];
+        }
+        return true;
+      });
+  return same ? level : std::nullopt;
+}
+
+namespace {
+
+// A strip against the patches of a row, one after another.
+class PatchesOfStrip {
+ public:
+  PatchesOfStrip(const PlanStrip& strip, double patch, const Eigen::Vector2d& first_middle)
+      : low_(strip.box.min()),
+        high_(strip.box.max()),
+        step_(patch * strip.along.x()),
+        step_aside_(patch * strip.aside.x()) {
+    const Eigen::Vector2d from = first_middle - strip.origin;
+    at_ << strip.along.dot(from), strip.aside.dot(from);
+    const double reach = (0.5 * patch + kPatchRounding + PlanTriangle::kSeen) *
+                             (std::abs(strip.along.x()) + std::abs(strip.along.y())) +
+                         kPatchRounding;
+    low_.array() -= reach;
+    high_.array() += reach;
   }
+
+  bool meets(int k) const {
+    const double u = at_.x() + k * step_, v = at_.y() + k * step_aside_;
+    return u >= low_.x() && u <= high_.x() && v >= low_.y() && v <= high_.y();
+  }
+
+ private:
+  Eigen::Vector2d low_, high_, at_;
+  double step_, step_aside_;
+};
+
+}  // namespace
+
+// Calls visit_one(triangle), for some more than once, until it says yes.
+// @return whether it did; none where all triangles must be asked
+template <typename Visit>
+std::optional<bool> GroundPatches::visitEnds(const Eigen::AlignedBox2d& box, const PlanStrip* strip,
+                                             double low, double high, Visit visit_one) const {
+  if (!slots_) return false;
+  bool found = false;
+  const bool all = visitPatches(
+      box, [&](const Tile& tile, const Tile::Patch* row, int count, int column, int at_row) {
+        if (low < tile.lowest || high > tile.highest) return false;
+        std::optional<PatchesOfStrip> along;
+        for (int i = 0; i < count; ++i) {
+          const Tile::Patch& patch = row[i];
+          if (patch.low > high || patch.high < low) continue;  // which most are
+          if (strip != nullptr) {
+            if (!along) along.emplace(*strip, patch_, patchBox(column, at_row).center());
+            if (!along->meets(i)) continue;
+          }
+          for (int k = patch.ends; k < patch.ends + patch.end_count; ++k) {
+            const Tile::Ends& ends = tile.ends[k];
+            if (ends.low > high || ends.high < low || !visit_one(ends.triangle)) continue;
+            found = true;
+            return false;
+          }
+        }
+        return true;
+      });
+  if (!all && !found) return std::nullopt;
   return found;
+}
+
+std::optional<bool> GroundPatches::anyEnding(const PlanStrip& strip, double low, double high,
+                                             const std::function<bool(int)>& is_it) const {
+  std::array<int, 8> seen;  // the last few
+  seen.fill(-1);
+  size_t next = 0;
+  return visitEnds(strip.plan(), &strip, low, high, [&](int triangle) {
+    if (std::find(seen.begin(), seen.end(), triangle) != seen.end()) return false;
+    seen[next++ % seen.size()] = triangle;
+    return is_it(triangle);
+  });
+}
+
+namespace {
+
+// Triangles, each once.
+class Distinct {
+ public:
+  void add(int triangle) {
+    constexpr size_t kFew = 16;  // among which it is quicker to look than to sort all in the end
+    if (all_.size() <= kFew && std::find(all_.begin(), all_.end(), triangle) != all_.end()) return;
+    if (all_.empty()) all_.reserve(kFew);
+    all_.push_back(triangle);
+  }
+
+  std::vector<int> sorted() {
+    std::sort(all_.begin(), all_.end());
+    all_.erase(std::unique(all_.begin(), all_.end()), all_.end());
+    return std::move(all_);
+  }
+
+ private:
+  std::vector<int> all_;
+};
+
+}  // namespace
+
+std::optional<std::vector<int>> GroundPatches::endingOver(const Eigen::AlignedBox2d& box,
+                                                          double low, double high) const {
+  Distinct found;
+  if (!visitEnds(box, nullptr, low, high, [&](int t) { return found.add(t), false; }))
+    return std::nullopt;
+  return found.sorted();
+}
+
+std::optional<std::vector<int>> GroundPatches::endingOver(const PlanStrip& strip, double low,
+                                                          double high) const {
+  Distinct found;
+  if (!visitEnds(strip.plan(), &strip, low, high, [&](int t) { return found.add(t), false; }))
+    return std::nullopt;
+  return found.sorted();
 }
 
 }  // namespace amble

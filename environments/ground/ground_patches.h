@@ -21,6 +21,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -29,6 +30,8 @@
 #include "environments/scene/triangle_grid.h"
 
 namespace amble {
+
+struct PlanStrip;  // plan_strip.h
 
 /// Const: threads share it.
 class GroundPatches {
@@ -47,11 +50,20 @@ class GroundPatches {
   /// Heights of the ground, lowest first, at every point of the patch in which (x, y) lies; none
   /// where the triangles must be asked [m, World]. Empty: there is no ground.
   std::optional<std::span<const double>> levelsAt(double x, double y) const;
+  /// Of levelsAt() the highest that is no farther than `reach` from z, where that is the same all
+  /// over a box; none where it is not or must be asked of the triangles [m, World].
+  std::optional<double> levelOver(const Eigen::AlignedBox2d& box, double z, double reach) const;
   /// The triangles that may have the highest point of what of them is over a part of this box of
   /// the plane between the two heights [m], each once; of what stands upright only what ends there
   /// as a whole. None where all triangles must be asked.
   std::optional<std::vector<int>> endingOver(const Eigen::AlignedBox2d& box, double low,
                                              double high) const;
+  /// The same over a strip; fewer of those that are beside it.
+  std::optional<std::vector<int>> endingOver(const PlanStrip& strip, double low, double high) const;
+  /// Shows those triangles, some more than once, until one is the one that is looked for: whether
+  /// one is. None where all triangles must be asked.
+  std::optional<bool> anyEnding(const PlanStrip& strip, double low, double high,
+                                const std::function<bool(int)>& is_it) const;
 
  private:
   static constexpr int kTile = 16;  // patches along a side of a tile
@@ -72,6 +84,11 @@ class GroundPatches {
     return made != nullptr ? made : makeTile(column / kTile, row / kTile);
   }
   const Tile* makeTile(int i, int j) const;
+  template <typename Visit>
+  bool visitPatches(const Eigen::AlignedBox2d& box, Visit visit_row) const;
+  template <typename Visit>
+  std::optional<bool> visitEnds(const Eigen::AlignedBox2d& box, const PlanStrip* strip, double low,
+                                double high, Visit visit_one) const;
   // Perhaps outside, by one; what is no number is.
   int patchAt(double value, int axis) const {
     const double patches = (value - min_[axis]) * per_metre_;

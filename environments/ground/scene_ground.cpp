@@ -244,36 +244,68 @@ void SceneGround::surfaces(std::span<const Eigen::Vector2d> points, double z, do
   for (const int i : left) out[i] = surfaceOfTriangles(points[i].x(), points[i].y(), z, reach);
 }
 
-// Calls visit_one(triangle) for all that may have a highest point over a part of the box between
+std::optional<double> SceneGround::levelOver(const Eigen::AlignedBox2d& box, double z,
+                                             double reach) const {
+  return parts_->patches->levelOver(box, z, reach);
+}
+
+// Calls visit_one(triangle) for all that may have a highest point over a part of the strip between
 // the two heights, and for others.
 template <typename Visit>
-void SceneGround::visitEnding(const Eigen::AlignedBox2d& plan, double low, double high,
+void SceneGround::visitEnding(const PlanStrip& strip, double low, double high,
                               Visit visit_one) const {
-  const auto ending = parts_->patches->endingOver(plan, low, high);
+  const auto ending = parts_->patches->endingOver(strip, low, high);
   if (ending)
     for (const int t : *ending) visit_one(t);
   else
-    all().visitBox(plan, visit_one);
+    all().visitBox(strip.plan(), visit_one);
 }
+
+// Of one triangle, where it is `needed` or more [m, >= low]; else it may be -infinity.
+double SceneGround::crestOf(int triangle, const PlanStrip& strip, double needed, double low,
+                            double high) const {
+  const Triangle3& thing = all().triangles()[triangle];
+  const HeightRange& own = parts_->heights[triangle];
+  if (own.high < needed || !mayEndBetween(thing, own, low, high)) return kNone;
+  const Triangle3 in_strip = strip.local(thing);
+  if (StripPlane(in_strip).highestOver(strip.box) < needed) return kNone;
+  return crestWithin(in_strip, strip.box, low, high);
+}
+
+namespace {
+
+// Around a strip, against rounding.
+Eigen::AlignedBox2d boxAround(const PlanStrip& strip) {
+  constexpr double kRounding = 1e-6;  // [m]
+  const Eigen::AlignedBox2d plan = strip.plan();
+  return {plan.min().array() - kRounding, plan.max().array() + kRounding};
+}
+
+}  // namespace
 
 double SceneGround::crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
                           double low, double high) const {
-  constexpr double kRounding = 1e-6;  // [m]
   const PlanStrip strip({a, b}, half_width);
-  const Eigen::AlignedBox2d plan = strip.plan();
-  const Eigen::AlignedBox2d around(plan.min().array() - kRounding, plan.max().array() + kRounding);
+  const Eigen::AlignedBox2d around = boxAround(strip);
   double highest = kNone;
-  visitEnding(plan, low, high, [&](int t) {
-    const Triangle3& thing = all().triangles()[t];
-    const HeightRange& own = parts_->heights[t];
-    const double needed = std::max(highest, low);
-    if (own.high < needed || isBeside(thing, around) || !mayEndBetween(thing, own, low, high))
-      return;
-    const Triangle3 in_strip = strip.local(thing);
-    if (StripPlane(in_strip).highestOver(strip.box) < needed) return;
-    highest = std::max(highest, crestWithin(in_strip, strip.box, low, high));
+  visitEnding(strip, low, high, [&](int t) {
+    if (!isBeside(all().triangles()[t], around))
+      highest = std::max(highest, crestOf(t, strip, std::max(highest, low), low, high));
   });
   return highest;
+}
+
+bool SceneGround::risesAbove(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width,
+                             double low, double high) const {
+  const PlanStrip strip({a, b}, half_width);
+  const Eigen::AlignedBox2d around = boxAround(strip);
+  const auto rises = [&](int t) {
+    return !isBeside(all().triangles()[t], around) && crestOf(t, strip, low, low, high) > low;
+  };
+  if (const auto any = parts_->patches->anyEnding(strip, low, high, rises)) return *any;
+  bool found = false;
+  all().visitBox(strip.plan(), [&](int t) { found = found || rises(t); });
+  return found;
 }
 
 // What lies over all pieces is looked for once; of that each piece, in their order along the line,
@@ -285,7 +317,7 @@ std::vector<double> SceneGround::crests(std::span<const PlanSegment> pieces, dou
   if (pieces.empty()) return crests;
   const PlanStrip whole({pieces.front().from, pieces.back().to}, half_width + kRounding);
   std::vector<int> near;
-  visitEnding(whole.plan(), low, high, [&](int t) {
+  visitEnding(whole, low, high, [&](int t) {
     if (mayEndBetween(all().triangles()[t], parts_->heights[t], low, high)) near.push_back(t);
   });
   std::sort(near.begin(), near.end());

@@ -13,6 +13,7 @@
 namespace amble {
 
 class GroundCells;   // ground_cells.h
+struct PlanStrip;    // plan_strip.h
 struct ScenePieces;  // scene_pieces.h
 class TriangleGrid;  // triangle_grid.h
 
@@ -38,6 +39,8 @@ class SceneGround : public Ground {
 
   void surfaces(std::span<const Eigen::Vector2d> points, double z, double reach,
                 std::span<std::optional<SurfacePoint>> out) const override;
+  std::optional<double> levelOver(const Eigen::AlignedBox2d& box, double z,
+                                  double reach) const override;
   bool isAllLevel() const override { return all_level_; }
 
   /// The highest point of anything, ground or obstacle, over the strip of `half_width` about the
@@ -46,6 +49,8 @@ class SceneGround : public Ground {
   /// contacts.
   double crest(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width, double low,
                double high) const override;
+  bool risesAbove(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double half_width, double low,
+                  double high) const override;
   std::vector<double> crests(std::span<const PlanSegment> pieces, double half_width, double low,
                              double high) const override;
 
@@ -87,7 +92,9 @@ class SceneGround : public Ground {
   void surfacesOfTriangles(std::span<const Eigen::Vector2d> points, double z, double reach,
                            std::span<std::optional<SurfacePoint>> out) const;
   template <typename Visit>
-  void visitEnding(const Eigen::AlignedBox2d& plan, double low, double high, Visit visit_one) const;
+  void visitEnding(const PlanStrip& strip, double low, double high, Visit visit_one) const;
+  double crestOf(int triangle, const PlanStrip& strip, double needed, double low,
+                 double high) const;
   std::optional<SurfacePoint> surfaceOfTriangles(double x, double y, double z, double reach) const;
   int floorOf(const Eigen::Vector3d& p) const;
   std::vector<double> levels(double x, double y) const;

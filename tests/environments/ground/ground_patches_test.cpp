@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "base/sample_stream.h"
+#include "environments/ground/plan_strip.h"
 #include "environments/ground/scene_ground.h"
 #include "environments/scene/scene_pieces.h"
 #include "test_paths.h"
@@ -172,7 +173,10 @@ TEST(GroundPatches, GroundAnswersTheSameHoweverOftenItIsAsked) {
       const Eigen::Vector2d a = pointBeside(random, box);
       const Eigen::Vector2d b = a + random.uniform(0.1, 0.8) * drawnVector(random).head<2>();
       const double z = random.uniform(-0.1, 0.8);
-      EXPECT_EQ(often.crest(a, b, 0.05, z, z + 0.35), fresh.crest(a, b, 0.05, z, z + 0.35)) << n;
+      const double crest = fresh.crest(a, b, 0.05, z, z + 0.35);
+      EXPECT_EQ(often.crest(a, b, 0.05, z, z + 0.35), crest) << n;
+      for (const SceneGround* ground : {&often, &fresh})
+        EXPECT_EQ(ground->risesAbove(a, b, 0.05, z, z + 0.35), crest > z) << n;
       const auto one = often.surface(a.x(), a.y(), z, 0.4),
                  other = fresh.surface(a.x(), a.y(), z, 0.4);
       ASSERT_EQ(one.has_value(), other.has_value()) << n;
@@ -181,6 +185,61 @@ TEST(GroundPatches, GroundAnswersTheSameHoweverOftenItIsAsked) {
       EXPECT_EQ(one->normal, other->normal) << n;
     }
   }
+}
+
+// What is level all over a box is what is found at each of its points.
+TEST(GroundPatches, ALevelOverABoxIsTheSurfaceAtEachOfItsPoints) {
+  int level = 0;
+  for (const char* name : {"living-room", "low-head-room-on-stairs", "ramp-10", "kerb"}) {
+    const SceneGround ground(shippedScene(name));
+    SampleStream random(13, 0);
+    for (int n = 0; n < 20000; ++n) {
+      const Eigen::Vector2d at = pointBeside(random, ground.extent());
+      const Eigen::AlignedBox2d box(
+          at, at + Eigen::Vector2d(random.uniform(0.0, 0.3), random.uniform(0.0, 0.3)));
+      const double z = random.uniform(-0.1, 0.4), reach = random.uniform(0.0, 0.5);
+      const auto over = ground.levelOver(box, z, reach);
+      if (!over) continue;
+      ++level;
+      for (const double u : {0.0, random.uniform(), 1.0}) {
+        const Eigen::Vector2d p =
+            at + box.sizes().cwiseProduct(Eigen::Vector2d(u, random.uniform()));
+        const auto point = ground.surface(p.x(), p.y(), z, reach);
+        ASSERT_TRUE(point) << name << ' ' << n;
+        EXPECT_EQ(point->height, *over) << name << ' ' << n;
+        EXPECT_NEAR(point->normal.z(), 1.0, 1e-9) << name << ' ' << n;
+      }
+    }
+  }
+  EXPECT_GT(level, 10000);
+}
+
+// Of all that ends over a strip nothing is missed, and of what is beside it much is left out.
+TEST(GroundPatches, WhatEndsOverAStripIsAmongWhatTheyNameOfItsBox) {
+  const SceneGround ground(sceneOf(drawnThings(3, 60)), 0.0);
+  const GroundPatches patches(ground.surfaces(), ground.all());
+  SampleStream random(17, 0);
+  size_t in_box = 0, in_strip = 0;
+  for (int n = 0; n < 300; ++n) {
+    const Eigen::Vector2d a(random.uniform(-4, 4), random.uniform(-4, 4));
+    const PlanStrip strip({a, a + random.uniform(0.3, 1.5) * drawnVector(random).head<2>()}, 0.05);
+    for (int k = 0; k < 9 * (GroundPatches::kAskedBefore + 1); ++k)
+      patches.endingOver(strip.plan(), 0.0, 0.3);
+    const auto near = patches.endingOver(strip.plan(), 0.0, 0.3);
+    const auto over = patches.endingOver(strip, 0.0, 0.3);
+    ASSERT_TRUE(near && over);
+    EXPECT_TRUE(std::includes(near->begin(), near->end(), over->begin(), over->end()));
+    for (const int t : *near) {
+      const Triangle3 own = strip.local(ground.all().triangles()[t]);
+      if (crestWithin(own, strip.box, 0.0, 0.3) < 0.0) continue;
+      EXPECT_TRUE(std::binary_search(over->begin(), over->end(), t)) << n << ' ' << t;
+      EXPECT_EQ(patches.anyEnding(strip, 0.0, 0.3, [&](int one) { return one == t; }), true);
+    }
+    EXPECT_EQ(patches.anyEnding(strip, 0.0, 0.3, [](int) { return false; }), false);
+    in_box += near->size();
+    in_strip += over->size();
+  }
+  EXPECT_LT(2 * in_strip, in_box);
 }
 
 TEST(GroundPatches, WhatEndsFarAboveOrBelowTheGroundIsLeftToTheTriangles) {
