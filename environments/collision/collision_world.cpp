@@ -106,9 +106,11 @@ double CollisionWorld::nearness(const PoseArray& poses, double limit,
   constexpr int kEvery = 4;
   const size_t parts = static_cast<size_t>(model_->parts());
   scratch.prepare(poses.size());
+  std::vector<int> frames;
+  for (int frame = 0; frame < poses.size(); frame += kEvery) frames.push_back(frame);
+  model_->track.place(poses, frames, scratch.capsules, scratch.lanes);
   double sum = 0.0;
-  for (int frame = 0; frame < poses.size(); frame += kEvery) {
-    model_->place(poses[frame], scratch, {&scratch.capsule(frame, 0), parts});
+  for (const int frame : frames) {
     double least = limit;
     for (size_t part = 0; part < parts; ++part) {
       if (model_->body.parts[part].sole >= 0) continue;
