@@ -73,7 +73,20 @@ class Refiner {
   void keepAway();
   bool tries(int round, int tries);
   bool leavesOutPinned(const Proposal& proposal) const;
+  // What a proposal has to be better than, and what it has of that so far.
+  struct Tally {
+    double old_duration = 0.0;  // of what it replaces, as cost [s]
+    double duration = 0.0;      // of its own edges, the same [s]
+    double straightened = 0.0;  // by how much less they bend [rad]
+
+    void add(const WalkEdge& edge) {
+      duration += edge.cost();
+      straightened -= bend(edge);
+    }
+  };
   double leastDuration(const std::vector<Waypoint>& way, size_t from) const;
+  bool mayHelp(const Tally& so_far, const std::vector<Waypoint>& way, size_t from) const;
+  double mostFor(const Tally& so_far, const std::vector<Waypoint>& way, size_t edge) const;
   Answer judge(const Proposal& proposal, SteeringScratch& scratch) const;
   int firstThatHelps(const std::vector<Proposal>& proposals);
   void take(const Proposal& proposal, std::vector<WalkEdge> edges);
@@ -105,8 +118,21 @@ double Refiner::leastDuration(const std::vector<Waypoint>& way, size_t from) con
   return length / steering_.topSpeed();
 }
 
+// Where what is left is as quick as can be.
+bool Refiner::mayHelp(const Tally& so_far, const std::vector<Waypoint>& way, size_t from) const {
+  return so_far.duration + leastDuration(way, from) <= so_far.old_duration + kRounding;
+}
+
+// What an edge may cost for the whole to help, by the last line of judge(), if what is left is as
+// quick and as straight as can be [s].
+double Refiner::mostFor(const Tally& so_far, const std::vector<Waypoint>& way, size_t edge) const {
+  const double may_be =
+      so_far.old_duration + std::min(0.0, kBendCost * so_far.straightened - kGain);
+  return may_be - so_far.duration - leastDuration(way, edge + 1) + kRounding + kSlack;
+}
+
 // Edges along the proposal, if they are all allowed and cost less, in time and effort, than what
-// they replace.
+// they replace. An edge is made once the next one may be there too.
 Answer Refiner::judge(const Proposal& proposal, SteeringScratch& scratch) const {
   Answer answer;
   if (leavesOutPinned(proposal)) return answer;
@@ -116,28 +142,36 @@ Answer Refiner::judge(const Proposal& proposal, SteeringScratch& scratch) const 
     if (!steering_.place(way.back().stance)) return answer;
   }
   way.push_back(path_.node(proposal.last));
-  double old_duration = 0.0, duration = 0.0, straightened = 0.0;
+  Tally tally;
   for (int i = proposal.first; i < proposal.last; ++i) {
-    old_duration += path_.edges[i].cost();
-    straightened += bend(path_.edges[i]);
+    tally.old_duration += path_.edges[i].cost();
+    tally.straightened += bend(path_.edges[i]);
   }
   std::vector<WalkEdge> edges;
   for (size_t i = 0; i + 1 < way.size(); ++i) {
-    if (duration + leastDuration(way, i) > old_duration + kRounding) return answer;
-    // What it may cost for the whole to help, by the last line of this, if what is left is as quick
-    // and as straight as can be.
-    const double may_be = old_duration + std::min(0.0, kBendCost * straightened - kGain);
-    const double most = may_be - duration - leastDuration(way, i + 1) + kRounding + kSlack;
-    const SteerResult result = steering_.steerWithin(way[i], way[i + 1], most, scratch);
+    if (!mayHelp(tally, way, i)) return answer;
+    const double most = mostFor(tally, way, i);
+    const Steering::LeadsOn leads_on = [&](const WalkEdge& planned) {
+      Tally then = tally;
+      then.add(planned);
+      then.duration -= kSlack;
+      Waypoint here = way[i + 1];
+      here.stance = planned.to;
+      return mayHelp(then, way, i + 1) &&
+             steering_.mayLead(here, way[i + 2], mostFor(then, way, i + 1), scratch);
+    };
+    const SteerResult result = i + 2 < way.size()
+                                   ? steering_.steerOn(way[i], way[i + 1], most, leads_on, scratch)
+                                   : steering_.steerWithin(way[i], way[i + 1], most, scratch);
     answer.count.add(result);
     if (!result.edge) return answer;
-    duration += result.edge->cost();
-    straightened -= bend(*result.edge);
+    tally.add(*result.edge);
     if (i + 2 < way.size()) way[i + 1].stance = result.edge->to;
     edges.push_back(*result.edge);
   }
-  const double gain = old_duration - duration + kBendCost * straightened;
-  if (duration <= old_duration + kRounding && gain >= kGain) answer.edges = std::move(edges);
+  const double gain = tally.old_duration - tally.duration + kBendCost * tally.straightened;
+  if (tally.duration <= tally.old_duration + kRounding && gain >= kGain)
+    answer.edges = std::move(edges);
   return answer;
 }
 

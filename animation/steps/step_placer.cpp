@@ -16,7 +16,7 @@ namespace {
 // the last foot say otherwise.
 Side firstFoot(const WalkRequest& request, int steps, bool any_leading) {
   constexpr double kStraight = 1e-6;  // [1/m]
-  const auto& [from, to, path, any, wishes, is_wanted] = request;
+  const auto& [from, to, path, any, wishes, is_wanted, outlook] = request;
   if (!from.standing) return other(from.leading);
   if (!to.standing && !any_leading) return steps % 2 == 1 ? to.leading : other(to.leading);
   return path.at(0.5 * path.length()).curvature > kStraight ? kLeft : kRight;
@@ -191,7 +191,7 @@ StepPlacer::StepPlacer(const Ground& ground, const std::array<FootShape, 2>& sha
       clearance_(ground, shapes, kHighestLift * settings.scale) {}
 
 WalkSteps StepPlacer::plan(const WalkRequest& request) const {
-  const auto& [from, to, path, any_leading, wishes, is_wanted] = request;
+  const auto& [from, to, path, any_leading, wishes, is_wanted, outlook] = request;
   WalkSteps walk;
   walk.from = from;
   walk.end = to;
@@ -220,9 +220,12 @@ WalkSteps StepPlacer::plan(const WalkRequest& request) const {
         walk.from_feet.height == walk.end_feet.height) {
       return walk;
     }
-    adapted(walk, request, limits);
+    if (outlook)
+      walk.refused = WalkRule::kNone;
+    else
+      adapted(walk, request, limits);
   }
-  if (walk.refused != WalkRule::kNone || walk.unwanted) return walk;
+  if (walk.refused != WalkRule::kNone || walk.unwanted || outlook) return walk;
   if (limits.pace || limits.stride || walk.timing || isSlower(walk))
     walk.feet->setSupports(halfSupports(walk, s_));
   walk.level = isLevel(walk);
@@ -272,9 +275,10 @@ void StepPlacer::swing(WalkSteps& walk, const WalkRequest& request) const {
     walk.gait.clear();
     for (int i = 1; i <= walk.steps; ++i)
       walk.gait.push_back(gaitOf(places[i], places[i + 1], 0.0));
-    walk.unwanted = !(*request.is_wanted)(walk.frames(), walk.gait);
+    walk.unwanted = !(*request.is_wanted)(walk.frames(), walk.end.leading, walk.gait);
     if (walk.unwanted) return;
   }
+  if (request.outlook) return;
   if (!shapeSwings(swings_, clearance_, request.wishes, request.path.length(), walk.end.standing,
                    *walk.feet, walk.gait)) {
     walk.refused = WalkRule::kStepHeight;

@@ -28,6 +28,9 @@ struct WalkRequest {
   bool any_leading = true;  ///< either foot may lead at the end; else to.leading
   const GaitWishes& wishes;
   const WalkFilter* is_wanted = nullptr;  ///< asked before swings are planned
+  /// Only what is told at once: of steps as they follow from the speed whether they are wanted;
+  /// where they would be chosen for the ground nothing is refused.
+  bool outlook = false;
 };
 
 /// A walk's steps. Where refused or unwanted, nothing else but their number may be asked.

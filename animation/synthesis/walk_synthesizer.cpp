@@ -315,7 +315,7 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
   const WalkRequest request{from, to, path, any_leading, wishes, is_wanted ? &is_wanted : nullptr};
   const WalkSteps walk = m.placer.plan(request);
   if (walk.refused != WalkRule::kNone) return {walk.refused, walk.steps, walk.end.leading};
-  if (walk.unwanted || (is_wanted && !is_wanted(walk.frames(), walk.gait)))
+  if (walk.unwanted || (is_wanted && !is_wanted(walk.frames(), walk.end.leading, walk.gait)))
     return {WalkRule::kNone, walk.steps, walk.end.leading, true};
   out.states.clear();
   out.states.push_back(m.stanceState(from, walk.from_feet, 0.0));
@@ -332,6 +332,14 @@ WalkResult WalkSynthesizer::walk(const Stance& from, const Stance& to, const Roo
   const WalkResult result = m.pose(out, walk.steps, walk.end.leading);
   if (result.refused == WalkRule::kNone) setGait(walk.gait, out);
   return result;
+}
+
+WalkResult WalkSynthesizer::outlook(const Stance& from, const Stance& to, const RootPath& path,
+                                    bool any_leading, const WalkFilter& is_wanted) const {
+  const GaitWishes none;
+  const WalkSteps walk = impl_->placer.plan(
+      {from, to, path, any_leading, none, is_wanted ? &is_wanted : nullptr, true});
+  return {walk.refused, walk.steps, walk.end.leading, walk.unwanted};
 }
 
 WalkResult WalkSynthesizer::turnOnSpot(const Stance& at, double angle, AnimationBuffer& out) const {

@@ -80,6 +80,11 @@ class WalkSynthesizer {
                   AnimationBuffer& out, const GaitWishes& wishes = {},
                   const WalkFilter& is_wanted = {}) const;
 
+  /// What is known of such a walk without much work: what refuses it, or that it is not wanted.
+  /// Where neither is so it may still be refused.
+  WalkResult outlook(const Stance& from, const Stance& to, const RootPath& path, bool any_leading,
+                     const WalkFilter& is_wanted) const;
+
   /// Turns on the spot by `angle` [rad, left positive, |angle| <= 2 pi] from standing at `at` to
   /// standing, in small steps.
   WalkResult turnOnSpot(const Stance& at, double angle, AnimationBuffer& out) const;

@@ -21,7 +21,7 @@ SteeringStage stageOf(WalkRule rule) {
 void SteeringCount::add(const SteerResult& result) {
   ++asked;
   poses += result.poses;
-  if (!result.edge && !result.too_dear) add(result.failure);
+  if (!result.edge && !result.too_dear && !result.leads_nowhere) add(result.failure);
 }
 
 void SteeringCount::add(const SteeringCount& other) {

@@ -94,10 +94,11 @@ class WayGuide {
 
 struct SteerResult {
   std::optional<WalkEdge> edge;
-  SteeringFailure failure;  ///< meaningful where there is no edge
-  int poses = 0;            ///< frames handed to the collision check
-  bool assumed = false;     ///< that there is an edge, which nobody has made (looksFree)
-  bool too_dear = false;    ///< an edge would cost more than was asked for (steerWithin)
+  SteeringFailure failure;     ///< meaningful where there is no edge
+  int poses = 0;               ///< frames handed to the collision check
+  bool assumed = false;        ///< that there is an edge, which nobody has made (looksFree)
+  bool too_dear = false;       ///< an edge would cost more than was asked for (steerWithin)
+  bool leads_nowhere = false;  ///< an edge, if there is one, would be of no use (steerOn)
 };
 
 /// Scratch memory of one thread.
@@ -131,6 +132,22 @@ class Steering {
   virtual SteerResult steerWithin(const Waypoint& from, const Waypoint& to, double /*most*/,
                                   SteeringScratch& scratch) const {
     return steer(from, to, scratch);
+  }
+
+  /// Asked of an edge that is planned and not made: it has its foot that leads at the end, and its
+  /// cost, as `duration`, is what it will be at least. Whether one could go on from it.
+  using LeadsOn = std::function<bool(const WalkEdge& planned)>;
+  /// steerWithin() for who has no use for an edge from which he could not go on: where
+  /// steerWithin() would give one of those the answer may be that (`leads_nowhere`). Else it is the
+  /// same.
+  virtual SteerResult steerOn(const Waypoint& from, const Waypoint& to, double most, const LeadsOn&,
+                              SteeringScratch& scratch) const {
+    return steerWithin(from, to, most, scratch);
+  }
+  /// Whether steerWithin() may give an edge, for all that is known without much work; false is
+  /// certain.
+  virtual bool mayLead(const Waypoint&, const Waypoint&, double /*most*/, SteeringScratch&) const {
+    return true;
   }
 
   /// Whether there is so much room all along that steer() will find a walk, nearly for sure: for

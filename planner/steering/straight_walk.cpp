@@ -55,7 +55,8 @@ StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround&
     walk.path = RootPath({makeBezier(from.position.head<2>(), from.heading, to.position.head<2>(),
                                      to.heading, 1.0 / 3.0)});
     const WalkResult made = synthesizer.walk(
-        from, to, walk.path, true, walk.buffer, {}, [&](int, std::span<const GaitParameters> gait) {
+        from, to, walk.path, true, walk.buffer, {},
+        [&](int, Side, std::span<const GaitParameters> gait) {
           return std::none_of(gait.begin(), gait.end(), [&](const GaitParameters& step) {
             return step.lift > synthesizer.capturedLift() + kNoLift;
           });

@@ -68,6 +68,12 @@ Stance withHeading(Stance stance, double heading) {
   return stance;
 }
 
+// Between the turns at its ends.
+std::pair<Stance, Stance> endsOfWalk(const WalkEdge& edge) {
+  return {withHeading(edge.from, edge.from.heading + edge.turn_first),
+          withHeading(edge.to, edge.to.heading - edge.turn_last)};
+}
+
 // How far the walking body reaches to its sides, feet, legs, arms and head.
 ClearanceMap::Breadth breadthByHeight(const StraightWalk& walk, const WalkSynthesizer& synthesizer,
                                       const Body& body, const SceneGround& ground) {
@@ -236,31 +242,46 @@ SteeringFailure WalkSteering::touched(const Contact& contact, const AnimationBuf
           state.heading};
 }
 
-// Asked of a planned walk: whether that alone, in time and effort, does not cost more [s].
+// Of a planned walk alone, in time and effort [s].
+double WalkSteering::leastCost(int intervals, std::span<const GaitParameters> gait) const {
+  const CharacterSettings& settings = synthesizer_.settings();
+  return intervals * settings.frame_time +
+         effortOf(gait, synthesizer_.capturedLift(), settings.speed);
+}
+
 WalkFilter WalkSteering::costsAtMost(double most) const {
   if (most == HUGE_VAL) return {};
-  return [this, most](int intervals, std::span<const GaitParameters> gait) {
-    const CharacterSettings& settings = synthesizer_.settings();
-    return intervals * settings.frame_time +
-               effortOf(gait, synthesizer_.capturedLift(), settings.speed) <=
-           most;
+  return [this, most](int intervals, Side, std::span<const GaitParameters> gait) {
+    return leastCost(intervals, gait) <= most;
+  };
+}
+
+// Of the walk of an edge whether it does not cost too much, and one could go on from it; that alone
+// in `leads_on`, which is asked about once for the same walk.
+WalkFilter WalkSteering::isOfUse(const WalkEdge& edge, const Use& use, bool& leads_on) const {
+  if (use.leads_on == nullptr) return costsAtMost(use.most);
+  return [this, &use, &leads_on, planned = edge](int intervals, Side leading,
+                                                 std::span<const GaitParameters> gait) mutable {
+    const double cost = leastCost(intervals, gait);
+    if (cost > use.most) return false;
+    if (leads_on && planned.duration == cost && planned.to.leading == leading) return true;
+    if (!planned.to.standing) planned.to.leading = leading;
+    planned.duration = cost;
+    return leads_on = (*use.leads_on)(planned);
   };
 }
 
 // The one place that knows what an edge is made of: its parts, each begun where the one before it
 // in time ends.
-// @param most  what the edge may cost for a walk to be animated [s]
 WalkResult WalkSteering::make(const WalkEdge& edge, EdgePart part, AnimationBuffer& out,
-                              double most) const {
-  const Stance leave = withHeading(edge.from, edge.from.heading + edge.turn_first);
-  const Stance arrive = withHeading(edge.to, edge.to.heading - edge.turn_last);
+                              const WalkFilter& is_wanted) const {
+  const auto [leave, arrive] = endsOfWalk(edge);
   switch (part) {
     case EdgePart::kTurnFirst:
       return synthesizer_.smallSteps(
           edge.from, shifts(edge) ? edge.to.position : edge.from.position, edge.turn_first, out);
     case EdgePart::kWalk:
-      return synthesizer_.walk(leave, arrive, edge.path, edge.any_leading, out, {},
-                               costsAtMost(most));
+      return synthesizer_.walk(leave, arrive, edge.path, edge.any_leading, out, {}, is_wanted);
     case EdgePart::kTurnLast:
       return synthesizer_.turnOnSpot(arrive, edge.turn_last, out);
   }
@@ -271,9 +292,9 @@ WalkResult WalkSteering::make(const WalkEdge& edge, EdgePart part, AnimationBuff
 // refused by visit(part, result). @return whether all were taken
 template <typename Visit>
 bool WalkSteering::visitParts(const WalkEdge& edge, const PartOrder& order, AnimationBuffer& buffer,
-                              Visit visit, double most) const {
+                              Visit visit, const WalkFilter& is_wanted) const {
   return std::all_of(order.begin(), order.end(), [&](EdgePart part) {
-    return !hasPart(edge, part) || visit(part, make(edge, part, buffer, most));
+    return !hasPart(edge, part) || visit(part, make(edge, part, buffer, is_wanted));
   });
 }
 
@@ -291,9 +312,10 @@ bool WalkSteering::coreTouches(const WalkEdge& edge, SteeringScratch& scratch,
 }
 
 // Stages 2 to 4, of the walk first, since it is refused more often than the turns.
-SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch, double most) const {
+SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch, const Use& use) const {
   WalkScratch& own = walkScratch(scratch);
   SteerResult result;
+  bool leads_on = true;
   if (coreTouches(edge, scratch, result.failure)) return result;
   int frames = 0;
   double near = 0.0;
@@ -303,7 +325,7 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch, double 
       return false;
     }
     if (made.unwanted) {
-      result.too_dear = true;
+      (leads_on ? result.too_dear : result.leads_nowhere) = true;
       return false;
     }
     result.poses += own.buffer.size();
@@ -320,7 +342,8 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch, double 
     if (!edge.to.standing) edge.to.leading = made.leading;
     return true;
   };
-  if (!visitParts(edge, kLikeliestRefused, own.buffer, passes, most)) return result;
+  if (!visitParts(edge, kLikeliestRefused, own.buffer, passes, isOfUse(edge, use, leads_on)))
+    return result;
   edge.duration = frames * synthesizer_.settings().frame_time;
   edge.unease = kNearnessCost * near * synthesizer_.settings().frame_time;
   result.edge = std::move(edge);
@@ -329,35 +352,63 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch, double 
 
 SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to,
                                 SteeringScratch& scratch) const {
-  return steer(from, to, scratch, HUGE_VAL, nullptr);
+  return steer(from, to, scratch, {}, nullptr);
 }
 
 SteerResult WalkSteering::steerWithin(const Waypoint& from, const Waypoint& to, double most,
                                       SteeringScratch& scratch) const {
-  return steer(from, to, scratch, most, nullptr);
+  return steer(from, to, scratch, {most}, nullptr);
+}
+
+SteerResult WalkSteering::steerOn(const Waypoint& from, const Waypoint& to, double most,
+                                  const LeadsOn& leads_on, SteeringScratch& scratch) const {
+  return steer(from, to, scratch, {most, &leads_on}, nullptr);
+}
+
+bool WalkSteering::mayLead(const Waypoint& from, const Waypoint& to, double most,
+                           SteeringScratch& scratch) const {
+  const Eigen::Vector3d line = to.stance.position - from.stance.position;
+  if (line.head<2>().norm() < kSamePlace) return true;
+  SteeringFailure failure;
+  for (const Way& way : waysBetween(from, to)) {
+    const WalkEdge edge = makeEdge(from, to, way);
+    if (edge.path.empty()) return true;
+    if (coreTouches(edge, scratch, failure)) continue;
+    const auto [leave, arrive] = endsOfWalk(edge);
+    const WalkResult walk =
+        synthesizer_.outlook(leave, arrive, edge.path, edge.any_leading, costsAtMost(most));
+    if (walk.refused == WalkRule::kNone) return !walk.unwanted;
+  }
+  return false;
 }
 
 WalkSteering::Attempt WalkSteering::attempt(const Waypoint& from, const Waypoint& to,
                                             SteeringScratch& scratch) const {
   Attempt attempt;
-  attempt.result = steer(from, to, scratch, HUGE_VAL, &attempt.refused);
+  attempt.result = steer(from, to, scratch, {}, &attempt.refused);
   if (attempt.result.edge) attempt.refused.reset();
   return attempt;
 }
 
-// The edge is the first proposal that nothing refuses. Where one costs more than `most`, whether
-// that is so is not asked: those after it bend more and are hardly shorter.
+// The edge is the first proposal that nothing refuses. Where one costs more than `use.most`,
+// whether that is so is not asked: those after it bend more and are hardly shorter. Nor is it of
+// those from which one could not go on, unless there is another behind them.
 SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch,
-                                double most, std::optional<WalkEdge>* refused) const {
+                                const Use& use, std::optional<WalkEdge>* refused) const {
   SteerResult all;
   all.failure = failure(WalkRule::kNoCurve, from.stance, to.stance);
-  const auto passes = [&](WalkEdge edge) {
+  std::vector<WalkEdge> put_off;
+  const auto passes = [&](WalkEdge edge, const Use& its_use) {
     std::optional<WalkEdge> proposal;
-    if (refused) proposal = edge;
-    SteerResult one = judge(std::move(edge), scratch, most);
+    if (refused || its_use.leads_on) proposal = edge;
+    SteerResult one = judge(std::move(edge), scratch, its_use);
     all.poses += one.poses;
     all.too_dear = one.too_dear;
     all.edge = std::move(one.edge);
+    if (one.leads_nowhere) {
+      put_off.push_back(std::move(*proposal));
+      return false;
+    }
     if (!all.edge && !all.too_dear && stageOf(one.failure.rule) >= stageOf(all.failure.rule)) {
       all.failure = one.failure;
       if (refused) *refused = std::move(proposal);
@@ -366,12 +417,20 @@ SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to, Steeri
   };
   const Eigen::Vector3d line = to.stance.position - from.stance.position;
   if (line.head<2>().norm() < kSamePlace) {
-    if (onOneFloor(from, to) || isThere(from, to)) passes(makeTurn(from, to));
+    if (onOneFloor(from, to) || isThere(from, to)) passes(makeTurn(from, to), {use.most});
     return all;
   }
   for (const Way& way : waysBetween(from, to)) {
-    if (passes(makeEdge(from, to, way))) break;
+    if (passes(makeEdge(from, to, way), use)) break;
   }
+  if (!all.edge) {
+    all.leads_nowhere = !all.too_dear && !put_off.empty();
+    return all;
+  }
+  std::optional<WalkEdge> last = std::move(all.edge);
+  for (WalkEdge& edge : std::exchange(put_off, {}))
+    if (passes(std::move(edge), {use.most})) return all;
+  all.edge = std::move(last);
   return all;
 }
 
@@ -408,7 +467,7 @@ SteerResult WalkSteering::smallSteps(const Waypoint& from, const Waypoint& to,
     none.failure = failure(WalkRule::kNoCurve, from.stance, to.stance);
     return none;
   }
-  return judge(makeTurn(from, to), scratch);
+  return judge(makeTurn(from, to), scratch, {});
 }
 
 WalkRule WalkSteering::animateRefused(const WalkEdge& edge, AnimationBuffer& out) const {

@@ -48,6 +48,10 @@ class WalkSteering : public Steering {
                     SteeringScratch& scratch) const override;
   SteerResult steerWithin(const Waypoint& from, const Waypoint& to, double most,
                           SteeringScratch& scratch) const override;
+  SteerResult steerOn(const Waypoint& from, const Waypoint& to, double most,
+                      const LeadsOn& leads_on, SteeringScratch& scratch) const override;
+  bool mayLead(const Waypoint& from, const Waypoint& to, double most,
+               SteeringScratch& scratch) const override;
   bool looksFree(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch) const override;
   double topSpeed() const override;
   std::vector<double> floors(double x, double y) const override { return ground_.floors(x, y); }
@@ -103,16 +107,23 @@ class WalkSteering : public Steering {
  private:
   WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
                const SceneGround& ground, double comfort, const StraightWalk& walk);
-  SteerResult judge(WalkEdge edge, SteeringScratch& scratch, double most = HUGE_VAL) const;
-  SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch, double most,
-                    std::optional<WalkEdge>* refused) const;
+  // What an edge is wanted for.
+  struct Use {
+    double most = HUGE_VAL;             // that it may cost [s]
+    const LeadsOn* leads_on = nullptr;  // whether one could go on from it
+  };
+  SteerResult judge(WalkEdge edge, SteeringScratch& scratch, const Use& use) const;
+  SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch,
+                    const Use& use, std::optional<WalkEdge>* refused) const;
   bool coreTouches(const WalkEdge& edge, SteeringScratch& scratch, SteeringFailure& failure) const;
+  double leastCost(int intervals, std::span<const GaitParameters> gait) const;
   WalkFilter costsAtMost(double most) const;
+  WalkFilter isOfUse(const WalkEdge& edge, const Use& use, bool& leads_on) const;
   WalkResult make(const WalkEdge& edge, EdgePart part, AnimationBuffer& out,
-                  double most = HUGE_VAL) const;
+                  const WalkFilter& is_wanted) const;
   template <typename Visit>
   bool visitParts(const WalkEdge& edge, const PartOrder& order, AnimationBuffer& buffer,
-                  Visit visit, double most = HUGE_VAL) const;
+                  Visit visit, const WalkFilter& is_wanted = {}) const;
 
   const WalkSynthesizer& synthesizer_;
   const CollisionWorld& world_;
