@@ -32,11 +32,17 @@ ClearanceMap::ClearanceMap(const SceneGround& ground, const Eigen::AlignedBox2d&
   bool made = layPlaces(ground, bounds, stopped);
   if (made) {
     source_.resize(size());
+    done_.resize(static_cast<size_t>(count_.x()) * count_.y(), 0);
+    for (const Place& place : places_) {
+      lowest_ = std::min(lowest_, place.height);
+      highest_ = std::max(highest_, place.height);
+    }
     measureDistances();
     markEdges();
     made = markObstacles(ground, stopped) && spread(stopped);
   }
   source_ = {};
+  done_ = {};
   queue_ = {};
   distance_ = {};
   if (!made) places_.clear();
@@ -155,15 +161,32 @@ bool ClearanceMap::markObstacles(const SceneGround& ground, const std::function<
   return true;
 }
 
+ClearanceMap::Between ClearanceMap::between(double low, double high) const {
+  Between heights{low, high};
+  const int bands = static_cast<int>(body_.bands.size());
+  heights.others = bands > kBandsDone;
+  for (int i = 0; i < std::min(bands, kBandsDone); ++i) {
+    const Band& band = body_.bands[i];
+    if (low < highest_ + band.high && high > lowest_ + band.low) heights.at_some |= 1 << i;
+    if (low < lowest_ + band.high && high > highest_ + band.low) heights.at_all |= 1 << i;
+  }
+  return heights;
+}
+
 // Whether something over a cell, between two heights, may be nearer to one of its places than what
 // that has seen.
-bool ClearanceMap::isNewsTo(const Eigen::Vector2i& cell, double low, double high) const {
-  return anyOver(cell, low, high,
-                 [&](int place, const Source& source) { return isNews(place, spareFrom(source)); });
+bool ClearanceMap::isNewsTo(const Eigen::Vector2i& cell, const Between& heights) {
+  std::uint8_t& done = done_[static_cast<size_t>(cell.y()) * count_.x() + cell.x()];
+  if (!heights.others && (heights.at_some & ~done) == 0) return false;
+  const bool is_news =
+      anyOver(cell, heights.low, heights.high,
+              [&](int place, const Source& source) { return isNews(place, spareFrom(source)); });
+  if (!is_news) done |= heights.at_all;
+  return is_news;
 }
 
 // The same of cells that a small triangle lies over, or beside; of a large one it is not asked.
-bool ClearanceMap::mayBeNews(const Triangle3& t, double low, double high) const {
+bool ClearanceMap::mayBeNews(const Triangle3& t, const Between& heights) {
   constexpr int kFewCells = 9;
   Eigen::AlignedBox2d around;
   for (const Eigen::Vector3d& corner : t) around.extend(corner.head<2>().eval());
@@ -174,7 +197,7 @@ bool ClearanceMap::mayBeNews(const Triangle3& t, double low, double high) const 
   if ((last - first + Eigen::Vector2i::Ones()).prod() > kFewCells) return true;
   for (int row = first.y(); row <= last.y(); ++row)
     for (int column = first.x(); column <= last.x(); ++column)
-      if (isNewsTo({column, row}, low, high)) return true;
+      if (isNewsTo({column, row}, heights)) return true;
   return false;
 }
 
@@ -190,8 +213,8 @@ Eigen::Vector2i ClearanceMap::cellAt(const Eigen::Vector2d& p) const {
 // only the cells to which it may be news: meshes have many triangles over one.
 void ClearanceMap::markTriangle(const Triangle3& t) {
   const auto [lowest, highest] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
-  const double low = lowest - kBesideRound, high = highest + kBesideRound;
-  if (!mayBeNews(t, low, high)) return;
+  const Between all = between(lowest - kBesideRound, highest + kBesideRound);
+  if (!mayBeNews(t, all)) return;
   const Eigen::Vector2d max = min_ + cell_ * count_.cast<double>();
   const auto inside = boundsWithin(t, {min_, max});
   if (!inside) return;
@@ -203,7 +226,7 @@ void ClearanceMap::markTriangle(const Triangle3& t) {
     if (!strip) continue;
     const int last = cellAt(strip->max().head<2>()).x();
     for (int column = cellAt(strip->min().head<2>()).x(); column <= last; ++column) {
-      if (!isNewsTo({column, row}, low, high)) continue;
+      if (!isNewsTo({column, row}, all)) continue;
       const Eigen::Vector2d corner(min_.x() + cell_ * column, y);
       const auto heights = heightsWithin(t, {corner, corner + Eigen::Vector2d::Constant(cell_)});
       if (heights) markColumn({column, row}, heights->low, heights->high);

@@ -94,8 +94,16 @@ class ClearanceMap {
   void fetchAhead(size_t next) const;
   void markEdges();
   void markTriangle(const Triangle3& t);
-  bool isNewsTo(const Eigen::Vector2i& cell, double low, double high) const;
-  bool mayBeNews(const Triangle3& t, double low, double high) const;
+  // Heights of something, and of the first bands those that it is in at some place of all, and at
+  // every place.
+  struct Between {
+    double low, high;     // [m]
+    bool others = false;  // whether there are more bands
+    std::uint8_t at_some = 0, at_all = 0;
+  };
+  Between between(double low, double high) const;
+  bool isNewsTo(const Eigen::Vector2i& cell, const Between& heights);
+  bool mayBeNews(const Triangle3& t, const Between& heights);
   Eigen::Vector2i cellAt(const Eigen::Vector2d& p) const;
   void markColumn(const Eigen::Vector2i& at, double low, double high);
   template <typename Visit>
@@ -117,7 +125,12 @@ class ClearanceMap {
   };
   std::vector<Place> places_;
   std::vector<Source> source_;  // by place, while the map is built
-  std::vector<int> queue_;      // places that saw something nearer, while the map is built
+  // By cell, while the map is built: a bit for each of the first bands in which nothing over the
+  // cell is news to any place any more.
+  static constexpr int kBandsDone = 8;
+  std::vector<std::uint8_t> done_;
+  float lowest_ = HUGE_VALF, highest_ = -HUGE_VALF;  // of all places [m]
+  std::vector<int> queue_;  // places that saw something nearer, while the map is built
   // To an obstacle so many cells away along x and y, while the map is built [m].
   std::vector<double> distance_;
   int far_ = 0;  // cells along a side of these

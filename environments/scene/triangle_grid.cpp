@@ -53,16 +53,29 @@ bool cut(const Polygon& in, int axis, double sign, double limit, Polygon& out) {
 }
 
 // What of a triangle is within a box of the plane: Sutherland and Hodgman's clipping, side by side
-// of the box.
+// of the box. Most sides cut nothing off, which is told by the triangle's extent.
 Polygon clip(const Triangle3& t, const Eigen::AlignedBox2d& box) {
   Polygon polygons[2];
   int in = 0;
-  if (isBeside(t, box)) return polygons[in];
+  double low[2], high[2];
+  for (int axis = 0; axis < 2; ++axis) {
+    const double a = t[0][axis], b = t[1][axis], c = t[2][axis];
+    low[axis] = std::min(a, std::min(b, c));
+    high[axis] = std::max(a, std::max(b, c));
+    if (high[axis] < box.min()[axis] || low[axis] > box.max()[axis]) return polygons[in];
+  }
   for (int k = 0; k < 3; ++k) polygons[in].corners[k] = {t[k].x(), t[k].y(), t[k].z()};
   polygons[in].count = 3;
+  bool is_whole = true;
   for (int axis = 0; axis < 2; ++axis) {
-    if (cut(polygons[in], axis, 1.0, box.min()[axis], polygons[1 - in])) in = 1 - in;
-    if (cut(polygons[in], axis, -1.0, -box.max()[axis], polygons[1 - in])) in = 1 - in;
+    const auto cutAt = [&](double sign, double limit, bool cuts) {
+      if (is_whole && !cuts) return;
+      if (!cut(polygons[in], axis, sign, limit, polygons[1 - in])) return;
+      in = 1 - in;
+      is_whole = false;
+    };
+    cutAt(1.0, box.min()[axis], low[axis] < box.min()[axis]);
+    cutAt(-1.0, -box.max()[axis], high[axis] > box.max()[axis]);
   }
   return polygons[in];
 }
