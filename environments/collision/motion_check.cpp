@@ -33,10 +33,11 @@ void MotionCheck::place(int first, int last, int step) {
 
 std::optional<Contact> MotionCheck::coarse() {
   for (size_t level = 0; level < kStrides.size(); ++level) {
-    const int stride = kStrides[level];
-    for (int frame = 0; frame < poses_.size(); frame += stride) {
-      if (level > 0 && frame % kStrides[level - 1] == 0) continue;
-      place(frame, frame + 4 * stride, stride);
+    // Of the finer strides every other frame has been tried.
+    const int first = level > 0 ? kStrides[level] : 0;
+    const int stride = level > 0 ? kStrides[level - 1] : kStrides[level];
+    for (int frame = first; frame < poses_.size(); frame += stride) {
+      if (!scratch_.placed[frame]) place(frame, frame + 4 * stride, stride);
       for (int part = 0; part < world_.parts(); ++part) {
         const int object = world_.touchedAt(placed(frame), part, soles_[frame], scratch_);
         if (object >= 0) return Contact{frame, 0.0, part, object, 0.0};

@@ -14,6 +14,7 @@ namespace amble {
 /// Frames that `any` tries before it looks at all of them, coarsest first. By trial: most refusals
 /// are found by then.
 inline constexpr std::array<int, 3> kStrides = {16, 8, 4};
+static_assert(kStrides[0] == 2 * kStrides[1] && kStrides[1] == 2 * kStrides[2]);
 
 /// The check of one motion: at its frames, and between them by halving what is not yet proved.
 ///
