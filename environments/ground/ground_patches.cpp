@@ -45,6 +45,7 @@ struct GroundPatches::Tile {
   std::vector<double> levels;
   std::vector<Ends> ends;
   double lowest = HUGE_VAL, highest = -HUGE_VAL;  // between which `ends` are kept [m]
+  std::optional<double> level;                    // the one of every patch, if there is one [m]
 };
 
 class GroundPatches::Maker {
@@ -60,14 +61,18 @@ class GroundPatches::Maker {
   }
 
  private:
-  // Of the triangles near the tile each once.
-  std::vector<int> near(const TriangleGrid& grid) const {
+  // Of the triangles near the tile that `is_one` each once.
+  template <typename Condition>
+  std::vector<int> near(const TriangleGrid& grid, Condition is_one) const {
     std::vector<int> near;
     const Eigen::AlignedBox2d all = box(0)
                                         .merged(box(kTile * kTile - 1))
                                         .merged(box(kTile - 1))
                                         .merged(box(kTile * kTile - kTile));
-    grid.visitBox(grown(all), [&](int t) { near.push_back(t); });
+    const Eigen::AlignedBox2d around = grown(all);
+    grid.visitBox(around, [&](int t) {
+      if (is_one(grid.triangles()[t])) near.push_back(t);
+    });
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     return near;
@@ -99,7 +104,7 @@ class GroundPatches::Maker {
   void findGround(Tile& tile) const {
     const std::vector<Triangle3>& triangles = patches_.ground_->triangles();
     std::array<std::vector<int>, kTile * kTile> met;
-    for (const int t : near(*patches_.ground_)) {
+    for (const int t : near(*patches_.ground_, [](const Triangle3&) { return true; })) {
       for (const Eigen::Vector3d& corner : triangles[t]) {
         tile.lowest = std::min(tile.lowest, corner.z() - kKeptBelow);
         tile.highest = std::max(tile.highest, corner.z() + kKeptAbove);
@@ -114,6 +119,10 @@ class GroundPatches::Maker {
       tile.patches[k].level_count = static_cast<int>(levels->size());
       tile.levels.insert(tile.levels.end(), levels->begin(), levels->end());
     }
+    const bool one = std::ranges::all_of(tile.patches, [&](const Tile::Patch& patch) {
+      return patch.level_count == 1 && tile.levels[patch.levels] == tile.levels[0];
+    });
+    if (one) tile.level = tile.levels[0];
   }
 
   // Lowest first, of the ground's triangles that a patch may meet; none where it is not level, or
@@ -149,32 +158,45 @@ class GroundPatches::Maker {
     return levels;
   }
 
+  static HeightRange heightsOf(const Triangle3& t) {
+    const auto [low, high] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
+    return {low, high};
+  }
+
   void findEnds(Tile& tile) const {
     const std::vector<Triangle3>& triangles = patches_.all_->triangles();
-    std::array<std::vector<Tile::Ends>, kTile * kTile> ends;
-    for (const int t : near(*patches_.all_)) {
+    std::vector<std::pair<int, Tile::Ends>> found;  // with their patch, by triangle
+    const auto counts = [&](const Triangle3& t) {
+      const HeightRange heights = heightsOf(t);
+      return !(heights.high < tile.lowest || heights.low > tile.highest);
+    };
+    for (const int t : near(*patches_.all_, counts)) {
       const Triangle3& corners = triangles[t];
-      const auto [low, high] = std::minmax({corners[0].z(), corners[1].z(), corners[2].z()});
-      if (high < tile.lowest || low > tile.highest) continue;
+      const auto [low, high] = heightsOf(corners);
       const bool upright = low < high && std::abs(upwardness(corners)) < kUpright;
       const HeightRange own{upright ? high : low, high};
       if (own.low > tile.highest) continue;
       const PlanTriangle seen(corners);
       const bool large = own.low < own.high && seen.box().sizes().maxCoeff() > 4.0 * kPatch;
+      const Tile::Ends all{below(own.low), above(own.high), t};
       eachMet(seen, [&](int patch, const Eigen::AlignedBox2d& at) {
-        const auto here = large ? heightsWithin(corners, grown(at)) : own;
-        if (here) ends[patch].push_back({below(here->low), above(here->high), t});
+        if (!large) {
+          found.push_back({patch, all});
+        } else if (const auto here = heightsWithin(corners, grown(at))) {
+          found.push_back({patch, {below(here->low), above(here->high), t}});
+        }
       });
     }
-    for (int k = 0; k < kTile * kTile; ++k) {
-      Tile::Patch& patch = tile.patches[k];
-      patch.ends = static_cast<int>(tile.ends.size());
-      patch.end_count = static_cast<int>(ends[k].size());
-      for (const Tile::Ends& each : ends[k]) {
-        patch.low = std::min(patch.low, each.low);
-        patch.high = std::max(patch.high, each.high);
-      }
-      tile.ends.insert(tile.ends.end(), ends[k].begin(), ends[k].end());
+    for (const auto& [patch, ends] : found) ++tile.patches[patch].end_count;
+    int next = 0;
+    for (Tile::Patch& patch : tile.patches) next = (patch.ends = next) + patch.end_count;
+    tile.ends.resize(found.size());
+    std::array<int, kTile* kTile> filled = {};
+    for (const auto& [at, ends] : found) {
+      Tile::Patch& patch = tile.patches[at];
+      tile.ends[patch.ends + filled[at]++] = ends;
+      patch.low = std::min(patch.low, ends.low);
+      patch.high = std::max(patch.high, ends.high);
     }
   }
 
@@ -249,27 +271,50 @@ bool GroundPatches::visitPatches(const Eigen::AlignedBox2d& box, Visit visit_row
   return true;
 }
 
+// Of the patches of a tile from one to another, in its rows and columns; of one that is level all
+// over, at once. False where there is none, or not one for all of them and those before.
+bool GroundPatches::isLevelWithin(const Tile& tile, const Eigen::Vector2i& first,
+                                  const Eigen::Vector2i& last, double z, double reach,
+                                  std::optional<double>& level) {
+  const auto agrees = [&](double height) { return height == level.value_or(height); };
+  if (tile.level && std::abs(*tile.level - z) <= reach && agrees(*tile.level)) {
+    level = tile.level;
+    return true;
+  }
+  for (int j = first.y(); j <= last.y(); ++j) {
+    for (int i = first.x(); i <= last.x(); ++i) {
+      const Tile::Patch& patch = tile.patches[j * kTile + i];
+      const double* levels = tile.levels.data() + patch.levels;
+      int k = patch.level_count - 1;  // the highest
+      while (k >= 0 && std::abs(levels[k] - z) > reach) --k;
+      if (k < 0 || !agrees(levels[k])) return false;
+      level = levels[k];
+    }
+  }
+  return true;
+}
+
 std::optional<double> GroundPatches::levelOver(const Eigen::AlignedBox2d& box, double z,
                                                double reach) const {
-  const auto isOutside = [&](double value, int axis) {
-    const int patch = patchAt(value, axis);
-    return patch < 0 || patch >= tiles_of_[axis] * kTile;
-  };
-  for (const int axis : {0, 1})
-    if (isOutside(box.min()[axis], axis) || isOutside(box.max()[axis], axis)) return std::nullopt;
+  Eigen::Vector2i first, last;
+  for (const int axis : {0, 1}) {
+    first[axis] = patchAt(box.min()[axis], axis);
+    last[axis] = patchAt(box.max()[axis], axis);
+    if (first[axis] < 0 || last[axis] < 0 || last[axis] >= tiles_of_[axis] * kTile)
+      return std::nullopt;
+  }
+  const Eigen::Vector2i end = last / kTile;
   std::optional<double> level;
-  const bool same =
-      visitPatches(box, [&](const Tile& tile, const Tile::Patch* patch, int count, int, int) {
-        for (const Tile::Patch* end = patch + count; patch < end; ++patch) {
-          const double* levels = tile.levels.data() + patch->levels;
-          int k = patch->level_count - 1;  // the highest
-          while (k >= 0 && std::abs(levels[k] - z) > reach) --k;
-          if (k < 0 || levels[k] != level.value_or(levels[k])) return false;
-          level = levels[k];
-        }
-        return true;
-      });
-  return same ? level : std::nullopt;
+  for (Eigen::Vector2i at = first / kTile; at.y() <= end.y(); ++at.y()) {
+    for (at.x() = first.x() / kTile; at.x() <= end.x(); ++at.x()) {
+      const Tile* tile = tileOf(at.x() * kTile, at.y() * kTile);
+      const Eigen::Vector2i corner = kTile * at;
+      if (tile == nullptr || !isLevelWithin(*tile, (first - corner).cwiseMax(0),
+                                            (last - corner).cwiseMin(kTile - 1), z, reach, level))
+        return std::nullopt;
+    }
+  }
+  return level;
 }
 
 namespace {

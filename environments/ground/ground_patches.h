@@ -84,6 +84,9 @@ class GroundPatches {
     return made != nullptr ? made : makeTile(column / kTile, row / kTile);
   }
   const Tile* makeTile(int i, int j) const;
+  static bool isLevelWithin(const Tile& tile, const Eigen::Vector2i& first,
+                            const Eigen::Vector2i& last, double z, double reach,
+                            std::optional<double>& level);
   template <typename Visit>
   bool visitPatches(const Eigen::AlignedBox2d& box, Visit visit_row) const;
   template <typename Visit>

@@ -300,7 +300,9 @@ bool SceneGround::risesAbove(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
   const PlanStrip strip({a, b}, half_width);
   const Eigen::AlignedBox2d around = boxAround(strip);
   const auto rises = [&](int t) {
-    return !isBeside(all().triangles()[t], around) && crestOf(t, strip, low, low, high) > low;
+    const HeightRange& own = parts_->heights[t];
+    return own.high >= low && own.low <= high && !isBeside(all().triangles()[t], around) &&
+           crestOf(t, strip, low, low, high) > low;
   };
   if (const auto any = parts_->patches->anyEnding(strip, low, high, rises)) return *any;
   bool found = false;
