@@ -75,28 +75,73 @@ double SpeedProfile::allowedSpeed(double arc) const {
   return limits_.pace ? speed * limits_.pace(arc) : speed;
 }
 
+// The path at evenly spaced knots, each asked once.
+class SpeedProfile::PathKnots {
+ public:
+  PathKnots(const RootPath& path, int count, bool turns)
+      : path_(path), spacing_(path.length() / count), curvature_(count + 1, -1.0) {
+    if (turns) headings_.resize(count + 1);
+  }
+
+  double spacing() const { return spacing_; }
+  /// Without its sign [1/m].
+  double curvature(int i) {
+    if (curvature_[i] >= 0.0) return curvature_[i];
+    double curvature = 0.0;
+    if (headings_.empty()) {
+      curvature = path_.curvatureAt(spacing_ * i);
+    } else {
+      const RootPath::Sample on = path_.at(spacing_ * i);
+      headings_[i] = on.heading;
+      curvature = on.curvature;
+    }
+    return curvature_[i] = std::abs(curvature);
+  }
+  /// Of all knots, once their curvatures were asked for; empty where they are not needed [rad].
+  const std::vector<double>& headings() const { return headings_; }
+
+ private:
+  const RootPath& path_;
+  double spacing_;
+  std::vector<double> curvature_, headings_;
+};
+
+// Whether a walk turns too fast beside a stance that walks, for certain: it would have to be slower
+// there than the stance is, however it slows down. By knots from the stance on, as far as that may
+// be so.
+bool SpeedProfile::turnsTooFastBeside(bool at_end, int count, PathKnots& path) const {
+  constexpr double kSure = 1e-4;  // against rounding and limitSpeed's tolerance [1]
+  const double wanted = allowedSpeed(at_end ? length_ : 0.0) * (1.0 - kSure);
+  const double gain = 2.0 * limits_.law.onset().acceleration * path.spacing();
+  for (int i = 0; i <= count; ++i) {
+    const double least = wanted * wanted - i * gain;
+    if (least <= 0.0) return false;
+    const double curvature = path.curvature(at_end ? count - i : i);
+    const double fastest = limits_.max_turn_rate / std::max(curvature, 1e-9);
+    if (fastest * fastest < least) return true;
+  }
+  return false;
+}
+
 // Wanted speed at every knot: the plan's, less in turns, with bounded changes; as step length.
 void SpeedProfile::limitSpeed(const RootPath& path) {
   const int count = std::max(8, partsOf(length_, StepFit::kSpacing));
-  const double spacing = length_ / count;
+  PathKnots on(path, count, limits_.law.hasTurns() && !limits_.stride);
+  for (const bool at_end : {true, false}) {
+    const bool stands = at_end ? ends_.to_standing : ends_.from_standing;
+    if (stands || !turnsTooFastBeside(at_end, count, on)) continue;
+    refusal_ = Refusal::kTurnRate;
+    return;
+  }
+  const double spacing = on.spacing();
   const double fade = std::min(StepFit::kFadeSteps * usual_step_, 0.5 * length_);
-  std::vector<double> speed(count + 1), headings;
-  const bool turns = limits_.law.hasTurns() && !limits_.stride;
-  if (turns) headings.resize(count + 1);
+  std::vector<double> speed(count + 1);
   knots_.resize(count + 1);
   const BesideStanding beside(limits_.law, ends_.from_standing, ends_.to_standing);
   for (int i = 0; i <= count; ++i) {
     knots_[i].arc = spacing * i;
-    double curvature = 0.0;
-    if (turns) {
-      const RootPath::Sample on = path.at(knots_[i].arc);
-      headings[i] = on.heading;
-      curvature = std::abs(on.curvature);
-    } else {
-      curvature = std::abs(path.curvatureAt(knots_[i].arc));
-    }
-    speed[i] =
-        std::min(allowedSpeed(knots_[i].arc), limits_.max_turn_rate / std::max(curvature, 1e-9));
+    speed[i] = std::min(allowedSpeed(knots_[i].arc),
+                        limits_.max_turn_rate / std::max(on.curvature(i), 1e-9));
     speed[i] = std::min(speed[i], beside.fastest(knots_[i].arc, length_ - knots_[i].arc));
     knots_[i].window = (ends_.from_standing ? 1.0 : smoothstep(knots_[i].arc / fade)) *
                        (ends_.to_standing ? 1.0 : smoothstep((length_ - knots_[i].arc) / fade));
@@ -126,7 +171,7 @@ void SpeedProfile::limitSpeed(const RootPath& path) {
       knots_[i].wanted = same ? knots_[i - 1].wanted : limits_.law.stepLength(speed[i]);
     }
   }
-  if (turns) turnSteps(headings);
+  if (!on.headings().empty()) turnSteps(on.headings());
 }
 
 // Steps in turns are as captured ones. Headings are those of the path at each knot; turns are

@@ -96,6 +96,8 @@ class SpeedProfile {
   double speedAt(double arc) const { return 1.0 / valueAt(arc, &Knot::slowness); }
 
  private:
+  class PathKnots;
+  bool turnsTooFastBeside(bool at_end, int count, PathKnots& path) const;
   void limitSpeed(const RootPath& path);
   void turnSteps(const std::vector<double>& headings);
   double allowedSpeed(double arc) const;

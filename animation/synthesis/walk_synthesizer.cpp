@@ -56,7 +56,8 @@ struct WalkSynthesizer::Impl {
         turns(library, scale),
         walk(blend, turns, reference, standChannels(library.stand().root_height * scale),
              placement.forward - blend.footForward()),
-        placer(ground, shapes, blend.feet(), stepSettings()) {}
+        placer(ground, shapes, blend.feet(), stepSettings()),
+        captured_lift(0.5 * (capturedLift(kLeft) + capturedLift(kRight))) {}
 
   FootPlacement placementOf(const Posture& stand) const {
     FootPlacement placed;
@@ -231,6 +232,7 @@ struct WalkSynthesizer::Impl {
   CapturedTurns turns;
   WalkController walk;
   StepPlacer placer;
+  double captured_lift;  // the mean of both feet [m]
   std::vector<std::unique_ptr<const SubController>> actions;
 };
 
@@ -250,9 +252,7 @@ const Skeleton& WalkSynthesizer::skeleton() const { return impl_->skeleton; }
 const JointRoles& WalkSynthesizer::roles() const { return impl_->roles; }
 const std::array<FootShape, 2>& WalkSynthesizer::feet() const { return impl_->shapes; }
 double WalkSynthesizer::capturedStep() const { return impl_->blend.law().capturedStep(); }
-double WalkSynthesizer::capturedLift() const {
-  return 0.5 * (impl_->capturedLift(kLeft) + impl_->capturedLift(kRight));
-}
+double WalkSynthesizer::capturedLift() const { return impl_->captured_lift; }
 double WalkSynthesizer::stature() const { return impl_->stature; }
 JointFrame WalkSynthesizer::standingHead() const { return impl_->standingHead(); }
 double WalkSynthesizer::stepLength() const { return impl_->placement.step_length; }
