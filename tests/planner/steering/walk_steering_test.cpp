@@ -457,7 +457,7 @@ TEST(WalkSteeringUneven, PassagesOfAStairAreWalkedUpAndDown) {
       told.clear();
       return room.synthesizer.walk(
           edge.from, edge.to, edge.path, edge.any_leading, buffer, {},
-          [&](int intervals, std::span<const GaitParameters> gait) {
+          [&](int intervals, Side, std::span<const GaitParameters> gait) {
             told.emplace_back(intervals * settings.frame_time,
                               effortOf(gait, room.synthesizer.capturedLift(), settings.speed));
             return told.size() < most;
