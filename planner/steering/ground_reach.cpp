@@ -7,8 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "animation/steps/unevenness.h"
 #include "base/union_find.h"
 #include "environments/ground/ground_cells.h"
+#include "environments/scene/scene_pieces.h"
+#include "environments/scene/triangle_grid.h"
 
 namespace amble {
 namespace {
@@ -22,6 +25,12 @@ constexpr double kFlat = 1e-3;       // of heights on ground without a slope [m]
 constexpr int kSweepsOfNearest = 4;  // from one side of a gap to the other
 constexpr int kBlock = 8;            // squares along a side of what is looked at as one
 constexpr double kLevel = GroundCells::kLevel;
+// Ground that is narrower than a square is ground where it is so near to what its square has, or
+// one beside it, in height; a sole stands on the highest of what is under it [m].
+constexpr double kOfSpot = kLevel + Unevenness::kStraddled;
+// Beyond the highest step: how far from a square's height a sole may feel ground there [m].
+constexpr double kUnderSole = kOfSpot + Unevenness::kLeastStep;
+constexpr double kRounding = 1e-6;  // of heights [m]
 
 // Ground over a square.
 struct Spot {
@@ -37,12 +46,20 @@ struct Block {
   double low = HUGE_VAL, high = -HUGE_VAL;  // [m]
 };
 
+// How feet stand whose middles are over a square, on this ground.
+struct Feet {
+  Eigen::AlignedBox1d heights;  // [m]
+  double steepest = 0.0;        // tangent
+};
+
 class Reach {
  public:
   Reach(const SceneGround& ground, double longest_step)
-      : cells_(ground.cells()),
-        limits_(ground.settings().limits),
-        steepest_(std::tan(limits_.max_slope)),
+      : ground_(ground),
+        cells_(ground.cells()),
+        // Walks without a climb take what is natural, whatever they are let.
+        highest_(std::max(ground.settings().limits.highestStep(), Unevenness::kNatural)),
+        steepest_(std::tan(ground.settings().limits.max_slope)),
         reach_(longest_step + kTwoFeet + 2.0 * cells_.cell()) {}
 
   /// The ground that somebody at p stands on.
@@ -78,22 +95,25 @@ class Reach {
   bool mayJoin(const Spot& spot, const Block& block);
   void joinAround(const Spot& spot);
   bool isInner(const Spot& spot) const;
-  bool isFlat(const Spot& spot) const;
-  bool leads(const Spot& a, std::optional<bool>& a_is_flat, const Spot& b) const;
+  Feet feetOver(const Spot& spot) const;
+  const Feet& feetOn(const Spot& spot);
+  bool leads(const Spot& a, const Spot& b);
   int numberOf(int floor) {
     return numbers_.emplace(floor, static_cast<int>(numbers_.size())).first->second;
   }
   int setOf(int floor) { return sets_.find(numberOf(floor)); }
   Eigen::Vector3d nearest(int set, const Eigen::Vector3d& p);
 
+  const SceneGround& ground_;
   const GroundCells& cells_;
-  const GroundLimits limits_;
+  const double highest_;   // step [m]
   const double steepest_;  // tangent
   double reach_;
-  std::map<int, int> numbers_;  // of floors, as they were met
-  UnionFind sets_{0};           // of these numbers
-  std::vector<Spot> edges_;     // where ground ends, or something is over or under it
-  std::vector<Block> blocks_;   // kBlock squares by as many, x fastest
+  std::map<std::pair<int, double>, Feet> feet_;  // by square and height
+  std::map<int, int> numbers_;                   // of floors, as they were met
+  UnionFind sets_{0};                            // of these numbers
+  std::vector<Spot> edges_;    // where ground ends, or something is over or under it
+  std::vector<Block> blocks_;  // kBlock squares by as many, x fastest
   int block_columns_ = 0;
 };
 
@@ -115,37 +135,49 @@ std::optional<Spot> Reach::spotAt(const Eigen::Vector3d& p) const {
   return best;
 }
 
-// Whether a foot is level wherever it stands over this square: all ground that it could stand on
-// there has one height.
-bool Reach::isFlat(const Spot& spot) const {
-  const int far = static_cast<int>(std::ceil(kSole / cells_.cell()));
-  for (int j = -far; j <= far; ++j) {
-    for (int i = -far; i <= far; ++i) {
-      bool flat = true;
-      eachOver(spot.square + Eigen::Vector2i(i, j), [&](const Spot& other) {
-        const double off = std::abs(other.height - spot.height);
-        flat = flat && (off <= kFlat || off > limits_.highestStep() + kLevel);
-      });
-      if (!flat) return false;
-    }
-  }
-  return true;
+// By all triangles that a sole could feel there. Where they are level it stands on one of them
+// (FootholdFinder); else it may be as steep as ground may be, unless all have nearly one height.
+Feet Reach::feetOver(const Spot& spot) const {
+  const Eigen::Vector2d p = cells_.middle(spot.square.x(), spot.square.y());
+  const Eigen::AlignedBox2d box(p.array() - kSole, p.array() + kSole);
+  bool level = true, flat = true;
+  Eigen::AlignedBox1d levels(spot.height, spot.height);
+  ground_.surfaces().visitBox(box, [&](int t) {
+    if (!level && !flat) return;
+    const Triangle3& corners = ground_.surfaces().triangles()[t];
+    const auto within = heightsWithin(corners, box);
+    if (!within) return;
+    const double off = std::max(within->low - spot.height, spot.height - within->high);
+    if (off > highest_ + kUnderSole) return;
+    level = level && std::abs(upwardness(corners)) > 1.0 - Unevenness::kVertical;
+    flat = flat && within->low >= spot.height - kFlat && within->high <= spot.height + kFlat;
+    if (off <= kOfSpot) levels.extend(Eigen::AlignedBox1d(within->low, within->high));
+  });
+  if (level) return {levels, 0.0};
+  return {{spot.height - 0.5 * kLevel, spot.height + 0.5 * kLevel}, flat ? 0.0 : steepest_};
 }
 
-// A step from a to b: its height is what the mean of the slopes under both feet does not explain
-// (stepHeight of steps/foot_state.h), each as steep as ground may be unless it is flat there.
-// @param a_is_flat  kept for the next question about a: to find it is what takes time
-bool Reach::leads(const Spot& a, std::optional<bool>& a_is_flat, const Spot& b) const {
+const Feet& Reach::feetOn(const Spot& spot) {
+  const int square = spot.square.y() * cells_.columns() + spot.square.x();
+  const auto [known, is_new] = feet_.try_emplace({square, spot.height});
+  if (is_new) known->second = feetOver(spot);
+  return known->second;
+}
+
+// A step between a and b, either way: its height is what the mean of the slopes under both feet
+// does not explain (stepHeight of steps/foot_state.h), each as steep as ground may be unless it is
+// flat there.
+bool Reach::leads(const Spot& a, const Spot& b) {
   const double way = cells_.cell() * (b.square - a.square).cast<double>().norm();
   if (way > reach_) return false;
-  const double rise = std::abs(b.height - a.height) - limits_.highestStep() - kLevel;
+  const double rise = std::abs(b.height - a.height) - highest_;
   if (rise <= 0.0) return true;
   // Each foot may be anywhere over its square.
-  const double steepest = 0.5 * steepest_ * (way + 3.0 * cells_.cell());
-  if (rise > 2.0 * steepest) return false;
-  if (!a_is_flat) a_is_flat = isFlat(a);
-  if (*a_is_flat) return rise <= steepest && !isFlat(b);
-  return rise <= steepest || !isFlat(b);
+  const double farthest = way + 3.0 * cells_.cell();
+  if (rise > 2.0 * kOfSpot + steepest_ * farthest) return false;
+  const Feet &from = feetOn(a), &to = feetOn(b);
+  return from.heights.exteriorDistance(to.heights) - highest_ <=
+         0.5 * (from.steepest + to.steepest) * farthest + kRounding;
 }
 
 // Whether the same floor goes on all around, with nothing over or under it: what is reached from
@@ -198,7 +230,7 @@ bool Reach::mayJoin(const Spot& spot, const Block& block) {
   if (!block.floor || (!block.several && setOf(*block.floor) == setOf(spot.floor))) return false;
   const double off = std::max(block.low - spot.height, spot.height - block.high);
   const double most = steepest_ * (reach_ + 3.0 * cells_.cell());
-  return off <= limits_.highestStep() + kLevel + most;
+  return off <= highest_ + 2.0 * kOfSpot + most;
 }
 
 void Reach::joinAround(const Spot& spot) {
@@ -206,7 +238,6 @@ void Reach::joinAround(const Spot& spot) {
   const Eigen::Vector2i low = (spot.square.array() - far).max(0);
   const Eigen::Vector2i high =
       (spot.square.array() + far).min(Eigen::Array2i(cells_.columns(), cells_.rows()) - 1);
-  std::optional<bool> is_flat;
   for (int row = low.y() / kBlock; row <= high.y() / kBlock; ++row) {
     for (int column = low.x() / kBlock; column <= high.x() / kBlock; ++column) {
       if (!mayJoin(spot, blockAt({column, row}))) continue;
@@ -215,7 +246,7 @@ void Reach::joinAround(const Spot& spot) {
         for (int x = std::max(low.x(), kBlock * column);
              x <= std::min(high.x(), kBlock * column + kBlock - 1); ++x) {
           eachOver({x, y}, [&](const Spot& other) {
-            if (other.floor != spot.floor && !joins(spot, other) && leads(spot, is_flat, other))
+            if (other.floor != spot.floor && !joins(spot, other) && leads(spot, other))
               sets_.join(numberOf(spot.floor), numberOf(other.floor));
           });
         }
