@@ -12,6 +12,7 @@
 
 #include "base/parallel.h"
 #include "environments/ground/ground_cells.h"
+#include "planner/steering/edge_reach.h"
 #include "planner/steering/ground_chords.h"
 #include "planner/steering/ground_range.h"
 #include "planner/steering/near_ground.h"
@@ -119,16 +120,18 @@ UprightPost BodyReach::postAround(std::span<const Ball> balls) const {
 // What the floods ask of the ground.
 struct BodyReach::Around {
   Around(const SceneGround& ground, const ReachedGround& reached, double stature,
-         double longest_step)
+         double longest_step, double high)
       : range(ground, reached, kFeet * stature),
         chords(ground, reached, longest_step),
         near_body(ground, reached, longest_step, kBeyond),
-        near_legs(ground, reached, longest_step, kLegsBeyond) {}
+        near_legs(ground, reached, longest_step, kLegsBeyond),
+        edges(ground, near_body, range, stature, high) {}
   const NearGround& near(const Ball& ball) const { return ball.isLeg() ? near_legs : near_body; }
 
   GroundRange range;
   GroundChords chords;
   NearGround near_body, near_legs;
+  EdgeReach edges;
 };
 
 // Of one ball, from both ends in turn.
@@ -177,6 +180,7 @@ class BodyReach::Flood {
   Eigen::AlignedBox1d carried(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet);
   int touchedOnUneven(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet, double radius);
   int object(const Eigen::Vector2d& p);
+  int thing(const Eigen::Vector2d& p);
   std::vector<int> wayOut(bool over_ground);
   Barrier between(std::vector<int> way);
   bool begin(const Eigen::Vector3d& end, int side);
@@ -246,10 +250,18 @@ int BodyReach::Flood::touchedOnUneven(const Eigen::Vector2d& p, const Eigen::Ali
                         : touchedAtAll(p, std::max(low, upright), high, radius);
 }
 
-// What the ball touches wherever in the square it is, and whatever of the ground around the feet
-// stand on; kNothing: perhaps nothing.
+// What the ball touches wherever in the square it is, kNothing: perhaps nothing; kNoGround where it
+// would touch nothing, but none of the square is where somebody is who stands on ground.
 int BodyReach::Flood::object(const Eigen::Vector2d& p) {
-  if (!around_.near(ball_).has(p, std::sqrt(0.5) * square_)) return kNoGround;
+  const double far = std::sqrt(0.5) * square_;
+  if (!around_.near(ball_).has(p, far)) return kNoGround;
+  const int there = thing(p);
+  return there != kNothing || around_.near_body.isOver(p) || around_.edges.has(p, far) ? there
+                                                                                       : kNoGround;
+}
+
+// The same wherever the square is, and whatever of the ground around the feet stand on.
+int BodyReach::Flood::thing(const Eigen::Vector2d& p) {
   const Eigen::AlignedBox1d feet = around_.range.around(p);
   if (feet.isEmpty()) return kNothing;
   const double rise = feet.sizes()[0], radius = ball_.radius - std::sqrt(0.5) * square_;
@@ -379,7 +391,12 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
     const SceneGround& ground, const std::vector<CollisionScratch*>& scratches,
     const std::function<bool()>& stopped, double beyond) const {
   const ReachedGround reached(ground, from, longest_step_);
-  const Around around(ground, reached, stature_, longest_step_);
+  double high = 0.0;
+  for (const Ball& ball : balls_) {
+    high = std::max(high, ball.highest);
+    if (!ball.carried.isEmpty()) high = std::max(high, ball.carried.max()[0]);
+  }
+  const Around around(ground, reached, stature_, longest_step_, high);
   const auto is_open = [&](std::span<const Ball> balls, double square) {
     return isOpenWay(from, to, postAround(balls), square, world, ground, reached, around.near_legs,
                      *scratches.front(), stopped);

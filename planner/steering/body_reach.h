@@ -25,9 +25,10 @@
 /// Only places near the ground that is reached count (NearGround): between places of it, and beyond
 /// its open edges by as much as bodies lean out over feet that stand within, kBeyond; of 3,400
 /// walks drawn along level edges none had pelvis, chest or head farther out than 0.15 m. So walls
-/// that reach beyond the floor shut off, whatever is beyond them. Legs count to kLegsBeyond: feet
-/// that turn swing out farther, but who gets by a thing there has ground beside it for his feet,
-/// and a flood that leaves that by more than a leg's radius gets by, too.
+/// that reach beyond the floor shut off, whatever is beyond them; and behind one that stands along
+/// an edge only places count that bones lead to round its ends (EdgeReach). Legs count to
+/// kLegsBeyond: feet that turn swing out farther, but who gets by a thing there has ground beside
+/// it for his feet, and a flood that leaves that by more than a leg's radius gets by, too.
 ///
 /// Where one after another of larger squares is open to all balls at once, in which none would
 /// touch anything, from the start to the goal, no ball's flood is begun: that is nearly always so.

@@ -144,13 +144,29 @@ void NearGround::widen(double by) {
   }
 }
 
+std::uint8_t NearGround::squareOf(const Eigen::Vector2d& p) const {
+  const Eigen::Array2d at = ((p - cells_.middle(0, 0)).array() / cells_.cell()).round() + margin_;
+  if ((at < 0.0).any() || (at >= count_.cast<double>().array()).any()) return kFar;
+  return on_[static_cast<size_t>(at.y()) * count_.x() + static_cast<int>(at.x())];
+}
+
 bool NearGround::has(const Eigen::Vector2d& p, double around) const {
   if (on_.empty()) return true;
-  const Eigen::Array2d at = ((p - cells_.middle(0, 0)).array() / cells_.cell()).round() + margin_;
-  if ((at < 0.0).any() || (at >= count_.cast<double>().array()).any()) return false;
-  const std::uint8_t square =
-      on_[static_cast<size_t>(at.y()) * count_.x() + static_cast<int>(at.x())];
+  const std::uint8_t square = squareOf(p);
   return square == kBeside ? isWithin(p, beyond_ + around) : square == kNear;
+}
+
+Eigen::Vector2d NearGround::corner() const {
+  return cells_.middle(0, 0).array() - (margin_ + 0.5) * cells_.cell();
+}
+
+bool NearGround::isGroundBesideOther(int x, int y) const {
+  if (at(x, y) != kNear) return false;
+  for (int j = std::max(0, y - 1); j <= std::min(count_.y() - 1, y + 1); ++j) {
+    for (int i = std::max(0, x - 1); i <= std::min(count_.x() - 1, x + 1); ++i)
+      if (at(i, j) == kBeside) return true;
+  }
+  return false;
 }
 
 // Whether ground that is reached is so near, by its triangles.

@@ -30,6 +30,17 @@ class NearGround {
   /// Whether any place is that is so far from p at most [m, 0 to kMostAround]. Cost: some
   /// nanoseconds, beyond an edge some hundred.
   bool has(const Eigen::Vector2d& p, double around = 0.0) const;
+  /// Whether p's square is of ground, or near a place between it.
+  bool isOver(const Eigen::Vector2d& p) const { return squareOf(p) == kNear; }
+
+  /// The squares, as large as those of GroundCells, some of them around these; none where all is
+  /// near. From the corner of the first of them [m, World].
+  const Eigen::Vector2i& squares() const { return count_; }
+  Eigen::Vector2d corner() const;
+  /// Whether a square is beyond the ground, with ground perhaps as near as parts lean out.
+  bool isBeside(int x, int y) const { return at(x, y) == kBeside; }
+  /// Whether it is over ground, and one beside it is not.
+  bool isGroundBesideOther(int x, int y) const;
 
  private:
   // Of squares: nothing is near; perhaps ground is; or they are ground, or near a place between.
@@ -39,6 +50,8 @@ class NearGround {
   bool isWithin(const Eigen::Vector2d& p, double distance) const;
   bool isReached(const Eigen::Vector3d& surface) const;
   bool isBetween(int x, int y, int reach, std::span<const std::uint64_t> bins) const;
+  std::uint8_t squareOf(const Eigen::Vector2d& p) const;
+  std::uint8_t at(int x, int y) const { return on_[static_cast<size_t>(y) * count_.x() + x]; }
   bool isOn(int x, int y) const {
     return x >= 0 && y >= 0 && x < count_.x() && y < count_.y() &&
            on_[static_cast<size_t>(y) * count_.x() + x];

@@ -138,6 +138,17 @@ TEST(OpenEdges, ALowBeamOverAFlightThatGoesOnBeyondItsSidesShutsItOff) {
   }
 }
 
+// Behind walls that stand along an edge nobody leans out, near as the ground is.
+TEST(OpenEdges, WhatGoesFromWallToWallWhereTheFloorEndsShutsOff) {
+  for (const double thick : {0.06, 0.1, 0.15}) {
+    std::vector<SceneObject> things = {floorBetween(0, 8)};
+    for (const double y : {-0.5 * thick, 4 + 0.5 * thick})
+      things.push_back(boxObject("side", {8, thick, 2.5}, {4, y, 1.25}));
+    things.push_back(boxObject("wall", {0.2, 4, 0.4}, {4, 2, 1.7}));
+    expectTheWall(OpenFloor(things), kEastOfWall, std::to_string(thick));
+  }
+}
+
 // The theorem: past walls and beams that end near the edge, within it or beyond it, and past kerbs
 // and breaks of the ground there.
 TEST(OpenEdges, NothingThatIsWalkedIsProvedToBeShutOff) {
@@ -150,10 +161,15 @@ TEST(OpenEdges, NothingThatIsWalkedIsProvedToBeShutOff) {
     const double under = stream.uniform() < 0.3 ? stream.uniform(0.8, 1.02) * settings.height : 0.0;
     const double apart = stream.uniform() < 0.3 ? stream.uniform(0.1, 0.5) : 0.0;
     const double top = apart == 0.0 && stream.uniform() < 0.4 ? stream.uniform(0.05, 0.2) : 0.0;
-    const OpenFloor open(
-        {floorBetween(0, 4 - 0.5 * apart), floorBetween(4 + 0.5 * apart, 8, top),
-         boxObject("wall", {thick, end + 1, 2.5}, {4, 0.5 * (end - 1), under + 1.25})},
-        settings);
+    std::vector<SceneObject> things = {
+        floorBetween(0, 4 - 0.5 * apart), floorBetween(4 + 0.5 * apart, 8, top),
+        boxObject("wall", {thick, end + 1, 2.5}, {4, 0.5 * (end - 1), under + 1.25})};
+    if (stream.uniform() < 0.5) {  // along the edge, or a little beyond it
+      const double west = stream.uniform(0, 4), east = stream.uniform(4, 8);
+      things.push_back(boxObject("along", {east - west, 0.1, 2.5},
+                                 {0.5 * (west + east), 4.05 + stream.uniform(0, 0.15), 1.25}));
+    }
+    const OpenFloor open(things, settings);
     shut += open.shutOff(kWestOfWall, kEastOfWall + Eigen::Vector3d(0, 0, top)).has_value();
     for (int k = 0; k < 25; ++k) {
       Waypoint from = besideWall(stream, stream.uniform(2.2, 3.6 - 0.5 * thick), 0.5 * (end + 4.0));
