@@ -1,7 +1,7 @@
 // Reading meshes through Assimp 5.2.5. What it does to axes and units, by format:
 //   Collada: root transform to y up and metres; IFC the same, by its root's transform;
 //   FBX: neither, but the file's axes and unit are in the scene's metadata;
-//   glTF: is y up and in metres; OBJ, PLY, STL: say nothing.
+//   glTF: is y up and in metres; PLY, STL: say nothing.
 
 #include "environments/scene/mesh_import.h"
 
@@ -23,10 +23,6 @@
 
 namespace amble {
 namespace {
-
-// Assimp cuts a face into triangles in time of its corners squared: a tenth of a second for so
-// many.
-constexpr unsigned kMostCorners = 10000;
 
 // A node's name as the file gave it: Assimp's own helper nodes have none.
 std::string fileName(const aiNode& node) {
@@ -171,7 +167,7 @@ void checkCorners(const aiScene& scene, const std::string& name) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[m];
     for (unsigned f = 0; f < mesh.mNumFaces; ++f)
-      if (mesh.mFaces[f].mNumIndices > kMostCorners)
+      if (mesh.mFaces[f].mNumIndices > unsigned{kMostCorners})
         throw InputError(name, 0,
                          "a face of '" + oneLine(mesh.mName.C_Str()) + "' has " +
                              std::to_string(mesh.mFaces[f].mNumIndices) + " corners",
@@ -204,8 +200,10 @@ std::string meshEnding(const std::filesystem::path& file) {
 }
 
 bool isMeshEnding(const std::string& ending) {
+  if (ending.empty()) return false;
+  if (ending == ".obj") return true;  // most are, and an importer is not made for nothing
   static const Assimp::Importer importer;
-  return !ending.empty() && importer.IsExtensionSupported(ending);
+  return importer.IsExtensionSupported(ending);
 }
 
 MeshFile importMesh(const std::filesystem::path& file) {

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "environments/scene/mesh_header.h"
 #include "environments/scene/mesh_import.h"
+#include "environments/scene/obj_import.h"
 
 namespace amble {
 namespace {
@@ -20,6 +21,7 @@ constexpr int kTimeOfMiB = 1;
 // What comes out of the guard: parts, or what was wrong.
 struct Answer {
   MeshFile mesh;
+  int line = 0;
   std::string problem, expected;
 };
 
@@ -34,6 +36,7 @@ void visitMesh(Pack& pack, Mesh& mesh) {
 
 template <typename Pack>
 void visitAnswer(Pack& pack, Answer& answer) {
+  pack(answer.line);
   pack(answer.problem);
   pack(answer.expected);
   pack(answer.mesh.has_axes);
@@ -49,10 +52,12 @@ void visitAnswer(Pack& pack, Answer& answer) {
 
 Answer readUnguarded(const std::filesystem::path& file) {
   try {
+    if (meshEnding(file) == ".obj")
+      return {parseObj(readWholeFile(file, kMeshFile), file.string()), 0, {}, {}};
     checkMeshHeader(file);
-    return {importMesh(file), {}, {}};
+    return {importMesh(file), 0, {}, {}};
   } catch (const InputError& error) {
-    return {{}, error.problem(), error.expected()};
+    return {{}, error.line(), error.problem(), error.expected()};
   }
 }
 
@@ -136,7 +141,8 @@ MeshFile readMesh(const std::filesystem::path& file, size_t memory,
   Unpacker unpack(guarded.bytes);
   Answer answer;
   visitAnswer(unpack, answer);
-  if (!answer.problem.empty()) throw InputError(file.string(), 0, answer.problem, answer.expected);
+  if (!answer.problem.empty())
+    throw InputError(file.string(), answer.line, answer.problem, answer.expected);
   return std::move(answer.mesh);
 }
 

@@ -1,5 +1,6 @@
-/// Reading meshes through Assimp, in a process of its own: its parsers recurse as deep as a file
-/// nests, and files may claim more memory than there is.
+/// Reading meshes, OBJ through tinyobjloader and all others through Assimp, in a process of its
+/// own: Assimp's parsers recurse as deep as a file nests, and files may claim more memory than
+/// there is.
 ///
 /// What a file says of itself is read first (the schema of an IFC, the extensions that a glTF
 /// requires, the lengths of a GLB). Only regular files are read, and of those that a mesh file
@@ -24,13 +25,13 @@ struct MeshPart {
   TriangleMesh mesh;  ///< file's node transforms applied, in the file's axes and unit
 };
 
-/// What Assimp reads, as parts by name; node transforms applied, degenerate triangles dropped,
+/// What is read, as parts by name; node transforms applied, degenerate triangles dropped,
 /// equal vertices joined. FBX, Collada, glTF and IFC say their axes and unit, and are turned to z
 /// up, metres; others are left as they are.
 struct MeshFile {
   std::vector<MeshPart> parts;
   bool has_axes = false;  ///< the file says its axes and unit itself: `up:` may not be given
-  std::vector<std::string> others;  ///< files beside it that were read too: buffers, materials
+  std::vector<std::string> others;  ///< files beside it that were read too, such as buffers
 };
 
 /// Assimp needs about thirty times a text's size.

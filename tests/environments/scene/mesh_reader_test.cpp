@@ -88,9 +88,9 @@ TEST(ReadMesh, AFaceOfTooManyCornersIsRefusedBeforeItIsCutUp) {
   const TestFolder folder;
   for (const int corners : {10001, 200000}) {
     const auto file = folder.write("disc.obj", discObj(corners));
-    EXPECT_EQ(errorOf([&] { readMesh(file); }), file.string() + ": a face of 'disc' has " +
-                                                    std::to_string(corners) +
-                                                    " corners; expected at most 10000 in a face");
+    EXPECT_EQ(errorOf([&] { readMesh(file); }),
+              file.string() + ":" + std::to_string(corners + 2) + ": a face of 'disc' has " +
+                  std::to_string(corners) + " corners; expected at most 10000 in a face");
   }
   const auto ply = folder.write("fan.ply", [] {
     std::string text =
@@ -298,12 +298,12 @@ TEST(ReadMesh, WhatIsReadBesideTheFileIsToldAndNamedByItsAddress) {
   const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
   const std::string bytes(reinterpret_cast<const char*>(corners), sizeof corners);
   const auto buffer = folder.write("my corners.bin", bytes);
-  const auto looks = folder.write("looks.mtl", "newmtl a\n");
   const auto coded = readMesh(folder.write("coded.gltf", gltfOf("my%20corners.bin")));
   EXPECT_EQ(coded.others, std::vector<std::string>{buffer.string()});
+  // Materials of an OBJ say nothing of its shape.
+  folder.write("looks.mtl", "newmtl a\n");
   const auto cube = readMesh(folder.write("cube.obj", "mtllib looks.mtl\n" + cubeObj()));
-  EXPECT_EQ(cube.others, std::vector<std::string>{looks.string()});
-  EXPECT_TRUE(readMesh(folder.write("alone.obj", cubeObj())).others.empty());
+  EXPECT_TRUE(cube.others.empty());
 }
 
 TEST(ReadMesh, AMeshOfPointsSaysSo) {
@@ -316,17 +316,16 @@ TEST(ReadMesh, AMeshOfPointsSaysSo) {
             std::string::npos);
 }
 
-// A polygon's triangulation takes time as the square of its corners.
 TEST(ReadMesh, WhatTakesTooMuchMemorySaysHowToLetIt) {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "a sanitizer's memory has no bound";
 #endif
   const TestFolder folder;
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (int i = 0; i < 400000; ++i) text += "f 1 2 3\n";
+  for (int i = 0; i < 1000000; ++i) text += "f 1 2 3\n";
   const auto file = folder.write("faces.obj", text);
-  const std::string error = errorOf([&] { readMesh(file, size_t{32} << 20); });
-  EXPECT_NE(error.find("more than 32 MB of memory"), std::string::npos) << error;
+  const std::string error = errorOf([&] { readMesh(file, size_t{16} << 20); });
+  EXPECT_NE(error.find("more than 16 MB of memory"), std::string::npos) << error;
   EXPECT_NE(error.find("--memory"), std::string::npos) << error;
   EXPECT_EQ(errorOf([&] { readMesh(file); }), "");
 }
