@@ -1,6 +1,7 @@
 #include "base/sha256.h"
 
-#include <sha2.h>
+#include <nettle/base16.h>
+#include <nettle/sha2.h>
 
 #include <array>
 #include <cstdint>
@@ -12,36 +13,46 @@
 namespace amble {
 namespace {
 
-void update(SHA2_CTX& context, std::string_view bytes) {
-  SHA256Update(&context, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-}
+// Nettle asks the processor whether it has instructions for this.
+class Sha256 {
+ public:
+  Sha256() { sha256_init(&context_); }
 
-std::string hexDigest(SHA2_CTX& context) {
-  std::array<char, SHA256_DIGEST_STRING_LENGTH> digits{};  // ends in a zero
-  return SHA256End(&context, digits.data());
-}
+  void update(std::string_view bytes) {
+    sha256_update(&context_, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+  }
+
+  std::string hexDigest() {
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest;
+    sha256_digest(&context_, digest.size(), digest.data());
+    std::string digits(BASE16_ENCODE_LENGTH(digest.size()), '0');
+    base16_encode_update(digits.data(), digest.size(), digest.data());
+    return digits;
+  }
+
+ private:
+  sha256_ctx context_;
+};
 
 }  // namespace
 
 std::string sha256(std::string_view bytes) {
-  SHA2_CTX context;
-  SHA256Init(&context);
-  update(context, bytes);
-  return hexDigest(context);
+  Sha256 sum;
+  sum.update(bytes);
+  return sum.hexDigest();
 }
 
 std::string sha256OfFile(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw InputError(file.string(), 0, "cannot be opened", "a file that can be read");
-  SHA2_CTX context;
-  SHA256Init(&context);
+  Sha256 sum;
   std::vector<char> piece(1 << 16);
   while (in) {
     in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    update(context, {piece.data(), static_cast<size_t>(in.gcount())});
+    sum.update({piece.data(), static_cast<size_t>(in.gcount())});
   }
   if (in.bad()) throw InputError(file.string(), 0, "cannot be read", "a file that can be read");
-  return hexDigest(context);
+  return sum.hexDigest();
 }
 
 }  // namespace amble

@@ -1,4 +1,4 @@
-/// SHA-256 (FIPS 180-4), by libmd: which bytes a report speaks of.
+/// SHA-256 (FIPS 180-4), by nettle: which bytes a report speaks of.
 #pragma once
 
 #include <filesystem>

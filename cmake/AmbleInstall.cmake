@@ -29,5 +29,5 @@ configure_package_config_file(cmake/amble-config.cmake.in amble-config.cmake
 write_basic_package_version_file(amble-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/amble-config.cmake"
               "${CMAKE_CURRENT_BINARY_DIR}/amble-config-version.cmake"
-              cmake/FindAmbleOmpl.cmake cmake/FindAmbleMd.cmake
+              cmake/FindAmbleOmpl.cmake cmake/FindAmbleNettle.cmake
               cmake/FindAmbleYaml.cmake DESTINATION "${config_dir}")
