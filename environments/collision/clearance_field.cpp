@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 
+#include "base/parallel.h"
 #include "environments/collision/distance_transform.h"
 #include "environments/scene/parity.h"
 
@@ -159,21 +161,32 @@ void markSurface(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<ui
 }
 
 // Voxels in a row without a surface between them are on one side of it: one test for all.
-void fillSolid(const VoxelGrid& grid, const Obstacle& obstacle, std::vector<uint8_t>& occupied) {
-  const Parity solid(obstacle.solid);
-  if (solid.empty()) return;
+void fillPlane(const VoxelGrid& grid, int k, const Parity& solid, std::vector<uint8_t>& occupied) {
   const VoxelRange range(grid, solid.bounds());
-  for (int k = range.low.z(); k <= range.high.z(); ++k) {
-    for (int j = range.low.y(); j <= range.high.y(); ++j) {
-      uint8_t* row = &occupied[grid.index(0, j, k)];
-      for (int begin = range.low.x(), end; begin <= range.high.x(); begin = end) {
-        end = begin + 1;
-        if (row[begin] == kSurface) continue;
-        while (end <= range.high.x() && row[end] != kSurface) ++end;
-        if (solid.inside(grid.centre(begin, j, k))) std::fill(row + begin, row + end, kInside);
-      }
+  if (k < range.low.z() || k > range.high.z()) return;
+  for (int j = range.low.y(); j <= range.high.y(); ++j) {
+    uint8_t* row = &occupied[grid.index(0, j, k)];
+    for (int begin = range.low.x(), end; begin <= range.high.x(); begin = end) {
+      end = begin + 1;
+      if (row[begin] == kSurface) continue;
+      while (end <= range.high.x() && row[end] != kSurface) ++end;
+      if (solid.inside(grid.centre(begin, j, k))) std::fill(row + begin, row + end, kInside);
     }
   }
+}
+
+void fillSolids(const VoxelGrid& grid, const std::vector<Obstacle>& obstacles,
+                const StopRequest& stop, std::vector<uint8_t>& occupied) {
+  std::vector<std::shared_ptr<const Parity>> solids;
+  for (const Obstacle& obstacle : obstacles) {
+    stop.check();
+    solids.push_back(insideOf(obstacle));
+    if (solids.back()->empty()) solids.pop_back();
+  }
+  parallelFor(grid.count.z(), usualThreads(), [&](int k, int) {
+    stop.check();
+    for (const auto& solid : solids) fillPlane(grid, k, *solid, occupied);
+  });
 }
 
 // What lies outside the grid is not in it: where there is something, the border is taken for
@@ -213,10 +226,7 @@ ClearanceField::ClearanceField(const std::vector<Obstacle>& obstacles,
     markSurface(grid_, obstacle, bound_);
     all.extend(boundsOf(obstacle));
   }
-  for (const Obstacle& obstacle : obstacles) {
-    stop.check();
-    fillSolid(grid_, obstacle, bound_);
-  }
+  fillSolids(grid_, obstacles, stop, bound_);
   markBeyond(grid_, all, bound_);
   // Farther than this many voxels is kFarthest anyway.
   const int window = 1 + static_cast<int>(std::ceil(kFarthest / grid_.size));

@@ -59,23 +59,23 @@ Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh) {
 
 struct Piece {
   int object = -1;
-  SurfacePtr surface;  // none where there is no triangle
-  Parity solid;
-  Eigen::AlignedBox3d bounds = {};  // World
+  SurfacePtr surface;                   // none where there is no triangle
+  std::shared_ptr<const Parity> solid;  // none where nothing is
+  Eigen::AlignedBox3d bounds = {};      // World
 
   // For a capsule that touches no surface: it is inside as a whole or not at all.
-  bool contains(const Capsule& capsule) const { return solid.inside(capsule.from); }
+  bool contains(const Capsule& capsule) const { return solid && solid->inside(capsule.from); }
   bool touches(const Capsule& capsule) const {
     return (surface && surface->touches(capsule)) || contains(capsule);
   }
 };
 
 // Meshes are placed here, once, instead of in every query.
-Piece meshPiece(const Obstacle& obstacle, const TriangleMesh& mesh, const SolidMesh& solid,
-                Checker checker) {
+Piece meshPiece(const Obstacle& obstacle, const TriangleMesh& mesh,
+                std::shared_ptr<const Parity> solid, Checker checker) {
   const TriangleMesh here = placed(mesh, obstacle.X_WO);
-  Piece piece{obstacle.object, nullptr, Parity(solid), boundsOf(here)};
-  if (!piece.solid.empty()) piece.bounds.extend(piece.solid.bounds());
+  Piece piece{obstacle.object, nullptr, std::move(solid), boundsOf(here)};
+  if (!piece.solid->empty()) piece.bounds.extend(piece.solid->bounds());
   if (here.triangles.empty()) return piece;
   piece.surface = checker == Checker::kFcl ? makeFclSurface(here, Eigen::Isometry3d::Identity())
                                            : std::make_unique<TreeSurface>(here);
@@ -97,13 +97,14 @@ Piece fclPiece(const Obstacle& obstacle) {
 }
 
 Piece makePiece(const Obstacle& obstacle, Checker checker) {
-  const auto& [object, shape, X_WO, solid] = obstacle;
+  const auto& [object, shape, X_WO, solid, inside] = obstacle;
   if (const auto* mesh = std::get_if<TriangleMesh>(&shape))
-    return meshPiece(obstacle, *mesh, solid, checker);
+    return meshPiece(obstacle, *mesh, insideOf(obstacle), checker);
   if (checker == Checker::kFcl) return fclPiece(obstacle);
   if (const auto* box = std::get_if<Box>(&shape)) {
     const TriangleMesh mesh = makeBox(box->size);
-    return meshPiece(obstacle, mesh, SolidMesh(placed(mesh, X_WO)), checker);
+    return meshPiece(obstacle, mesh, std::make_shared<const Parity>(SolidMesh(placed(mesh, X_WO))),
+                     checker);
   }
   if (const auto* ball = std::get_if<Sphere>(&shape))
     return roundPiece(object, roundThing(X_WO, ball->radius, 0.0));
@@ -113,6 +114,10 @@ Piece makePiece(const Obstacle& obstacle, Checker checker) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Parity> insideOf(const Obstacle& obstacle) {
+  return obstacle.inside ? obstacle.inside : std::make_shared<const Parity>(obstacle.solid);
+}
 
 class ObstacleSet::Scratch {
  public:

@@ -26,7 +26,11 @@ struct Obstacle {
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
   /// World; what is solid. Empty for primitives, which are anyway.
   SolidMesh solid;
+  std::shared_ptr<const Parity> inside = {};  ///< of `solid`, where it is made already
 };
+
+/// Inside of what is solid: the obstacle's own, or made for who asks.
+std::shared_ptr<const Parity> insideOf(const Obstacle& obstacle);
 
 class ObstacleSet {
  public:

@@ -72,10 +72,17 @@ struct SceneLayers::Split {
         splitGround(index, scene_ground);
         continue;
       }
-      const bool is_mesh = std::holds_alternative<TriangleMesh>(object.shape);
-      obstacles.push_back(
-          {index, object.shape, object.X_WO, is_mesh ? solidOf(index, pieces) : SolidMesh{}});
+      obstacles.push_back({index, object.shape, object.X_WO, {}});
     }
+    // Both the field and the set of obstacles ask what is inside.
+    parallelFor(static_cast<int>(obstacles.size()), usualThreads(), [&](int i, int) {
+      stop.check();
+      Obstacle& obstacle = obstacles[i];
+      const bool is_mesh = std::holds_alternative<TriangleMesh>(obstacle.shape);
+      if (is_mesh && !scene_ground.isGround(obstacle.object))
+        obstacle.solid = solidOf(obstacle.object, pieces);
+      obstacle.inside = std::make_shared<const Parity>(obstacle.solid);
+    });
   }
 
   // Parts an object with ground: what is ground or lies below it; the rest of the pieces that this
@@ -109,17 +116,20 @@ struct SceneLayers::Split {
     if (!rest.triangles.empty()) obstacles.push_back({index, cleanMesh(rest), here, {}});
   }
 
-  std::vector<Obstacle> standing() const {
-    std::vector<Obstacle> all = obstacles;
-    all.insert(all.end(), banks.begin(), banks.end());
-    return all;
+  // Obstacles and banks; `both` is where they are put together, if there are any banks.
+  const std::vector<Obstacle>& standing(std::vector<Obstacle>& both) const {
+    if (banks.empty()) return obstacles;
+    both = obstacles;
+    both.insert(both.end(), banks.begin(), banks.end());
+    return both;
   }
 };
 
 SceneLayers::SceneLayers(const Scene& scene, const SceneGround& ground, const StopRequest& stop,
                          Checker checker) {
   Split split(scene, ground, stop);
-  const std::vector<Obstacle> standing = split.standing();
+  std::vector<Obstacle> both;
+  const std::vector<Obstacle>& standing = split.standing(both);
   const Eigen::AlignedBox3d bounds = boundsOfAll(standing);
   empty_ = bounds.isEmpty();
   parallelFor(3, usualThreads(), [&](int part, int) {
