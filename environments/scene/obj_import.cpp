@@ -27,7 +27,7 @@ constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
 constexpr const char* kNoName = "defaultobject";  // of faces before the first object, as in Assimp
 constexpr int kMostDigits = 9;                    // of an index
 
-bool isBlank(char c) { return c == ' ' || c == '\t'; }
+constexpr auto kIsBlank = [](char c) { return c == ' ' || c == '\t'; };
 
 // Lines that a backslash joins to the next become one, with empty lines behind it for those that
 // are gone; ends of lines that are a carriage return alone become line feeds.
@@ -72,17 +72,16 @@ class ObjLines : public std::streambuf {
     end_ = std::min(text_.find('\n', begin), text_.size() - 1) + 1;
     ++line_;
     char* const first = text_.data() + begin;
-    checkLine(first, text_.data() + end_);
-    setg(first, first, text_.data() + end_);
+    setg(first, first, checkedLine(first, text_.data() + end_));
     return traits_type::to_int_type(*first);
   }
 
  private:
-  void checkLine(char* first, char* end) {
-    first = std::find_if_not(first, end, isBlank);
-    if (end - first < 2 || !isBlank(first[1]) || (*first != 'v' && *first != 'f')) return;
+  // Returns where it ends: before a comment behind a vertex or a face.
+  char* checkedLine(char* first, char* end) {
+    first = std::find_if_not(first, end, kIsBlank);
+    if (end - first < 2 || !kIsBlank(first[1]) || (*first != 'v' && *first != 'f')) return end;
     char* const comment = std::find(first, end, '#');
-    std::replace(comment, end, '#', '\n');  // at which the reader stops
     const std::string_view behind = trimmed({first + 1, comment});
     if (*first == 'f' && !isFace(behind)) {
       throw InputError(file_, line_, "is no face: " + quotedShort(trimmed({first, comment})),
@@ -96,14 +95,17 @@ class ObjLines : public std::streambuf {
                          "`v` and three finite numbers or more");
       }
     }
+    if (comment == end) return end;
+    *comment = '\n';
+    return comment + 1;
   }
 
   bool isVertex(std::string_view behind) {
     for (numbers_ = 0; !behind.empty(); ++numbers_) {
-      const std::string_view word(behind.begin(),
-                                  std::find_if(behind.begin(), behind.end(), isBlank));
-      if (!numberOf(word)) return false;
-      behind = trimmed(behind.substr(word.size()));
+      const auto end = std::find_if(behind.begin(), behind.end(), kIsBlank);
+      if (!numberOf({behind.begin(), end})) return false;
+      const auto next = std::find_if_not(end, behind.end(), kIsBlank);
+      behind.remove_prefix(static_cast<size_t>(next - behind.begin()));
     }
     return numbers_ >= 3;
   }
@@ -112,14 +114,17 @@ class ObjLines : public std::streambuf {
   static bool isFace(std::string_view behind) {
     int digits = 0;
     char before = ' ';
-    return std::all_of(behind.begin(), behind.end(), [&](char c) {
-      digits = isDigit(c) ? digits + 1 : 0;
-      const bool fits =
-          isDigit(c) ? digits <= kMostDigits
-                     : before != '-' && (isBlank(c) || c == '/' || (c == '-' && !isDigit(before)));
+    for (const char c : behind) {
+      if (isDigit(c)) {
+        if (++digits > kMostDigits) return false;
+      } else {
+        const bool fits = kIsBlank(c) || c == '/' || (c == '-' && !isDigit(before));
+        if (!fits || before == '-') return false;
+        digits = 0;
+      }
       before = c;
-      return fits;
-    });
+    }
+    return true;
   }
 
   std::string file_, text_;
@@ -168,7 +173,7 @@ class ObjContents {
 
   void beginObject(std::string_view name) {
     name = trimmed(name);
-    name = {name.begin(), std::find_if(name.begin(), name.end(), isBlank)};
+    name = {name.begin(), std::find_if(name.begin(), name.end(), kIsBlank)};
     if (name.empty()) return;
     const auto named = named_.find(name);
     if (named == named_.end()) return addObject(std::string(name));

@@ -3,6 +3,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/parallel.h"
+
 namespace amble {
 namespace {
 
@@ -152,11 +154,13 @@ TriangleGrid::TriangleGrid(std::vector<Triangle3> triangles) : triangles_(std::m
   cell_ = std::max({cell_, extent_.sizes().maxCoeff() / kMostCells, leastCell()});
   for (int k = 0; k < 2; ++k) count_[k] = 1 + static_cast<int>(extent_.sizes()[k] / cell_);
   // Counting sort: once to count, once to place.
-  const std::vector<Run> runs = findRuns();
+  const std::vector<std::vector<Run>> shares = findRuns();
   const auto eachSquare = [&](auto visit_one) {
-    for (const Run& run : runs) {
-      const size_t row = static_cast<size_t>(run.row) * count_[0];
-      for (int i = run.first; i <= run.last; ++i) visit_one(row + i, run.triangle);
+    for (const std::vector<Run>& runs : shares) {
+      for (const Run& run : runs) {
+        const size_t row = static_cast<size_t>(run.row) * count_[0];
+        for (int i = run.first; i <= run.last; ++i) visit_one(row + i, run.triangle);
+      }
     }
   };
   start_.assign(static_cast<size_t>(count_[0]) * count_[1] + 1, 0);
@@ -203,21 +207,29 @@ std::pair<int, int> TriangleGrid::columnsWithin(const Triangle3& t, const Range&
 
 // By triangle. A large one's bounds hold squares that it does not overlap: most of them for a
 // slanted sliver.
-std::vector<TriangleGrid::Run> TriangleGrid::findRuns() const {
+void TriangleGrid::findRunsOf(int triangle, std::vector<Run>& runs) const {
   constexpr int kFewSquares = 4;
-  std::vector<Run> runs;
-  runs.reserve(triangles_.size());
-  for (size_t t = 0; t < triangles_.size(); ++t) {
-    const Range range = rangeOf(grown(planOf(triangles_[t]), kSeam));
-    const bool few =
-        range.high[0] - range.low[0] < kFewSquares && range.high[1] - range.low[1] < kFewSquares;
-    for (int j = range.low[1]; j <= range.high[1]; ++j) {
-      const auto [first, last] =
-          few ? std::pair(range.low[0], range.high[0]) : columnsWithin(triangles_[t], range, j);
-      if (first <= last) runs.push_back({static_cast<int>(t), j, first, last});
-    }
+  const Range range = rangeOf(grown(planOf(triangles_[triangle]), kSeam));
+  const bool few =
+      range.high[0] - range.low[0] < kFewSquares && range.high[1] - range.low[1] < kFewSquares;
+  for (int j = range.low[1]; j <= range.high[1]; ++j) {
+    const auto [first, last] = few ? std::pair(range.low[0], range.high[0])
+                                   : columnsWithin(triangles_[triangle], range, j);
+    if (first <= last) runs.push_back({triangle, j, first, last});
   }
-  return runs;
+}
+
+// In shares of many triangles.
+std::vector<std::vector<TriangleGrid::Run>> TriangleGrid::findRuns() const {
+  constexpr int kAtATime = 2048;
+  const int count = static_cast<int>(triangles_.size());
+  std::vector<std::vector<Run>> shares((count + kAtATime - 1) / kAtATime);
+  parallelFor(static_cast<int>(shares.size()), usualThreads(), [&](int share, int) {
+    const int end = std::min(count, (share + 1) * kAtATime);
+    shares[share].reserve(kAtATime);
+    for (int t = share * kAtATime; t < end; ++t) findRunsOf(t, shares[share]);
+  });
+  return shares;
 }
 
 }  // namespace amble

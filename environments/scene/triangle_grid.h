@@ -106,7 +106,8 @@ class TriangleGrid {
     int triangle, row, first, last;
   };
   std::pair<int, int> columnsWithin(const Triangle3& t, const Range& range, int row) const;
-  std::vector<Run> findRuns() const;
+  void findRunsOf(int triangle, std::vector<Run>& runs) const;
+  std::vector<std::vector<Run>> findRuns() const;
 
   std::vector<Triangle3> triangles_;
   Eigen::AlignedBox2d extent_;

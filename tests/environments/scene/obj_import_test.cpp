@@ -171,9 +171,10 @@ TEST(ParseObj, LinesMayEndAndGoOnAndBeginAsPeopleWriteThem) {
   for (const std::string& text :
        {returns, both, indented, "\xEF\xBB\xBF" + kStart + kFace, kStart + "f 1 2 3",
         kStart + "f 1 \\\n2\\\n 3\n", kStart + "f 1 \\\r\n2 3\r\n",
-        kStart + "f 1 2 3 # the only one\n", "o a\nv 0 0 0 # left\nv 2,0 0 0\nv 0 1,00 0\n" + kFace,
-        kStart + "f 1/7 2/7 3/7\n", kStart + "f 1//7 2//7 3//7\n", kStart + "f 1/ 2/ 3/\n",
-        kStart + "f -3 -2 -1\n", "o a\n" + kFace + kCorners,
+        kStart + "f 1 2 3 # f 3 2 1 # f 2 1 3\n",
+        "o a\nv 0 0 0 # v 1 1 1\nv 2,0 0 0\nv 0 1,00 0\n" + kFace, kStart + "f 1/7 2/7 3/7\n",
+        kStart + "f 1//7 2//7 3//7\n", kStart + "f 1/ 2/ 3/\n", kStart + "f -3 -2 -1\n",
+        "o a\n" + kFace + kCorners,
         kStart + "l 1 2\np 3\nf 1 2\nf 3\nf\ncurv 0 1 1 2\nvp 1 2\nunknown words\n" + kFace}) {
     SCOPED_TRACE(text);
     ASSERT_EQ(errorOf([&] { parsed(text); }), "");
