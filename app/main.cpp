@@ -1,3 +1,14 @@
 #include "app/program.h"
+#include "base/kept_memory.h"
 
-int main(int argc, char** argv) { return amble::runProgram(argc, argv); }
+namespace {
+
+// Most commands fill as much: a scene and what is made of it [bytes].
+constexpr size_t kFirstMemory = size_t{30} << 20;
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  amble::keepFreedMemory(kFirstMemory);
+  return amble::runProgram(argc, argv);
+}

@@ -1,9 +1,7 @@
 #include "base/guarded_run.h"
 
 #include <fcntl.h>
-#include <malloc.h>
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,10 +11,11 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <new>
 #include <string_view>
 #include <system_error>
+
+#include "base/kept_memory.h"
 
 namespace amble {
 namespace {
@@ -90,25 +89,8 @@ GuardEnd endOf(int status) {
   return sign == SIGXCPU || sign == SIGALRM ? GuardEnd::kTime : GuardEnd::kBroken;
 }
 
-// Importers ask for the same tens of megabytes for each file, and what the system gives anew it
-// clears anew: what is freed stays for the next. The first of it comes in large pages, of which
-// each saves five hundred interruptions: Assimp fills 16 MB before it reads an OBJ.
-void keepFreedMemory() {
-#if defined(__GLIBC__)
-  constexpr int kLargest = 32 << 20;  // that glibc lets be kept [bytes]
-  mallopt(M_MMAP_THRESHOLD, kLargest);
-  mallopt(M_TRIM_THRESHOLD, 4 * kLargest);
-#if defined(MADV_HUGEPAGE)
-  constexpr size_t kPage = size_t{2} << 20, kFirst = 10 * kPage;  // [bytes]
-  void* begin = std::malloc(kFirst);  // none where the work may not fill so much
-  void* const whole = begin;
-  size_t size = kFirst;
-  if (begin && std::align(kPage, kFirst - kPage, begin, size))
-    madvise(begin, kFirst - kPage, MADV_HUGEPAGE);
-  std::free(whole);
-#endif
-#endif
-}
+// What importers ask for first, most of it for each file anew [bytes].
+constexpr size_t kFirstMemory = size_t{20} << 20;
 
 [[noreturn]] void runCopy(const std::function<std::string()>& work, const GuardLimits& limits,
                           int to) {
@@ -124,7 +106,7 @@ void keepFreedMemory() {
     bound(RLIMIT_AS, space + limits.memory);
   }
   alarm(static_cast<unsigned>(kPatience * limits.cpu_time));
-  keepFreedMemory();
+  keepFreedMemory(kFirstMemory);
   std::set_new_handler([] { _exit(kExitMemory); });
   try {
     _exit(writeAll(to, work()) ? 0 : 1);

@@ -4,6 +4,7 @@
 
 #include "environments/scene/obj_import.h"
 
+#define TINYOBJLOADER_USE_DOUBLE  // as the library is that we link
 #include <tiny_obj_loader.h>
 
 #include <algorithm>

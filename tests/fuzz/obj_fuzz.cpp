@@ -1,5 +1,6 @@
 // OBJ of any bytes. The reader that we call is compiled here, so that it is watched too.
 #define TINYOBJLOADER_IMPLEMENTATION
+#define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
 
 #include <algorithm>

@@ -1,0 +1,42 @@
+#include "base/kept_memory.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <string>
+#include <vector>
+
+#include "base/guarded_run.h"
+
+namespace amble {
+namespace {
+
+long pageFaults() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_minflt;
+}
+
+// In a process of its own, which it changes.
+TEST(KeepFreedMemory, WhatWasFreedIsHandedOutAgainWithoutTheSystem) {
+#if defined(__SANITIZE_ADDRESS__) || !defined(__GLIBC__)
+  GTEST_SKIP() << "memory is not glibc's";
+#endif
+  constexpr size_t kBytes = size_t{16} << 20, kSmallPage = 4096;
+  const GuardedAnswer answer = runGuarded([] {
+    keepFreedMemory(2 * kBytes - 1);
+    std::string faults;
+    for (int round = 0; round < 2; ++round) {
+      const long before = pageFaults();
+      const std::vector<char> filled(kBytes, 'x');
+      faults += std::to_string(pageFaults() - before) + " ";
+    }
+    return faults;
+  });
+  ASSERT_TRUE(answer.done());
+  const long again = std::stol(answer.bytes.substr(answer.bytes.find(' ')));
+  EXPECT_LT(again, static_cast<long>(kBytes / kSmallPage) / 50) << answer.bytes;
+}
+
+}  // namespace
+}  // namespace amble
