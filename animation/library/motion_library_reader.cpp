@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "animation/body/rest_feet.h"
 #include "animation/captures/bvh.h"
 #include "animation/library/harmonics.h"
 #include "animation/library/library_parts_reader.h"
@@ -71,7 +72,12 @@ WalkCycle readCycle(const YamlNode& node, int joints) {
   const Eigen::VectorXd forward = node.at("foot_forward").asVec(2, "distances [m]", -1.0, 1.0);
   cycle.foot_forward = {forward[kLeft], forward[kRight]};
   cycle.toe_out = degreePair(node.at("toe_out"));
-  if (const YamlNode drops = node["foot_drops"]) cycle.foot_drops = degreePair(drops);
+  if (const YamlNode drops = node["foot_drops"]) {
+    cycle.foot_drops = degreePair(drops);
+    for (const double drop : *cycle.foot_drops)
+      if (std::abs(drop) > kHangingFoot)
+        drops.fail("feet that stand on no sole", "-63 to 63 degrees");
+  }
   cycle.feet = {readFoot(node.at("left")), readFoot(node.at("right"))};
   const int harmonics = node.at("harmonics").asInt(1, kMaxHarmonics, "harmonics");
   const int channels = 3 + 3 * joints;

@@ -80,6 +80,7 @@ TEST_P(EveryRigsLibrary, IsReadAsItWasPrepared) {
   EXPECT_LT((is.series.beta - was.series.beta).cwiseAbs().maxCoeff(), kDigits);
   for (const Side side : {kLeft, kRight}) {
     EXPECT_NEAR(is.toe_out[side], was.toe_out[side], kDigits * kDegree);
+    EXPECT_NEAR(is.foot_drops.value()[side], was.foot_drops.value()[side], kDigits * kDegree);
     for (double tau = 0.0; tau <= 1.0; tau += 0.125) {
       EXPECT_NEAR(swingProgress(is.feet[side], tau), swingProgress(was.feet[side], tau), 1e-7);
       EXPECT_NEAR(footPitch(is.feet[side], 2.0 * tau), footPitch(was.feet[side], 2.0 * tau), 1e-6);

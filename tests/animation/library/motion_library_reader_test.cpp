@@ -98,6 +98,13 @@ TEST_F(MotionLibraryFile, WithToesThatRollLaterIsRead) {
   expectRefused("expected 24 roll of the toes");
 }
 
+TEST_F(MotionLibraryFile, RefusesFeetThatHangWhereTheyAreToStand) {
+  const size_t drops = text_.find("foot_drops: [") + 13;
+  text_.replace(drops, text_.find(',', drops) - drops, "70");
+  line_ = 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + drops, '\n'));
+  expectRefused("expected -63 to 63 degrees");
+}
+
 TEST_F(MotionLibraryFile, RefusesASkeletonThatIsNotThere) {
   replace("skeleton: default.bvh", "skeleton: nobody.bvh");
   EXPECT_NE(std::string(error().what()).find("nobody.bvh"), std::string::npos) << error().what();

@@ -65,6 +65,7 @@ TEST(MirrorCycle, KeepsSpeedAndPeriodAndTurnsTheOtherWay) {
     EXPECT_EQ(far.pitch, foot.pitch);
     EXPECT_EQ(far.sideways[0], -foot.sideways[0]);
     EXPECT_EQ(other.toe_out[amble::other(side)], -cycle.toe_out[side]);
+    EXPECT_EQ(other.foot_drops.value()[amble::other(side)], cycle.foot_drops.value()[side]);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "animation/body/foot_shape.h"
 #include "animation/steps/stride_law.h"
 #include "base/rotation.h"
 #include "base/sample_stream.h"
@@ -36,7 +37,7 @@ struct WalledEdge {
   const SceneGround ground{scene};
   const WalkSynthesizer synthesizer;
   const Body body = makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
-                             {synthesizer.ankleHeight(), synthesizer.toeHeight()});
+                             soleHeights(synthesizer.feet()));
   const CollisionWorld world;
   const WalkSteering steering;
   const SteeringScratchPtr scratch = steering.makeScratch();

@@ -1,6 +1,7 @@
 // Which steps the ground is said to lead over, beside those that are taken.
 #include <gtest/gtest.h>
 
+#include "animation/body/foot_shape.h"
 #include "animation/steps/stride_law.h"
 #include "base/rotation.h"
 #include "base/sample_stream.h"
@@ -37,7 +38,7 @@ struct TwoFloors {
   const SceneGround ground;
   const WalkSynthesizer synthesizer;
   const Body body = makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
-                             {synthesizer.ankleHeight(), synthesizer.toeHeight()});
+                             soleHeights(synthesizer.feet()));
   const CollisionWorld world;
   const WalkSteering steering;
   const SteeringScratchPtr scratch = steering.makeScratch();
