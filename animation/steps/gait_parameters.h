@@ -29,7 +29,8 @@ struct GaitWishes {
 
 /// Asked what a walk will be before it is animated: whether it is to be, or planned further. Most
 /// of a walk's cost comes after that. First as soon as it is known how long it takes and where its
-/// feet stand, with lifts of 0, and where that is wanted once more with the lifts.
+/// feet stand, with lifts of 0, and where that is wanted once more with the lifts. Before steps are
+/// chosen for the ground with fewer intervals than there can be, without steps.
 /// @param intervals  between its frames; @param leading  the foot in front at its end
 /// @param gait  of its steps, in their order
 using WalkFilter =

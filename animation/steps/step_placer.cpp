@@ -220,10 +220,14 @@ WalkSteps StepPlacer::plan(const WalkRequest& request) const {
         walk.from_feet.height == walk.end_feet.height) {
       return walk;
     }
-    if (outlook)
+    if (outlook) {
       walk.refused = WalkRule::kNone;
-    else
+    } else if (mayBeWanted(request)) {
       adapted(walk, request, limits);
+    } else {
+      walk.refused = WalkRule::kNone;
+      walk.unwanted = true;
+    }
   }
   if (walk.refused != WalkRule::kNone || walk.unwanted || outlook) return walk;
   if (limits.pace || limits.stride || walk.timing || isSlower(walk))
@@ -231,6 +235,19 @@ WalkSteps StepPlacer::plan(const WalkRequest& request) const {
   walk.level = isLevel(walk);
   if (!walk.level) walk.height = rootHeight(walk);
   return walk;
+}
+
+// Whether a walk whose steps are chosen for the ground might be, of all that it could come out as
+// the shortest: on a straight line, at the highest speed.
+bool StepPlacer::mayBeWanted(const WalkRequest& request) const {
+  if (request.is_wanted == nullptr) return true;
+  const double straight = (request.to.position - request.from.position).head<2>().norm();
+  const double time = straight / (kFastest * s_.limits.speed);
+  const int least = static_cast<int>(time / s_.limits.frame_time);
+  const Side leading = request.to.leading;
+  return (*request.is_wanted)(least, leading, {}) ||
+         (request.any_leading && !request.to.standing &&
+          (*request.is_wanted)(least, other(leading), {}));
 }
 
 // Steps as they follow from the speed, each on the ground where it falls. False where one does not

@@ -67,6 +67,10 @@ class StepPlacer {
   /// is climbed with hands [m].
   static constexpr double kHighestLift = 0.25;
 
+  /// Of the plan's speed: no walk is faster. Stride and cadence give way a little so that steps and
+  /// frames are whole [1].
+  static constexpr double kFastest = 1.15;
+
   /// @pre what is referred to outlives it
   StepPlacer(const Ground& ground, const std::array<FootShape, 2>& shapes,
              const SwingCycles& cycles, const StepSettings& settings);
@@ -80,6 +84,7 @@ class StepPlacer {
   WalkRule standOnGround(Footsteps& steps) const;
 
  private:
+  bool mayBeWanted(const WalkRequest& request) const;
   bool natural(WalkSteps& walk, const WalkRequest& request) const;
   void adapted(WalkSteps& walk, const WalkRequest& request, const SpeedLimits& limits) const;
   void swing(WalkSteps& walk, const WalkRequest& request) const;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "animation/steps/step_placer.h"
 #include "animation/steps/stride_law.h"
 #include "base/rotation.h"
 #include "environments/ground/ground_cells.h"
@@ -18,9 +19,6 @@ namespace amble {
 namespace {
 
 constexpr double kSamePlace = 1e-6;  // nearer stances have no direction between them [m]
-// Stride and cadence give way a little so that steps and frames are whole.
-constexpr double kSpeedMargin = 1.15;
-
 // How far a stance that is put on the ground may be from it: a flight of stairs is higher, what the
 // ground rises by between the places of a proposal is not [m].
 constexpr double kPlaceReach = 1.5;
@@ -125,7 +123,9 @@ SteeringScratchPtr WalkSteering::makeScratch() const {
   return scratch;
 }
 
-double WalkSteering::topSpeed() const { return kSpeedMargin * synthesizer_.settings().speed; }
+double WalkSteering::topSpeed() const {
+  return StepPlacer::kFastest * synthesizer_.settings().speed;
+}
 
 int WalkSteering::layers() const {
   return ground_.isLevel() ? 0 : std::max(1, ground_.cells().layers());
