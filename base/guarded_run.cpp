@@ -15,6 +15,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/freed_memory.h"
 #include "base/kept_memory.h"
 
 namespace amble {
@@ -102,6 +103,7 @@ constexpr size_t kFirstMemory = size_t{20} << 20;
   for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
   bound(RLIMIT_CORE, 0);
   bound(RLIMIT_CPU, static_cast<size_t>(limits.cpu_time));
+  giveBackFreedMemory();  // of which the program may have kept more than the work may fill
   if (const size_t space = addressSpace(); space > 0 && !kSanitized) {
     bound(RLIMIT_AS, space + limits.memory);
   }

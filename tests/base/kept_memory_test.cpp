@@ -39,5 +39,23 @@ TEST(KeepFreedMemory, WhatWasFreedIsHandedOutAgainWithoutTheSystem) {
   EXPECT_LT(again, static_cast<long>(kBytes / kSmallPage) / 50) << answer.bytes;
 }
 
+// Whoever keeps memory and starts work that may fill little.
+TEST(KeepFreedMemory, WhatAProcessKeepsIsNotForItsGuardedWork) {
+#if defined(__SANITIZE_ADDRESS__) || !defined(__GLIBC__)
+  GTEST_SKIP() << "memory is not glibc's";
+#endif
+  constexpr size_t kKept = size_t{30} << 20, kAllowed = size_t{2} << 20, kWanted = size_t{8} << 20;
+  const GuardedAnswer keeper = runGuarded([] {
+    keepFreedMemory(kKept);
+    GuardLimits limits;
+    limits.memory = kAllowed;
+    const GuardedAnswer answer =
+        runGuarded([] { return std::string(kWanted, 'x').substr(0, 1); }, limits);
+    return std::string(answer.end == GuardEnd::kMemory ? "bounded" : "not");
+  });
+  ASSERT_TRUE(keeper.done());
+  EXPECT_EQ(keeper.bytes, "bounded");
+}
+
 }  // namespace
 }  // namespace amble
