@@ -10,6 +10,8 @@
 #include <memory>
 #include <utility>
 
+#include "animation/steps/swing_path.h"
+#include "base/ease.h"
 #include "base/parallel.h"
 #include "environments/ground/ground_cells.h"
 #include "planner/steering/edge_reach.h"
@@ -64,10 +66,17 @@ std::vector<PartWay> waysOfParts(const StraightWalk& walk, const Skeleton& skele
   return ways;
 }
 
+// Share of a foot's extra lift that it may have that far through its swing (SwingShape).
+double mostOfLift(double tau) {
+  const double ramp = *std::ranges::min_element(SwingSearch::kRamps);
+  return tau <= 0.0 ? 0.0 : minimumJerk(tau / ramp) * minimumJerk((1.0 - tau) / ramp);
+}
+
 }  // namespace
 
 BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
-                     const Body& body, double stature, double highest_step, double longest_step)
+                     const Body& body, double stature, double highest_step, double longest_step,
+                     double highest_lift)
     : stature_(stature), longest_step_(longest_step) {
   if (walk.buffer.size() == 0) return;
   const std::vector<PartWay> ways = waysOfParts(walk, skeleton, body);
@@ -103,6 +112,36 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
     if (a.isTrunk() != b.isTrunk()) return b.isTrunk();
     return a.radius > b.radius;
   });
+  if (highest_lift < HUGE_VAL) addFeet(walk, skeleton, roles, body, highest_lift);
+}
+
+// Of each foot the front end of one of its soles, which swings lower than the heel.
+void BodyReach::addFeet(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
+                        const Body& body, double highest_lift) {
+  std::vector<JointFrame> joints(skeleton.size());
+  for (const Side side : {kLeft, kRight}) {
+    const auto part = std::find_if(body.parts.begin(), body.parts.end(), [&](const BodyPart& own) {
+      return own.sole == side && own.joint == roles.legs[side].foot;
+    });
+    if (part == body.parts.end()) continue;
+    Eigen::AlignedBox1d heights;
+    for (int frame = 0; frame < walk.buffer.size(); ++frame) {
+      const FrameState& state = walk.buffer.states[frame];
+      forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
+      const double z = (joints[part->joint] * part->to).z() - state.position.z();
+      const double most = highest_lift * mostOfLift(state.feet[side].at - 1.0);
+      heights.extend(Eigen::AlignedBox1d(z, z + most));
+    }
+    Ball ball;
+    ball.part = static_cast<int>(part - body.parts.begin());
+    ball.radius = part->radius;
+    ball.height = heights.min()[0] - kRise;
+    ball.highest = ball.top = heights.max()[0] + kRise;
+    ball.most_rise = SceneGround::kLevel;
+    ball.aside = kOfLegs;
+    ball.beyond = kLegsBeyond;
+    balls_.push_back(ball);
+  }
 }
 
 // What holds balls, all of them, wherever they are carried.
@@ -254,10 +293,11 @@ int BodyReach::Flood::touchedOnUneven(const Eigen::Vector2d& p, const Eigen::Ali
 // would touch nothing, but none of the square is where somebody is who stands on ground.
 int BodyReach::Flood::object(const Eigen::Vector2d& p) {
   const double far = std::sqrt(0.5) * square_;
-  if (!around_.near(ball_).has(p, far)) return kNoGround;
+  const NearGround& near = around_.near(ball_);
+  const bool over = near.isOver(p);
+  if (!over && !near.has(p, far)) return kNoGround;
   const int there = thing(p);
-  return there != kNothing || around_.near_body.isOver(p) || around_.edges.has(p, far) ? there
-                                                                                       : kNoGround;
+  return there != kNothing || over || around_.edges.has(p, far) ? there : kNoGround;
 }
 
 // The same wherever the square is, and whatever of the ground around the feet stand on.
@@ -265,8 +305,10 @@ int BodyReach::Flood::thing(const Eigen::Vector2d& p) {
   const Eigen::AlignedBox1d feet = around_.range.around(p);
   if (feet.isEmpty()) return kNothing;
   const double rise = feet.sizes()[0], radius = ball_.radius - std::sqrt(0.5) * square_;
-  const double low = feet.min()[0] + ball_.height, high = feet.max()[0] + ball_.highest;
   if (rise > ball_.most_rise) return kNothing;
+  const double low = feet.min()[0] + ball_.height;
+  // Feet are lifted by as much more as one print is over the other.
+  const double high = feet.max()[0] + ball_.highest + (ball_.isFoot() ? rise : 0.0);
   if (ball_.isTrunk() && rise <= SceneGround::kLevel) return touchedAtAll(p, low, high, radius);
   if (rise <= SceneGround::kLevel) return touched(p, high, feet.min()[0] + ball_.top, radius);
   return ball_.isLeg() ? touched(p, high, high, radius) : touchedOnUneven(p, feet, radius);
@@ -401,7 +443,9 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
     return isOpenWay(from, to, postAround(balls), square, world, ground, reached, around.near_legs,
                      *scratches.front(), stopped);
   };
-  if (balls_.empty() || !around.range.isKnown() || is_open(balls_, kOpenSquare))
+  const auto is_foot = [](const Ball& ball) { return ball.isFoot(); };
+  const std::span<const Ball> but_feet(balls_.begin(), std::ranges::find_if(balls_, is_foot));
+  if (balls_.empty() || !around.range.isKnown() || is_open(but_feet, kOpenSquare))
     return std::nullopt;
   using Asked = std::pair<const Ball*, double>;  // by squares of that side
   const auto first_shut = [&](const std::vector<Asked>& asked) -> std::optional<Barrier> {
@@ -419,16 +463,21 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
     if (first == count) return std::nullopt;
     return floods[first]->barrier();
   };
+  const auto squareOf = [](const Ball& ball) { return kOfRadius * std::sqrt(2.0) * ball.radius; };
   std::vector<Asked> coarse, fine;
-  for (size_t i = 0; i < balls_.size(); ++i) {
-    const Ball& ball = balls_[i];
+  for (size_t i = 0; i < but_feet.size(); ++i) {
+    const Ball& ball = but_feet[i];
     if (i > 0 && ball.isAsWide(balls_[i - 1])) continue;  // the other leg
-    coarse.emplace_back(&ball, std::min(kLargest, kOfRadius * std::sqrt(2.0) * ball.radius));
+    coarse.emplace_back(&ball, std::min(kLargest, squareOf(ball)));
   }
   if (auto found = first_shut(coarse)) return found;
   if (ground.extent().sizes().prod() > kMostFinest * kFinest * kFinest) return std::nullopt;
-  for (const Ball& ball : balls_)
-    if (!ball.isLeg() && !is_open({&ball, 1}, kFinerOpenSquare)) fine.emplace_back(&ball, kFinest);
+  for (const Ball& ball : balls_) {
+    // From a step beside it feet come higher over a thing.
+    const bool is_asked = ball.isFoot() ? ground.isLevel() : !ball.isLeg();
+    if (is_asked && !is_open({&ball, 1}, kFinerOpenSquare))
+      fine.emplace_back(&ball, std::min(kFinest, squareOf(ball)));
+  }
   return first_shut(fine);
 }
 

@@ -15,6 +15,11 @@
 /// across their corners too; ends count as all squares as far from them as a ball is from the path
 /// at most, and kDip more.
 ///
+/// Over level ground a ball in each foot, where the toes begin, is lifted over things by what feet
+/// are lifted beside their captured swing at most, at the moments at which they may be
+/// (SwingShape): what is higher from side to side shuts off. Where that lift is not known there are
+/// no such balls.
+///
 /// Where the ground around is uneven, pelvis, chest and head are carried as over any of the lines
 /// from ground to ground that pass there (GroundChords), or up to kUnevenRise higher or kUnevenDip
 /// lower: hips give way where legs are too short for a step. That bound was found by trial, of
@@ -64,9 +69,11 @@ class BodyReach {
 
   /// Of a body on a walk; knows nothing where the walk has no frames.
   /// @param highest_step  that feet are lifted over [m]; @param longest_step  of the middles of two
-  /// feet [m, > 0]
+  /// feet [m, > 0]; @param highest_lift  of feet beside their captured swing, at most [m, > 0];
+  /// infinity: not known
   BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
-            const Body& body, double stature, double highest_step, double longest_step);
+            const Body& body, double stature, double highest_step, double longest_step,
+            double highest_lift = HUGE_VAL);
 
   /// What shuts the body off, where least is missing.
   struct Barrier {
@@ -102,20 +109,24 @@ class BodyReach {
         -HUGE_VAL;  ///< of the end of what is over an upright head, over the lower foot
     int part = -1;  ///< of the body
 
-    bool isTrunk() const { return highest > height; }
+    bool isTrunk() const { return highest > height; }  ///< or a foot
     bool isLeg() const { return most_rise < HUGE_VAL; }
+    bool isFoot() const { return isLeg() && isTrunk(); }
     bool isAsWide(const Ball& other) const {
       return height == other.height && highest == other.highest && top == other.top &&
              most_rise == other.most_rise && radius == other.radius && aside == other.aside;
     }
   };
-  /// Those at one height first, and the largest first: their squares are the quickest to ask.
+  /// Those at one height first, and the largest first: their squares are the quickest to ask. Feet
+  /// last.
   const std::vector<Ball>& balls() const { return balls_; }
 
  private:
   struct Around;
   class Flood;
   UprightPost postAround(std::span<const Ball> balls) const;
+  void addFeet(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
+               const Body& body, double highest_lift);
   double stature_;
   double longest_step_;  // [m]
   std::vector<Ball> balls_;

@@ -95,6 +95,12 @@ ClearanceMap::Breadth breadthByHeight(const StraightWalk& walk, const WalkSynthe
   return all;
 }
 
+// Of feet beside their captured swing; it scales with the captured subject, whose height is known
+// where the walker has it.
+double highestLift(const WalkSynthesizer& synthesizer) {
+  return synthesizer.settings().height == 0.0 ? StepPlacer::kHighestLift : HUGE_VAL;
+}
+
 }  // namespace
 
 WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
@@ -110,7 +116,7 @@ WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWo
       core_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature()),
       reach_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature(),
              ground.settings().limits.highestStep(),
-             StrideLaw::kLongestStep * synthesizer.capturedStep()) {
+             StrideLaw::kLongestStep * synthesizer.capturedStep(), highestLift(synthesizer)) {
   const Eigen::AlignedBox1d breadth = walkingBreadth(walk, synthesizer.skeleton(), world.body());
   if (breadth.isEmpty()) return;
   half_breadth_ = std::max(-breadth.min()[0], breadth.max()[0]);
