@@ -254,6 +254,7 @@ const std::array<FootShape, 2>& WalkSynthesizer::feet() const { return impl_->sh
 double WalkSynthesizer::capturedStep() const { return impl_->blend.law().capturedStep(); }
 double WalkSynthesizer::capturedLift() const { return impl_->captured_lift; }
 double WalkSynthesizer::stature() const { return impl_->stature; }
+double WalkSynthesizer::scale() const { return impl_->scale; }
 JointFrame WalkSynthesizer::standingHead() const { return impl_->standingHead(); }
 double WalkSynthesizer::stepLength() const { return impl_->placement.step_length; }
 double WalkSynthesizer::maxTurnRate() const { return impl_->blend.maxTurnRate(); }

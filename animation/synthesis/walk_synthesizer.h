@@ -60,6 +60,7 @@ class WalkSynthesizer {
   const JointRoles& roles() const;
   const std::array<FootShape, 2>& feet() const;  ///< by Side
   double stature() const;                        ///< [m]
+  double scale() const;                          ///< of the walker against who was captured [> 0]
   double capturedStep() const;                   ///< step length of the captured walk, scaled [m]
   double capturedLift() const;      ///< GaitParameters::lift of the captured walk, scaled [m]
   JointFrame standingHead() const;  ///< the head's joint when standing at (0, 0, 0) on the level

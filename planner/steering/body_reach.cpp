@@ -91,13 +91,17 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
     ball.highest = ball.top = way.middle.max()[0] + kRise;
     ball.carried = {way.middle.min()[0] - kUnevenDip, way.middle.max()[0] + kUnevenRise};
     if (part == body.head) {
-      ball.height = ball.highest;
-      if (body.upright > 0.0) ball.upright = body.upright - own.radius;
-      ball.top = std::max(ball.highest, ball.upright);
+      // A head that may stoop is anywhere between, as pelvis and chest are.
+      if (body.upright > 0.0) {
+        ball.height = ball.highest;
+        ball.upright = body.upright - own.radius;
+        ball.top = std::max(ball.highest, ball.upright);
+      }
       ball.carried = {way.upper.min()[0] - kUnevenDip, way.upper.max()[0] + kUnevenRise};
     } else if (own.joint == roles.legs[kLeft].leg || own.joint == roles.legs[kRight].leg) {
       // The leg, from the hip to the ankle, crosses this height once, with the thigh or the shank.
-      ball.height = ball.highest = ball.top = highest_step + kAnkle * stature;
+      ball.height = ball.highest = ball.top =
+          std::max(highest_step, highest_lift) + kAnkle * stature;
       ball.most_rise = kLowestHips * stature - ball.height;
       ball.aside = kOfLegs;
       ball.beyond = kLegsBeyond;
@@ -112,7 +116,7 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
     if (a.isTrunk() != b.isTrunk()) return b.isTrunk();
     return a.radius > b.radius;
   });
-  if (highest_lift < HUGE_VAL) addFeet(walk, skeleton, roles, body, highest_lift);
+  addFeet(walk, skeleton, roles, body, highest_lift);
 }
 
 // Of each foot the front end of one of its soles, which swings lower than the heel.

@@ -17,8 +17,7 @@
 ///
 /// Over level ground a ball in each foot, where the toes begin, is lifted over things by what feet
 /// are lifted beside their captured swing at most, at the moments at which they may be
-/// (SwingShape): what is higher from side to side shuts off. Where that lift is not known there are
-/// no such balls.
+/// (SwingShape): what is higher from side to side shuts off.
 ///
 /// Where the ground around is uneven, pelvis, chest and head are carried as over any of the lines
 /// from ground to ground that pass there (GroundChords), or up to kUnevenRise higher or kUnevenDip
@@ -68,12 +67,11 @@ class BodyReach {
   static constexpr double kFinest = 0.012;
 
   /// Of a body on a walk; knows nothing where the walk has no frames.
-  /// @param highest_step  that feet are lifted over [m]; @param longest_step  of the middles of two
-  /// feet [m, > 0]; @param highest_lift  of feet beside their captured swing, at most [m, > 0];
-  /// infinity: not known
+  /// @param highest_step  that feet go up [m]; @param longest_step  of the middles of two feet
+  /// [m, > 0]; @param highest_lift  of feet beside their captured swing, at most [m, > 0]
   BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
             const Body& body, double stature, double highest_step, double longest_step,
-            double highest_lift = HUGE_VAL);
+            double highest_lift);
 
   /// What shuts the body off, where least is missing.
   struct Barrier {

@@ -95,10 +95,9 @@ ClearanceMap::Breadth breadthByHeight(const StraightWalk& walk, const WalkSynthe
   return all;
 }
 
-// Of feet beside their captured swing; it scales with the captured subject, whose height is known
-// where the walker has it.
+// Of feet beside their captured swing.
 double highestLift(const WalkSynthesizer& synthesizer) {
-  return synthesizer.settings().height == 0.0 ? StepPlacer::kHighestLift : HUGE_VAL;
+  return StepPlacer::kHighestLift * synthesizer.scale();
 }
 
 }  // namespace

@@ -11,6 +11,14 @@
 
 namespace amble {
 
+/// As plans have it where nobody stoops.
+inline Body uprightBody(const WalkSynthesizer& walker) {
+  Body body =
+      makeBody(walker.skeleton(), walker.roles(), walker.stature(), soleHeights(walker.feet()));
+  body.upright = walker.stature();
+  return body;
+}
+
 inline SceneObject boxObject(const std::string& name, const Eigen::Vector3d& size,
                              const Eigen::Vector3d& at) {
   SceneObject object;
@@ -50,8 +58,7 @@ struct FurnishedRoom {
   const MotionLibrary library = openMotionLibrary("default");
   const SceneGround ground{scene, 0.0};
   const WalkSynthesizer synthesizer;
-  const Body body = makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
-                             soleHeights(synthesizer.feet()));
+  const Body body = uprightBody(synthesizer);
   const CollisionWorld world{scene, ground, synthesizer.skeleton(), body};
   const Eigen::AlignedBox2d bounds{Eigen::Vector2d(0, 0), Eigen::Vector2d(6, 4)};
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <queue>
 
+#include "animation/steps/step_placer.h"
 #include "planner/steering/body_reach.h"
 #include "planner/steering/straight_walk.h"
 #include "tests/environments/random_scenes.h"
@@ -70,7 +71,8 @@ struct Crowded {
                   home.body,
                   home.synthesizer.stature(),
                   ground.settings().limits.highestStep(),
-                  1.0};
+                  1.0,
+                  StepPlacer::kHighestLift};
 };
 
 TEST(BodyReachLaws, WhatIsShutOffIsSoBothWays) {

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "animation/steps/step_placer.h"
 #include "base/rotation.h"
 #include "base/sample_stream.h"
 #include "planner/steering/ground_range.h"
@@ -144,7 +145,14 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
   const FurnishedRoom room(roomWith(logs));
   const BodyReach reach(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
                         room.synthesizer.roles(), room.body, room.synthesizer.stature(), highest,
-                        kLongestStep);
+                        kLongestStep, StepPlacer::kHighestLift);
+  Body who_stoops = room.body;
+  who_stoops.upright = 0.0;
+  const BodyReach stooping(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
+                           room.synthesizer.roles(), who_stoops, room.synthesizer.stature(),
+                           highest, kLongestStep, StepPlacer::kHighestLift);
+  const auto head = std::ranges::find(stooping.balls(), room.body.head, &BodyReach::Ball::part);
+  ASSERT_NE(head, stooping.balls().end());
   const WalkSteering steering(room.synthesizer, room.world, room.ground);
   const auto scratch = steering.makeScratch();
   SampleStream stream(4, 0);
@@ -161,10 +169,13 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
       forwardKinematics(room.synthesizer.skeleton(), buffer.poses[frame], joints);
       placeBody(room.body, joints, a, b);
       for (const BodyReach::Ball& ball : reach.balls()) {
+        if (ball.isFoot()) continue;  // LiftedFeet
         const BodyPart& part = room.body.parts[ball.part];
         const double middle = 0.5 * (a[ball.part] + b[ball.part]).z();
         if (ball.part == room.body.head) {
           ASSERT_LT(middle, ball.height);  // it begins in the head, or in what is over it
+          ASSERT_LT(head->height, middle);
+          ASSERT_LT(middle, head->highest);
         } else if (part.name == "pelvis" || part.name == "chest") {
           ASSERT_EQ(ball.radius, part.radius) << part.name;
           ASSERT_LT(ball.height, middle) << part.name;
@@ -255,7 +266,8 @@ TEST(BodyReach, NoWalkOverStepsWasShutOffAndTheirPosesHoldTheBalls) {
     const double highest = room.ground.settings().limits.highestStep();
     const double stature = room.synthesizer.stature();
     const BodyReach reach(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
-                          room.synthesizer.roles(), room.body, stature, highest, kLongestStep);
+                          room.synthesizer.roles(), room.body, stature, highest, kLongestStep,
+                          StepPlacer::kHighestLift);
     const GroundRange range(room.ground, ReachedGround(room.ground, {0.0, 0.0, 50.0}, kLongestStep),
                             0.5 * stature);
     const auto scratch = steering.makeScratch();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "animation/steps/step_placer.h"
 #include "animation/steps/stride_law.h"
 #include "base/rotation.h"
 #include "base/sample_stream.h"
@@ -117,7 +118,8 @@ TEST(GroundChords, EveryPoseOverUnevenGroundIsCarriedBetweenThem) {
     const double longest = StrideLaw::kLongestStep * room.synthesizer.capturedStep();
     const BodyReach reach(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
                           room.synthesizer.roles(), room.body, stature,
-                          room.ground.settings().limits.highestStep(), longest);
+                          room.ground.settings().limits.highestStep(), longest,
+                          StepPlacer::kHighestLift);
     const ReachedGround all(room.ground, {0.0, 0.0, 50.0}, longest);
     const GroundChords chords(room.ground, all, longest);
     const GroundRange range(room.ground, all, kFeetAside * stature);
