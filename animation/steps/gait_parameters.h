@@ -5,6 +5,8 @@
 #include <functional>
 #include <span>
 
+#include "animation/body/joint_roles.h"
+
 namespace amble {
 
 struct GaitParameters {
