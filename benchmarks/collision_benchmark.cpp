@@ -127,7 +127,8 @@ struct Edge {
   RootPath path;
 };
 
-// Those that are found to be free as they are made here, so that each check goes all the way.
+// Those that are found to be free as they are made here, so that each check goes all the way; the
+// first of some paths that is, of each.
 std::vector<Edge> freeEdges(const RunResult& result, const CollisionWorld& world,
                             CollisionScratch& scratch) {
   constexpr double kShortest = 0.5;  // [m]
@@ -138,10 +139,15 @@ std::vector<Edge> freeEdges(const RunResult& result, const CollisionWorld& world
     const Stance &from = walk.stances[i - 1], &to = walk.stances[i];
     const Eigen::Vector2d a = from.position.head<2>(), b = to.position.head<2>();
     if ((b - a).norm() < kShortest) continue;
-    Edge edge{from, to, RootPath({makeBezier(a, from.heading, b, to.heading, 1.0 / 3.0)})};
-    const WalkResult made = result.problem->synthesizer.walk(from, to, edge.path, true, buffer);
-    if (made.refused == WalkRule::kNone && !world.check(buffer.poses, buffer.soles, false, scratch))
+    for (const double reach : {1.0 / 3.0, 0.25, 0.4, 0.2, 0.5}) {
+      Edge edge{from, to, RootPath({makeBezier(a, from.heading, b, to.heading, reach)})};
+      const WalkResult made = result.problem->synthesizer.walk(from, to, edge.path, true, buffer);
+      if (made.refused != WalkRule::kNone ||
+          world.check(buffer.poses, buffer.soles, false, scratch))
+        continue;
       edges.push_back(std::move(edge));
+      break;
+    }
   }
   return edges;
 }
