@@ -184,7 +184,9 @@ std::string skeletonNameBeside(const std::filesystem::path& file) {
     if (i > 1) name += "-skeleton";
     if (i > 2) name += "-" + std::to_string(i - 1);
     const std::filesystem::path skeleton = file.parent_path() / (name + ".bvh");
-    if (!std::filesystem::exists(skeleton) || isLibrarySkeleton(skeleton)) return name + ".bvh";
+    // That of another, whose name was changed or ends otherwise, may lie there.
+    const bool own = std::filesystem::exists(file) && isLibrarySkeleton(skeleton);
+    if (own || !std::filesystem::exists(skeleton)) return name + ".bvh";
   }
 }
 

@@ -45,8 +45,8 @@ void writeWithSkeleton(const Skeleton& skeleton, const std::string& skeleton_fil
 /// be written anew.
 bool isLibrarySkeleton(const std::filesystem::path& file);
 
-/// A name beside a file that nothing has but, at most, the skeleton of some library: captures often
-/// are called what is made of them.
+/// A name beside a file that nothing has but, where the file is there already, the skeleton of some
+/// library, which is taken for its own: captures often are called what is made of them.
 std::string skeletonNameBeside(const std::filesystem::path& file);
 
 /// Where a library whose skeleton has become this one keeps it: where it was, if the file is not

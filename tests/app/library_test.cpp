@@ -172,6 +172,19 @@ TEST_F(Library, NeverWritesOverTheCaptureThatItReads) {
   EXPECT_TRUE(fs::exists(folder_ / "in/mine-skeleton.bvh"));
 }
 
+TEST_F(Library, OfAnotherEndingOrAnOldNameKeepsItsSkeleton) {
+  add("in/p.yml " + kWalk);
+  const std::string own = read("in/p.bvh");
+  add("in/p.yaml " + kCaptures + "accad_male1/Male1_B3_Walk.bvh");
+  EXPECT_EQ(read("in/p.bvh"), own);
+  EXPECT_EQ(run("library engine build " + kWalk + " -o in/p.engine.yaml").status, 0);
+  fs::rename(folder_ / "in/p.yml", folder_ / "in/q.yaml");
+  fs::remove(folder_ / "in/p.yaml");
+  add("in/p.yaml " + kCaptures + "accad_male1/Male1_B3_Walk.bvh");
+  EXPECT_EQ(read("in/p.bvh"), own);
+  EXPECT_EQ(run("library show in/q.yaml").status, 0);
+}
+
 TEST_F(Library, NeverWritesOverTheCaptureThatItNamesAsItsSkeleton) {
   copy(kWalk, "in/mine.bvh");
   add("in/mine.yaml in/mine.bvh");

@@ -97,6 +97,8 @@ TEST_P(EveryRigsLibrary, HasASkeletonThatIsKnownForALibrarys) {
   const MotionLibrary& library = libraryOf(GetParam());
   writeMotionLibrary(library, folder.path() / "library.yaml");
   EXPECT_TRUE(isLibrarySkeleton(folder.path() / "rig.bvh"));
+  EXPECT_EQ(skeletonNameBeside(folder.path() / "rig.yaml"), "rig-skeleton.bvh");  // not its own
+  writeMotionLibrary(library, folder.path() / "rig.yaml");
   EXPECT_EQ(skeletonNameBeside(folder.path() / "rig.yaml"), "rig.bvh");
   if (std::string(GetParam()).ends_with(".bvh")) {
     EXPECT_FALSE(isLibrarySkeleton(sharedFolder() / "mocap" / GetParam()));
