@@ -1,5 +1,5 @@
 #include "app/program.h"
-#include "base/kept_memory.h"
+#include "base/freed_memory.h"
 
 namespace {
 

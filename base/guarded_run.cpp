@@ -16,7 +16,6 @@
 #include <system_error>
 
 #include "base/freed_memory.h"
-#include "base/kept_memory.h"
 
 namespace amble {
 namespace {

@@ -95,11 +95,6 @@ ClearanceMap::Breadth breadthByHeight(const StraightWalk& walk, const WalkSynthe
   return all;
 }
 
-// Of feet beside their captured swing.
-double highestLift(const WalkSynthesizer& synthesizer) {
-  return StepPlacer::kHighestLift * synthesizer.scale();
-}
-
 }  // namespace
 
 WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
@@ -115,7 +110,8 @@ WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWo
       core_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature()),
       reach_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature(),
              ground.settings().limits.highestStep(),
-             StrideLaw::kLongestStep * synthesizer.capturedStep(), highestLift(synthesizer)) {
+             StrideLaw::kLongestStep * synthesizer.capturedStep(),
+             StepPlacer::kHighestLift * synthesizer.scale()) {
   const Eigen::AlignedBox1d breadth = walkingBreadth(walk, synthesizer.skeleton(), world.body());
   if (breadth.isEmpty()) return;
   half_breadth_ = std::max(-breadth.min()[0], breadth.max()[0]);

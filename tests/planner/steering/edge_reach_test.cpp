@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "animation/body/foot_shape.h"
 #include "animation/steps/stride_law.h"
 #include "base/rotation.h"
 #include "base/sample_stream.h"
@@ -36,8 +35,7 @@ struct WalledEdge {
   const Scene scene;
   const SceneGround ground{scene};
   const WalkSynthesizer synthesizer;
-  const Body body = makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
-                             soleHeights(synthesizer.feet()));
+  const Body body = uprightBody(synthesizer);
   const CollisionWorld world;
   const WalkSteering steering;
   const SteeringScratchPtr scratch = steering.makeScratch();

@@ -1,7 +1,6 @@
 // Which steps the ground is said to lead over, beside those that are taken.
 #include <gtest/gtest.h>
 
-#include "animation/body/foot_shape.h"
 #include "animation/steps/stride_law.h"
 #include "base/rotation.h"
 #include "base/sample_stream.h"
@@ -37,8 +36,7 @@ struct TwoFloors {
   const Scene scene;
   const SceneGround ground;
   const WalkSynthesizer synthesizer;
-  const Body body = makeBody(synthesizer.skeleton(), synthesizer.roles(), synthesizer.stature(),
-                             soleHeights(synthesizer.feet()));
+  const Body body = uprightBody(synthesizer);
   const CollisionWorld world;
   const WalkSteering steering;
   const SteeringScratchPtr scratch = steering.makeScratch();

@@ -1,4 +1,4 @@
-#include "base/kept_memory.h"
+#include "base/freed_memory.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
