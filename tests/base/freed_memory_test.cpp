@@ -44,7 +44,7 @@ TEST(KeepFreedMemory, WhatAProcessKeepsIsNotForItsGuardedWork) {
 #if defined(__SANITIZE_ADDRESS__) || !defined(__GLIBC__)
   GTEST_SKIP() << "memory is not glibc's";
 #endif
-  constexpr size_t kKept = size_t{30} << 20, kAllowed = size_t{2} << 20, kWanted = size_t{8} << 20;
+  constexpr size_t kKept = size_t{30} << 20, kAllowed = size_t{2} << 20, kWanted = size_t{28} << 20;
   const GuardedAnswer keeper = runGuarded([] {
     keepFreedMemory(kKept);
     GuardLimits limits;
