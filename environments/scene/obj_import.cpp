@@ -31,16 +31,19 @@ constexpr int kMostDigits = 9;                    // of an index
 constexpr auto kIsBlank = [](char c) { return c == ' ' || c == '\t'; };
 
 // Lines that a backslash joins to the next become one, with empty lines behind it for those that
-// are gone; ends of lines that are a carriage return alone become line feeds.
+// are gone, but no comments, which may end in the path of a folder; ends of lines that are a
+// carriage return alone become line feeds.
 std::string plainLines(std::string text) {
   for (size_t at = text.find('\r'); at != std::string::npos; at = text.find('\r', at + 1))
     if (at + 1 == text.size() || text[at + 1] != '\n') text[at] = '\n';
   if (text.find('\\') == std::string::npos) return text;
   std::string plain;
   size_t joined = 0;
+  bool comment = false;
   for (size_t i = 0; i < text.size(); ++i) {
     const size_t end = i + (text.compare(i + 1, 1, "\r") == 0 ? 2 : 1);
-    if (text[i] == '\\' && end < text.size() && text[end] == '\n') {
+    comment = text[i] != '\n' && (comment || text[i] == '#');
+    if (!comment && text[i] == '\\' && end < text.size() && text[end] == '\n') {
       plain += ' ';
       ++joined;
       i = end;

@@ -170,8 +170,8 @@ TEST(ParseObj, LinesMayEndAndGoOnAndBeginAsPeopleWriteThem) {
     indented.insert(at + 1, " \t");
   for (const std::string& text :
        {returns, both, indented, "\xEF\xBB\xBF" + kStart + kFace, kStart + "f 1 2 3",
-        kStart + "f 1 \\\n2\\\n 3\n", kStart + "f 1 \\\r\n2 3\r\n",
-        kStart + "f 1 2 3 # f 3 2 1 # f 2 1 3\n",
+        "# from C:\\models\\\n" + kStart + kFace, kStart + "f 1 \\\n2\\\n 3\n",
+        kStart + "f 1 \\\r\n2 3\r\n", kStart + "f 1 2 3 # f 3 2 1 # f 2 1 3\n",
         "o a\nv 0 0 0 # v 1 1 1\nv 2,0 0 0\nv 0 1,00 0\n" + kFace, kStart + "f 1/7 2/7 3/7\n",
         kStart + "f 1//7 2//7 3//7\n", kStart + "f 1/ 2/ 3/\n", kStart + "f -3 -2 -1\n",
         "o a\n" + kFace + kCorners,
