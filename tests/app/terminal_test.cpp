@@ -21,7 +21,7 @@ class Terminal : public InRoom {
     makeEndless();
   }
   // Long enough for a bar to be drawn, however busy the machine is.
-  const std::string search_ = "plan in/scenario.yaml -o out --time-limit 2";
+  const std::string search_ = "plan in/scenario.yaml -o out --time-limit 4";
 };
 
 TEST_F(Terminal, ABarIsDrawnAndIsGoneBeforeTheResult) {
