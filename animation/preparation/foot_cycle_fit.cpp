@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "animation/preparation/bone_pitch.h"
 #include "animation/preparation/swing_fit.h"
 #include "base/ease.h"
 #include "base/error.h"
@@ -49,28 +50,6 @@ struct SwingSample {
   double yaw, roll;
   double down;  // of the bone to the toe joint, as seen from beside
 };
-
-// The pitch at which the bone from the ankle to the toe joint is seen from beside a heading to go
-// down by so much [rad], of a foot that is turned from it and rolled so. Of the bone rather than of
-// the foot's frame, which markers roll by up to 30 degrees, so that it is pitched as it rolls.
-double pitchOfBone(double down, double yaw, double roll, const FootShape& shape) {
-  const double ahead = shape.ball_x - shape.ankle_x, under = shape.ankle_height - shape.radius;
-  const double across = under * std::sin(roll), below = under * std::cos(roll);
-  const double sine = std::sin(down), cosine = std::cos(down);
-  const double size = std::hypot(ahead, below) * std::hypot(cosine, std::cos(yaw) * sine);
-  const double aside = std::asin(std::clamp(across * std::sin(yaw) * sine / size, -1.0, 1.0));
-  return wrapAngle(std::atan2(std::cos(yaw) * sine, cosine) - aside - std::atan2(below, ahead));
-}
-
-// Of that bone, of a sole that lies flat [rad].
-double flatDrop(const FootShape& shape) {
-  return std::atan2(shape.ankle_height - shape.radius, shape.ball_x - shape.ankle_x);
-}
-
-double seenDown(const Eigen::Vector3d& bone, double heading) {
-  const Eigen::Vector3d seen = aboutZ(-heading) * bone;
-  return std::atan2(-seen.z(), seen.x());
-}
 
 // Of a sole against a heading: the turn about z, and the roll. Feet that have just left point
 // straight down, and beyond: there a turn about z and a roll are the same, and the first is taken.

@@ -24,22 +24,23 @@ constexpr int kForward = kPitches, kRolls = kForward + 1, kProgress = kRolls + k
               kHeight = kProgress + kTerms, kOfLeg = kHeight + kTerms, kPelvis = 2 * kOfLeg,
               kUnknowns = kPelvis + kSwayNumbers;
 
-// What squares are weighed with against those of knee and hip, whose weights over a cycle are 1
-// together. By trial, on walks of seven persons.
+// What squares are weighed with against those of a knee, whose weights over a cycle are 1 together.
+// By trial, on walks of seven persons.
 struct Weight {
-  static constexpr double kStraight = 165.0;  // of straight knees, which are seen, more
+  static constexpr double kStraight = 300.0;  // of straight knees, which are seen, more
+  static constexpr double kHip = 1.5;         // of how far forward the leg goes
   static constexpr double kAnkle = 0.5;       // of the ankle
-  static constexpr double kPitch = 0.65;      // of the pitch against the captured one
+  static constexpr double kPitch = 0.5;       // of the pitch against the captured one
   static constexpr double kFlat = 100.0;      // the same of a foot that stands flat
   static constexpr double kBends = 0.5;       // of what the pitch's second differences are more
-  static constexpr double kToes = 0.1;        // of the toes against the captured ones
+  static constexpr double kToes = 0.02;       // of the toes against the captured ones
   static constexpr double kToesBend = 0.05;   // of the second differences of their coefficients
-  static constexpr double kMoved = 0.4;       // of the print against where it was, in metres
+  static constexpr double kMoved = 0.2;       // of the print against where it was, in metres
   static constexpr double kCurled = 10.0;     // of toes that reach down too far
   static constexpr double kTooFar = 3000.0;   // of a leg in front that is too long, in its lengths
   static constexpr double kTooLow = 3000.0;   // of a sole that does not clear the ground, in metres
   // Of the pelvis against where it was, in metres: a wave a cycle, and how much more faster ones.
-  static constexpr double kAlong = 3.0, kUp = 29.5, kWaves = 0.01;
+  static constexpr double kAlong = 2.0, kUp = 27.0, kWaves = 0.01;
   static constexpr double kNone = 1e3;  // of what is 0: may not be less and would, feet that are
                                         // flat, waves that a series lacks
 };
@@ -126,36 +127,30 @@ void addSlopes(const LegTrack& track, int first, int sample, const LegMoves& slo
     row.by(kPelvis + k, slopes[swayAxis(k) == 0 ? kByHip : kByHipUp] * swayBasis(k, phase));
 }
 
-// Legs bend as captured, at the ankle as the captured pitch [rad] says.
+// Legs bend as captured.
 void addLeg(const LegTrack& track, const Eigen::VectorXd& now, int first, int sample,
-            double captured, Squares& squares) {
+            Squares& squares) {
   constexpr double kStep = 1e-4;  // [rad, m]
   const double at = LegTrack::timeOf(sample);
-  const Eigen::Vector3d line = track.line(sample);
-  const LegBend bend = track.bendOf(sample, line), wanted = track.capturedBend(sample);
-  std::array<LegMoves, 2> slopes;
+  const LegTrack::Made leg = track.made(sample);
+  const Eigen::Vector3d& line = leg.line;
+  const LegBend bend = track.bendOf(sample, leg), wanted = track.capturedBend(sample);
+  std::array<LegMoves, 3> slopes;
   LegMoves longer;
   for (int k = 0; k < kLegMoves; ++k) {
     LegMoves moved = {};
     moved[k] = kStep;
-    const Eigen::Vector3d there = track.line(sample, moved);
+    const LegTrack::Made there = track.made(sample, moved);
     const LegBend by = (track.bendOf(sample, there) - bend) / kStep;
-    slopes[0][k] = by[0];
-    slopes[1][k] = by[1];
-    longer[k] = (there.norm() - line.norm()) / kStep;
+    for (const int i : {0, 1, 2}) slopes[i][k] = by[i];
+    longer[k] = (there.line.norm() - line.norm()) / kStep;
   }
-  for (const int k : {0, 1}) {
-    Row row(now, wanted[k] - bend[k]);
-    addSlopes(track, first, sample, slopes[k], row);
-    squares.add(weightOf(sample) * (k == 0 ? straightness(wanted[0]) : 1.0), row);
+  const LegBend weights(straightness(wanted[0]), Weight::kHip, Weight::kAnkle);
+  for (const int i : {0, 1, 2}) {
+    Row row(now, wanted[i] - bend[i]);
+    addSlopes(track, first, sample, slopes[i], row);
+    squares.add(weightOf(sample) * weights[i], row);
   }
-  // The ankle is bent by what pitch, hip and knee are.
-  LegMoves ankle;
-  for (int k = 0; k < kLegMoves; ++k) ankle[k] = slopes[0][k] - slopes[1][k];
-  ankle[kByPitch] -= 1.0;
-  Row row_ankle(now, wanted[0] - wanted[1] - captured - bend[0] + bend[1] + now[first + sample]);
-  addSlopes(track, first, sample, ankle, row_ankle);
-  squares.add(Weight::kAnkle * weightOf(sample), row_ankle);
   // A leg in front is no longer than it may be (LegReach): heels cannot help there, and hips would
   // be lowered.
   const double most = std::clamp(track.capturedLength(sample), LegReach::kStraight * track.length(),
@@ -320,8 +315,7 @@ class WalkFit {
       const int first = side * kOfLeg;
       const FootCycle made = foot(side);
       tracks_[side].make(made, now_[first + kForward], sway());
-      for (int i = 0; i < kPitches; ++i)
-        addLeg(tracks_[side], now_, first, i, captured_[side][i], squares);
+      for (int i = 0; i < kPitches; ++i) addLeg(tracks_[side], now_, first, i, squares);
       addPitches(captured_[side], now_, first, squares);
       addToes(tracks_[side], made, now_, first, squares);
       addCurling(made, now_, first, squares);
@@ -349,7 +343,7 @@ class WalkFit {
  private:
   // Feet that no capture rolls.
   bool isRigid(Side side) const {
-    return std::ranges::all_of(captured_[side], [](double pitch) { return pitch == 0.0; });
+    return std::ranges::all_of(feet_[side].pitch, [](double pitch) { return pitch == 0.0; });
   }
 
   std::array<FootShape, 2> shapes_;

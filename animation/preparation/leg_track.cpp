@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "animation/preparation/bone_pitch.h"
 #include "animation/steps/foot_target.h"
 #include "animation/steps/leg_reach.h"
 #include "animation/steps/stride_law.h"
@@ -49,8 +50,7 @@ LegTrack::LegTrack(const Skeleton& skeleton, const JointRoles& roles, const Foot
       thigh_(skeleton.joint(joints_.leg).offset.norm()),
       shank_(skeleton.joint(joints_.foot).offset.norm()),
       joints_at_(skeleton.size()),
-      captured_foot_(cycle.feet[side]),
-      foot_(captured_foot_) {
+      foot_(cycle.feet[side]) {
   const double node = side == kLeft ? 0.0 : 0.5, sign = side == kLeft ? 1.0 : -1.0;
   const double half = 0.25 * supportOf(cycle, roles.legLength(skeleton, kLeft));
   strike_ = node - half;
@@ -91,22 +91,25 @@ LegTrack::Leg LegTrack::legAt(double at) const {
   pose.rotations[0] = along * pose.rotations[0];
   forwardKinematics(skeleton_, pose, joints_at_);
   return {joints_at_[joints_.up_leg].p_WJ, joints_at_[joints_.foot].p_WJ,
-          joints_at_[joints_.toe].p_WJ.z()};
+          joints_at_[joints_.toe].p_WJ};
 }
 
-// Captured feet strike and leave at phases of their own.
 double LegTrack::capturedPitch(int sample) const {
-  const auto since = [](double from, double to) { return to - from - std::floor(to - from); };
-  const FootCycle& foot = captured_foot_;
-  const double stance = since(foot.strike, foot.lift_off);
-  const double gone = since(foot.strike, phaseOf(sample));
-  return footPitch(foot, gone < stance ? gone / stance : 1.0 + (gone - stance) / (1.0 - stance));
+  const double at = timeOf(sample), tau = at - 1.0;
+  const Leg& leg = captured_[sample];
+  const double down = seenDown(leg.ball - leg.ankle, headingAt(at) + toe_out_);
+  if (tau >= 0.0) {
+    return pitchOfBone(down, swingPolynomial(foot_.yaw, tau), swingPolynomial(foot_.roll, tau),
+                       shape_);
+  }
+  const double pitch = down - flatDrop(shape_);
+  return at < FootCycle::kFlat ? std::min(pitch, 0.0) : std::max(pitch, 0.0);
 }
 
 double LegTrack::capturedToes(int sample) const {
   constexpr int kFlat = static_cast<int>(FootCycle::kFlat * FootCycle::kStanceSamples);
   const double rise =
-      captured_[std::min(sample, FootCycle::kStanceSamples)].ball - captured_[kFlat].ball;
+      captured_[std::min(sample, FootCycle::kStanceSamples)].ball.z() - captured_[kFlat].ball.z();
   const double rolled =
       std::asin(std::clamp(rise / (shape_.tip_x - shape_.ball_x), 0.0, std::sin(kMostRolled)));
   constexpr double kOver = 0.25;  // of the swing: by then toes lie as they lay
@@ -144,7 +147,7 @@ double LegTrack::raised(const Eigen::Vector3d& sole, int sample, double pitch,
   return raisedPitch(on, shape_, hip, (ankle - hip).norm(), longest);
 }
 
-Eigen::Vector3d LegTrack::line(int sample, const LegMoves& moved) const {
+LegTrack::Made LegTrack::made(int sample, const LegMoves& moved) const {
   const double at = timeOf(sample), heading = headingAt(at);
   const Eigen::Quaterniond q_WS = aboutZ(heading + toe_out_), along = pathAt(at);
   Eigen::Vector3d sole = print() + aboutZ(heading) * Eigen::Vector3d(moved[kByPrint], 0.0, 0.0);
@@ -161,14 +164,16 @@ Eigen::Vector3d LegTrack::line(int sample, const LegMoves& moved) const {
   sway.z() += moved[kByHipUp];
   const Eigen::Vector3d hip = captured_[sample].hip + along * sway;
   const double pitch = raised(sole, sample, foot_.pitch[sample] + moved[kByPitch], hip);
-  return sole + q_WS * rolledAnkle(shape_, pitch) - hip;
+  return {sole + q_WS * rolledAnkle(shape_, pitch) - hip, pitch};
 }
 
-LegBend LegTrack::bendOf(int sample, const Eigen::Vector3d& line_W) const {
-  const Eigen::Vector3d line = pathAt(timeOf(sample)).conjugate() * line_W;
+LegBend LegTrack::bendOf(int sample, const Made& leg) const {
+  const Eigen::Vector3d line = pathAt(timeOf(sample)).conjugate() * leg.line;
   const double l = std::min(line.norm(), LegReach::kLongest * length());
   const double cosine = (l * l - thigh_ * thigh_ - shank_ * shank_) / (2.0 * thigh_ * shank_);
-  return {std::acos(std::clamp(cosine, -1.0, 1.0)), std::atan2(line.x(), -line.z())};
+  const double knee = std::acos(std::clamp(cosine, -1.0, 1.0));
+  const double forward = std::atan2(line.x(), -line.z());
+  return {knee, forward, knee - forward - leg.pitch};
 }
 
 Eigen::Vector2d LegTrack::soleUnderAnkle(double tau) const {

@@ -31,8 +31,9 @@ Eigen::Vector3d swayAt(const PelvisSway& sway, double phase);
 enum LegMove { kByPitch, kByToes, kByPrint, kByWay, kByHeight, kByHip, kByHipUp, kLegMoves };
 using LegMoves = std::array<double, kLegMoves>;
 
-/// How a leg is bent: at the knee, and how far forward it goes from the hip [rad].
-using LegBend = Eigen::Vector2d;
+/// How a leg is bent: at the knee, how far forward it goes from the hip, and at the ankle, to which
+/// the pitch of the foot belongs [rad].
+using LegBend = Eigen::Vector3d;
 
 /// Refers to what it is made of, whose feet and series are not to change meanwhile. Samples are
 /// those of FootCycle::pitch. Where the walk begins along x.
@@ -48,9 +49,12 @@ class LegTrack {
   double phaseOf(int sample) const { return phaseAt(timeOf(sample)); }
 
   double length() const { return thigh_ + shank_; }  ///< thigh and shank [m]
-  /// As captured at our sample: the bend, the distance from hip to ankle [m], the pitch [rad] and
-  /// how far the toes are rolled over their tip [rad, >= 0].
-  LegBend capturedBend(int sample) const { return bendOf(sample, captured_[sample].line()); }
+  /// As captured at our sample: the bend, the distance from hip to ankle [m], the pitch, about the
+  /// heel before every foot is flat and about the ball from then on, as ours are [rad], and how far
+  /// the toes are rolled over their tip [rad, >= 0].
+  LegBend capturedBend(int sample) const {
+    return bendOf(sample, {captured_[sample].line(), capturedPitch(sample)});
+  }
   double capturedLength(int sample) const { return captured_[sample].line().norm(); }
   double capturedPitch(int sample) const;
   double capturedToes(int sample) const;
@@ -58,10 +62,14 @@ class LegTrack {
   /// What a walk is made of from now on: the foot, by how much its prints are farther forward [m],
   /// and what the pelvis is moved by.
   void make(const FootCycle& foot, double forward, const PelvisSway& sway);
-  /// From hip to ankle, as made, heels raised where legs would be too long (raisedPitch), with what
-  /// is moved [m].
-  Eigen::Vector3d line(int sample, const LegMoves& moved = {}) const;
-  LegBend bendOf(int sample, const Eigen::Vector3d& line) const;
+  /// From hip to ankle [m], and how the foot is pitched [rad].
+  struct Made {
+    Eigen::Vector3d line;
+    double pitch;
+  };
+  /// As made, heels raised where legs would be too long (raisedPitch), with what is moved.
+  Made made(int sample, const LegMoves& moved = {}) const;
+  LegBend bendOf(int sample, const Made& leg) const;
   /// Length of the way from print to print [m].
   double wayLength() const { return stride().norm(); }
   /// From the print to the sole under the captured ankle, as the pitch and toes are made, in plan
@@ -70,8 +78,7 @@ class LegTrack {
 
  private:
   struct Leg {
-    Eigen::Vector3d hip, ankle;  // [m]
-    double ball;                 // height of the toe joint [m]
+    Eigen::Vector3d hip, ankle, ball;  // of the toe joint [m]
     Eigen::Vector3d line() const { return ankle - hip; }
   };
   Leg legAt(double at) const;
@@ -95,7 +102,7 @@ class LegTrack {
   double strike_, stance_;  // [cycles]
   double beside_, forward_,
       left_;  // where along the path the print is [cycles], and from there [m]
-  FootCycle captured_foot_, foot_;
+  FootCycle foot_;
   double moved_ = 0.0;  // the prints forward [m]
   PelvisSway sway_ = PelvisSway::Zero();
   std::vector<Leg> captured_;

@@ -161,7 +161,7 @@ double legError(const MotionLibrary& library, const WalkCycle& cycle) {
                        library.stand().rotations, cycle, kLeft);
   double squares = 0.0;
   for (int i = 0; i < kStanceSamples; ++i)
-    squares += std::pow(track.line(i).norm() - track.capturedLength(i), 2) / kStanceSamples;
+    squares += std::pow(track.made(i).line.norm() - track.capturedLength(i), 2) / kStanceSamples;
   return std::sqrt(squares);
 }
 

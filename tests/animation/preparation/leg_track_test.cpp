@@ -54,7 +54,7 @@ TEST(LegTrack, ASoleUnderTheCapturedAnkleLetsTheLegGoAsCaptured) {
       LegMoves moved = {};
       moved[kByWay] = (sole[0] - swingProgress(foot, tau)) * track.wayLength();
       moved[kByHeight] = sole[1] - swingPolynomial(foot.height, tau);
-      const LegBend bend = track.bendOf(sample, track.line(sample, moved));
+      const LegBend bend = track.bendOf(sample, track.made(sample, moved));
       EXPECT_NEAR(bend[1], track.capturedBend(sample)[1], 1e-6) << sample;
     }
   }
@@ -65,15 +65,15 @@ TEST(LegTrack, AHipThatGoesAwayLeavesTheFootWhereItIs) {
   LegTrack track = trackOf(kLeft);
   track.make(straightWalk().feet[kLeft], 0.0, drawnSway());
   const int sample = kLegStance + FootCycle::kSwingSamples / 3;
-  const Eigen::Vector3d line = track.line(sample);
+  const Eigen::Vector3d line = track.made(sample).line;
   LegMoves moved = {};
   moved[kByHip] = 0.003;
   moved[kByHipUp] = -0.002;
-  EXPECT_LT((track.line(sample, moved) - line - Eigen::Vector3d(-0.003, 0.0, 0.002)).norm(), 1e-12);
+  EXPECT_LT((track.made(sample, moved).line - line - Eigen::Vector3d(-0.003, 0.0, 0.002)).norm(), 1e-12);
   moved = {};
   moved[kByPrint] = 0.003;
   moved[kByHeight] = 0.002;
-  EXPECT_LT((track.line(sample, moved) - line - Eigen::Vector3d(0.003, 0.0, 0.002)).norm(), 1e-12);
+  EXPECT_LT((track.made(sample, moved).line - line - Eigen::Vector3d(0.003, 0.0, 0.002)).norm(), 1e-12);
 }
 
 // Heels rise only where the leg would be too long, and then it is not.
@@ -84,7 +84,7 @@ TEST(LegTrack, LegsThatWouldBeTooLongAreNot) {
   flat.toes.fill(0.0);
   track.make(flat, 0.0, PelvisSway::Zero());
   for (int sample = kLegStance - 4; sample < kLegStance; ++sample) {
-    EXPECT_LT(track.line(sample).norm(), track.length()) << sample;
+    EXPECT_LT(track.made(sample).line.norm(), track.length()) << sample;
   }
 }
 
