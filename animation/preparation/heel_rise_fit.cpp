@@ -30,7 +30,7 @@ struct Weight {
   static constexpr double kStraight = 300.0;  // of straight knees, which are seen, more
   static constexpr double kHip = 1.5;         // of how far forward the leg goes
   static constexpr double kAnkle = 0.5;       // of the ankle
-  static constexpr double kPitch = 0.5;       // of the pitch against the captured one
+  static constexpr double kPitch = 0.45;       // of the pitch against the captured one
   static constexpr double kFlat = 100.0;      // the same of a foot that stands flat
   static constexpr double kBends = 0.5;       // of what the pitch's second differences are more
   static constexpr double kToes = 0.02;       // of the toes against the captured ones
@@ -40,7 +40,7 @@ struct Weight {
   static constexpr double kTooFar = 3000.0;   // of a leg in front that is too long, in its lengths
   static constexpr double kTooLow = 3000.0;   // of a sole that does not clear the ground, in metres
   // Of the pelvis against where it was, in metres: a wave a cycle, and how much more faster ones.
-  static constexpr double kAlong = 2.0, kUp = 27.0, kWaves = 0.01;
+  static constexpr double kAlong = 1.5, kUp = 31.0, kWaves = 0.01;
   static constexpr double kNone = 1e3;  // of what is 0: may not be less and would, feet that are
                                         // flat, waves that a series lacks
 };

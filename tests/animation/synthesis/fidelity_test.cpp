@@ -107,8 +107,8 @@ struct Compared {
 };
 
 // What issue and QUALITY.md ask for: 2.5 degrees for hips, knees and ankles, 2 for the least
-// flexion, 1 % of the period, 4 mm of the pelvis; but for one of 18 ankles: 07_12's left heel rises
-// later than one does on a print that stays.
+// flexion, 1 % of the period, 4 mm of the pelvis. (06_01 is not among them, whose feet are down
+// together so shortly that the norm's bar changes it.)
 TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
   AMBLE_NEEDS_CAPTURES();
   for (const auto& [clip, stand] :
@@ -116,7 +116,10 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
         std::pair("accad_male1/Male1_B3_Walk.bvh", ""), std::pair("cmu_mb2/02_01.bvh", ""),
         std::pair("cmu_mb2/07_05.bvh", ""), std::pair("cmu_mb2/07_01.bvh", ""),
         std::pair("cmu_mb2/07_10.bvh", ""), std::pair("cmu_mb2/07_12.bvh", ""),
-        std::pair("cmu_mb2/08_03.bvh", ""), std::pair("cmu_mb2/08_09.bvh", "")}) {
+        std::pair("cmu_mb2/08_03.bvh", ""), std::pair("cmu_mb2/08_09.bvh", ""),
+        std::pair("cmu_mb2/07_02.bvh", ""), std::pair("cmu_mb2/07_03.bvh", ""),
+        std::pair("cmu_mb2/07_06.bvh", ""), std::pair("cmu_mb2/07_08.bvh", ""),
+        std::pair("cmu_mb2/08_04.bvh", ""), std::pair("cmu_mb2/08_06.bvh", "")}) {
     SCOPED_TRACE(clip);
     const Compared walk(clip, stand);
     EXPECT_NEAR(walk.made.period, walk.cycle().period, 0.01 * walk.cycle().period);
@@ -130,8 +133,7 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
     for (const Side side : {kLeft, kRight}) {
       EXPECT_LT(walk.rms(&Carried::hip, side), 2.5) << side;
       EXPECT_LT(walk.rms(&Carried::knee, side), 2.5) << side;
-      const bool late = side == kLeft && std::string(clip) == "cmu_mb2/07_12.bvh";
-      EXPECT_LT(walk.rms(&Carried::ankle, side), late ? 3.2 : 2.5) << side;
+      EXPECT_LT(walk.rms(&Carried::ankle, side), 2.5) << side;
       const FootCycle& foot = walk.cycle().feet[side];
       EXPECT_NEAR(std::remainder(walk.made.strike[side] - foot.strike, 1.0), 0.0, 0.02);
       EXPECT_NEAR(std::remainder(walk.made.lift_off[side] - foot.lift_off, 1.0), 0.0, 0.02);
