@@ -26,6 +26,8 @@ struct Puppet {
   double sink = 0.0;      ///< of a foot in the middle of its swing: its lift is this much less [m]
   double rate = 100.0;    ///< [Hz]
   double duration = 6.0;  ///< [s]
+  /// Of a foot at FootState::at [rad], by rigs that have feet; null: it stays flat.
+  double (*pitch)(double at) = nullptr;
 
   static constexpr double kThigh = 0.42, kShank = 0.41, kHip = 0.86;  // [m]
   static constexpr double kAnkle = 0.08, kToe = 0.03,
@@ -51,7 +53,14 @@ struct Puppet {
     return p;
   }
 
-  /// The ankle at a time, and the heading of the foot.
+  /// FootState::at of a foot at a time.
+  double at(Side side, double t) const {
+    const int cycle = static_cast<int>(std::floor((t - strike(side, 0)) / period));
+    const double into = t - strike(side, cycle), standing = stance * period;
+    return into <= standing ? into / standing : 1.0 + (into - standing) / (period - standing);
+  }
+
+  /// The ankle of a foot that is flat at a time, and the heading of the foot.
   std::pair<Eigen::Vector3d, double> ankle(Side side, double t) const {
     const int cycle = static_cast<int>(std::floor((t - strike(side, 0)) / period));
     const double into = t - strike(side, cycle), standing = stance * period;

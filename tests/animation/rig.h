@@ -71,7 +71,10 @@ inline void Rig::placeLeg(Side side, const Puppet& puppet, double t, PoseArray& 
   const LegJoints& leg = roles.legs[side];
   std::vector<JointFrame> joint(skeleton.size());
   forwardKinematics(skeleton, poses[frame], joint);
-  const auto [p_ankle, heading] = puppet.ankle(side, t);
+  const auto [p_flat, heading] = puppet.ankle(side, t);
+  const double pitch = puppet.pitch != nullptr ? puppet.pitch(puppet.at(side, t)) : 0.0;
+  const Eigen::Vector3d p_ankle =
+      p_flat + aboutZ(heading) * (rolledAnkle(feet[side], pitch) - rolledAnkle(feet[side], 0.0));
   const TwoLink links{joint[leg.up_leg].p_WJ, joint[leg.leg].p_WJ, joint[leg.foot].p_WJ,
                       joint[0].q_WJ * Eigen::Vector3d::UnitX()};
   const auto solved = solveTwoLink(links, p_ankle);
@@ -81,7 +84,8 @@ inline void Rig::placeLeg(Side side, const Puppet& puppet, double t, PoseArray& 
   auto q = poses.rotations(frame);
   q[leg.up_leg] = joint[0].q_WJ.conjugate() * q_WThigh;
   q[leg.leg] = q_WThigh.conjugate() * q_WShank;
-  q[leg.foot] = q_WShank.conjugate() * aboutZ(heading) * feet[side].q_SF;
+  q[leg.foot] = q_WShank.conjugate() * aboutZ(heading) *
+                Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) * feet[side].q_SF;
 }
 
 inline Clip Rig::walk(const Puppet& puppet) const {

@@ -19,29 +19,25 @@ constexpr int kStanceSamples = FootCycle::kStanceSamples;
 constexpr int kSamples = FootCycle::kStanceSamples + FootCycle::kSwingSamples;
 
 /// Heels that rise over the end of the stance and come first at the next: 0 while the foot is flat.
-double drawnPitch(int sample) {
-  const double at = sample < kStanceSamples ? static_cast<double>(sample) / kStanceSamples
-                                            : 1.0 + static_cast<double>(sample - kStanceSamples) /
-                                                        FootCycle::kSwingSamples;
+double drawnPitch(double at) {
   if (at < 0.15) return -0.2 * (1.0 - at / 0.15);
   if (at < 0.6) return 0.0;
   if (at < 1.2) return 0.8 * std::pow(std::sin(kPi * (at - 0.6) / 1.2), 2);
   return 0.8 - 1.0 * (at - 1.2) / 0.8;
 }
 
-/// A drawn walk whose feet roll so in the capture.
+/// A drawn walk whose feet roll so.
 struct RollingWalk {
   Rig rig;
   WalkCycle cycle;
 
-  explicit RollingWalk(double turn_rate = 0.0, double (*pitch)(int) = drawnPitch) {
+  explicit RollingWalk(double turn_rate = 0.0, double (*pitch)(double at) = drawnPitch) {
     Puppet puppet;
     puppet.turn_rate = turn_rate;
+    puppet.pitch = pitch;
+    const FootPlants plants = puppet.plants();
     cycle = prepareWalkCycle(rig.walk(puppet), rig.roles, rig.feet, rig.reference(),
-                             {"the clip", turn_rate != 0.0, 6, {}});
-    for (FootCycle& foot : cycle.feet) {
-      for (int i = 0; i < kSamples; ++i) foot.pitch[i] = pitch(i);
-    }
+                             {"the clip", turn_rate != 0.0, 6, {}, &plants});
   }
   WalkCycle fitted(WalkCycle of) const {
     fitHeelRise(rig.skeleton, rig.roles, rig.feet, rig.reference(), of);
@@ -83,8 +79,10 @@ TEST(HeelRise, ChangesNothingButPitchesAndSwingsAndWherePrintsAreAndTheWayOfTheP
 
 // A foot that no capture rolls is not rolled: walks of rigid feet stay flat.
 TEST(HeelRise, OfFeetThatStayFlatIsNone) {
-  const RollingWalk walk(0.0, [](int) { return 0.0; });
-  for (const FootCycle& foot : walk.fitted(walk.cycle).feet) {
+  const RollingWalk walk(0.0, nullptr);
+  WalkCycle rigid = walk.cycle;
+  for (FootCycle& foot : rigid.feet) foot.pitch.assign(kSamples, 0.0);
+  for (const FootCycle& foot : walk.fitted(rigid).feet) {
     for (const double pitch : foot.pitch) EXPECT_EQ(pitch, 0.0);
     for (const double toes : foot.toes) EXPECT_EQ(toes, 0.0);
   }
