@@ -69,14 +69,17 @@ TEST(LegTrack, AHipThatGoesAwayLeavesTheFootWhereItIs) {
   LegMoves moved = {};
   moved[kByHip] = 0.003;
   moved[kByHipUp] = -0.002;
-  EXPECT_LT((track.made(sample, moved).line - line - Eigen::Vector3d(-0.003, 0.0, 0.002)).norm(), 1e-12);
+  EXPECT_LT((track.made(sample, moved).line - line - Eigen::Vector3d(-0.003, 0.0, 0.002)).norm(),
+            1e-12);
   moved = {};
   moved[kByPrint] = 0.003;
   moved[kByHeight] = 0.002;
-  EXPECT_LT((track.made(sample, moved).line - line - Eigen::Vector3d(0.003, 0.0, 0.002)).norm(), 1e-12);
+  EXPECT_LT((track.made(sample, moved).line - line - Eigen::Vector3d(0.003, 0.0, 0.002)).norm(),
+            1e-12);
 }
 
-// Heels rise only where the leg would be too long, and then it is not.
+// Heels rise only where the leg would be too long, and then it is not; ankles are bent as heels
+// that have risen.
 TEST(LegTrack, LegsThatWouldBeTooLongAreNot) {
   LegTrack track = trackOf(kRight);
   FootCycle flat = straightWalk().feet[kRight];
@@ -84,7 +87,11 @@ TEST(LegTrack, LegsThatWouldBeTooLongAreNot) {
   flat.toes.fill(0.0);
   track.make(flat, 0.0, PelvisSway::Zero());
   for (int sample = kLegStance - 4; sample < kLegStance; ++sample) {
-    EXPECT_LT(track.made(sample).line.norm(), track.length()) << sample;
+    const LegTrack::Made leg = track.made(sample);
+    EXPECT_LT(leg.line.norm(), track.length()) << sample;
+    EXPECT_GT(leg.pitch, 1.0 * kDegree) << sample;
+    const LegBend bend = track.bendOf(sample, leg);
+    EXPECT_DOUBLE_EQ(bend[2], bend[0] - bend[1] - leg.pitch);
   }
 }
 
