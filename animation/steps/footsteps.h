@@ -26,9 +26,9 @@ struct FootPlacement {
   /// would have them [m].
   double stagger = 0.0;
   double step_length = 0.65;  ///< of the straight walk at the plan's speed [m, > 0]
-  /// Of the left foot, left positive; the right's is its mirror image [rad].
-  double walk_toe_out = 0.0;
-  double stand_toe_out = 0.0;                     ///< the same while standing [rad]
+  std::array<double, 2> walk_toe_out = {0.0, 0.0};  ///< by Side, left positive [rad]
+  /// While standing, of the left foot; the right's is its mirror image [rad].
+  double stand_toe_out = 0.0;
   double half_support = 0.1;                      ///< half of a double support [steps, 0 to 0.5]
   double slower = 0.0;                            ///< FootState::slower at a walking stance [m/s]
   std::array<EndSwing, 2> first = {}, last = {};  ///< of starts and of stops, by Side of the foot
@@ -37,7 +37,7 @@ struct FootPlacement {
   /// While walking straight on.
   PrintPlace print(Side side) const {
     const double sign = side == kLeft ? 1.0 : -1.0;
-    return {sign * stagger, 0.5 * sign * walk_width, sign * walk_toe_out};
+    return {sign * stagger, 0.5 * sign * walk_width, walk_toe_out[side]};
   }
 };
 

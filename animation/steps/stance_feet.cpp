@@ -45,10 +45,13 @@ FootPlacement placementAt(const StepSettings& settings, const FootholdFinder& ho
     placement.step_length = settings.limits.law.stepLength(speed);
     placement.half_support = 0.5 * settings.limits.law.doubleSupport(speed);
     placement.slower = cycles.departures.slowerBy(speed);
-    const PrintPlace left = cycles.print(kLeft, placement.print(kLeft), placement.slower, 0.0);
+    const auto print = [&](Side side) {
+      return cycles.print(side, placement.print(side), placement.slower, 0.0);
+    };
+    const PrintPlace left = print(kLeft);
     placement.walk_width = 2.0 * left.left;
     placement.stagger = left.forward;
-    placement.walk_toe_out = left.toe_out;
+    placement.walk_toe_out = {left.toe_out, print(kRight).toe_out};
   }
   return placement;
 }

@@ -237,7 +237,7 @@ void GaitBlend::mixStraight(const std::vector<Pace>& paces, const std::vector<Cy
       const auto& [left, right] = cycle->foot_forward;
       foot_forward_ += each * 0.5 * (left + right) * scale;
       stagger_ += each * 0.5 * (left - right) * scale;
-      toe_out_ += each * 0.5 * (cycle->toe_out[kLeft] - cycle->toe_out[kRight]);
+      for (const Side side : {kLeft, kRight}) toe_out_[side] += each * cycle->toe_out[side];
     }
   }
   for (const Side side : {kLeft, kRight}) {
@@ -265,7 +265,7 @@ void GaitBlend::addSlower(const std::vector<Pace>& paces, const std::vector<Cycl
       const double sign = side == kLeft ? 0.5 : -0.5;
       feet.cycles[side] = meanFootOf(cycles[i], side, scale);
       feet.prints[side] = {sign * (left.forward - right.forward), sign * (left.left - right.left),
-                           sign * (left.toe_out - right.toe_out)};
+                           (side == kLeft ? left : right).toe_out};
     }
     Pace replaced = straight_;
     replaced.coefficients -= warped(pace.coefficients, straight_.step / pace.step);

@@ -42,7 +42,8 @@ class GaitBlend {
   /// Of WalkCycle::foot_forward the mean, and half of what left is before right [m].
   double footForward() const { return foot_forward_; }
   double stagger() const { return stagger_; }
-  double toeOut() const { return toe_out_; }  ///< of the left foot, left positive [rad]
+  /// By Side, left positive [rad].
+  const std::array<double, 2>& toeOut() const { return toe_out_; }
   const FootCycle& foot(Side side) const { return feet_.walk[side]; }
   const SwingCycles& feet() const { return feet_; }
   const TransitionBlend& transitions() const { return transitions_; }
@@ -116,8 +117,8 @@ class GaitBlend {
   std::vector<Pace> replaced_;
   std::vector<RowMajor> rows_;   // of allPaces(), as LanePace has them
   std::vector<LanePace> paces_;  // the same
-  double max_turn_rate_ = 0.0, step_width_ = 0.0, foot_forward_ = 0.0, stagger_ = 0.0,
-         toe_out_ = 0.0;
+  double max_turn_rate_ = 0.0, step_width_ = 0.0, foot_forward_ = 0.0, stagger_ = 0.0;
+  std::array<double, 2> toe_out_ = {0.0, 0.0};
   SwingCycles feet_;
   TransitionBlend transitions_;
 };

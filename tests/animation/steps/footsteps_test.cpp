@@ -16,7 +16,7 @@ FootPlacement placement() {
   FootPlacement p;
   p.step_length = kStepLength;
   p.forward = 0.02;
-  p.walk_toe_out = 0.1;
+  p.walk_toe_out = {0.1, -0.1};
   p.stand_toe_out = 0.15;
   p.half_support = 0.12;
   return p;

@@ -40,6 +40,7 @@ struct Compared {
   std::string compared = "walk";
   std::vector<Carried> captured;  // by phase
   CarriedWalk made;
+  std::vector<Footprint> prints;  // of what was made
 
   explicit Compared(const std::string& clip, const std::string& stand, const std::string& turn = "",
                     bool pit = false) {
@@ -87,6 +88,7 @@ struct Compared {
             .refused,
         WalkRule::kNone);
     made = carriedWalk(buffer, library.skeleton, library.roles);
+    prints = buffer.footprints;
   }
 
   /// Where the toes of the third step are put down.
@@ -139,6 +141,8 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
       EXPECT_NEAR(std::remainder(walk.made.lift_off[side] - foot.lift_off, 1.0), 0.0, 0.02);
       EXPECT_NEAR(leastKnee(walk.made.at, side), leastKnee(walk.captured, side), 2.0) << side;
     }
+    for (const Footprint& print : walk.prints)
+      EXPECT_NEAR(print.heading, walk.cycle().toe_out[print.side], 1e-9) << print.side;
   }
 }
 

@@ -194,7 +194,8 @@ TEST(GaitBlend, ScaleEnlargesLengthsAndSlowsByFroudesLaw) {
   const GaitBlend one(defaultLibrary(), 1.0, 1.2), tall(defaultLibrary(), 1.21, 1.1 * 1.2);
   EXPECT_NEAR(tall.stepWidth(), 1.21 * one.stepWidth(), 1e-12);
   EXPECT_NEAR(tall.footForward(), 1.21 * one.footForward(), 1e-12);
-  EXPECT_NEAR(tall.toeOut(), one.toeOut(), 1e-15);
+  for (const Side side : {kLeft, kRight})
+    EXPECT_NEAR(tall.toeOut()[side], one.toeOut()[side], 1e-15);
   EXPECT_NEAR(tall.maxTurnRate(), one.maxTurnRate() / 1.1, 1e-12);
   EXPECT_NEAR(tall.law().capturedStep(), 1.21 * one.law().capturedStep(), 1e-12);
   EXPECT_NEAR(tall.law().speed(tall.law().capturedStep()),
