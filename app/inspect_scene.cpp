@@ -158,6 +158,7 @@ Findings inspectMesh(const std::filesystem::path& file, const MotionReadOptions&
   const auto stopped = [&limits] { return limits.stop.asked(); };
   MeshFile mesh = readMesh(file, limits.memory, stopped);
   Findings out{file.string(), "mesh", {}, {}, {}};
+  out.warnings = mesh.warnings;
   const char* unit = mesh.has_axes || axes.metres_per_unit ? "m" : "of the file's unit";
   if (mesh.has_axes && (axes.up || axes.metres_per_unit))
     out.warnings.push_back(

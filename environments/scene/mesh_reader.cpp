@@ -41,6 +41,7 @@ void visitAnswer(Pack& pack, Answer& answer) {
   pack(answer.expected);
   pack(answer.mesh.has_axes);
   pack(answer.mesh.others);
+  pack(answer.mesh.warnings);
   size_t count = answer.mesh.parts.size();
   pack(count);
   answer.mesh.parts.resize(count);

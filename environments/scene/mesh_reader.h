@@ -31,7 +31,8 @@ struct MeshPart {
 struct MeshFile {
   std::vector<MeshPart> parts;
   bool has_axes = false;  ///< the file says its axes and unit itself: `up:` may not be given
-  std::vector<std::string> others;  ///< files beside it that were read too, such as buffers
+  std::vector<std::string> others;    ///< files beside it that were read too, such as buffers
+  std::vector<std::string> warnings;  ///< of what was passed over, with file and line
 };
 
 /// Assimp needs about thirty times a text's size.

@@ -44,6 +44,7 @@ std::string unitWarning(const std::string& object, const Eigen::Vector3d& size) 
 std::vector<std::string> meshWarnings(const std::string& object, const MeshFile& file, double scale,
                                       bool is_guessed, bool y_up) {
   std::vector<std::string> warnings;
+  for (const std::string& warning : file.warnings) warnings.push_back(object + ": " + warning);
   Eigen::AlignedBox3d box;
   for (const MeshPart& part : file.parts)
     for (const Eigen::Vector3d& v : part.mesh.vertices) box.extend(v);

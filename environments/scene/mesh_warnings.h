@@ -1,5 +1,5 @@
 /// What a mesh file is likely not meant to be: too large for its unit, too far from its origin for
-/// its numbers.
+/// its numbers; and what was passed over in it.
 #pragma once
 
 #include <string>

@@ -68,6 +68,13 @@ class ObjLines : public std::streambuf {
   int line() const { return line_; }
   /// Numbers behind the `v` that was handed out last.
   size_t numbers() const { return numbers_; }
+  /// Of faces that are none, so far; empty where there are none.
+  std::string warning() const {
+    if (few_corners_ == 0) return "";
+    return file_ + ':' + std::to_string(first_of_few_) +
+           ": a face of fewer than 3 corners is passed over" +
+           (few_corners_ == 1 ? "" : ", one of " + std::to_string(few_corners_) + " such");
+  }
 
  protected:
   int_type underflow() override {
@@ -84,6 +91,10 @@ class ObjLines : public std::streambuf {
   // Returns where it ends: before a comment behind a vertex or a face.
   char* checkedLine(char* first, char* end) {
     first = std::find_if_not(first, end, kIsBlank);
+    if (trimmed({first, end}) == "f") {
+      noteFewCorners();
+      return end;
+    }
     if (end - first < 2 || !kIsBlank(first[1]) || (*first != 'v' && *first != 'f')) return end;
     char* const comment = std::find(first, end, '#');
     const std::string_view behind = trimmed({first + 1, comment});
@@ -91,6 +102,7 @@ class ObjLines : public std::streambuf {
       throw InputError(file_, line_, "is no face: " + quotedShort(trimmed({first, comment})),
                        "`f` and corners such as 1, 1/2, 1/2/3 or -1//3");
     }
+    if (*first == 'f' && corners_ < 3) noteFewCorners();
     if (*first == 'v' && !isVertex(behind)) {
       // Some programs write decimals with a comma.
       std::replace(first, comment, ',', '.');
@@ -104,6 +116,11 @@ class ObjLines : public std::streambuf {
     return comment + 1;
   }
 
+  // There are such files, with lines as faces, and other programs pass over them, too.
+  void noteFewCorners() {
+    if (few_corners_++ == 0) first_of_few_ = line_;
+  }
+
   bool isVertex(std::string_view behind) {
     for (numbers_ = 0; !behind.empty(); ++numbers_) {
       const auto end = std::find_if(behind.begin(), behind.end(), kIsBlank);
@@ -115,10 +132,12 @@ class ObjLines : public std::streambuf {
   }
 
   // Indices that stand where indices do, none longer than an int.
-  static bool isFace(std::string_view behind) {
+  bool isFace(std::string_view behind) {
+    corners_ = 0;
     int digits = 0;
     char before = ' ';
     for (const char c : behind) {
+      corners_ += kIsBlank(before) && !kIsBlank(c);
       if (isDigit(c)) {
         if (++digits > kMostDigits) return false;
       } else {
@@ -135,6 +154,8 @@ class ObjLines : public std::streambuf {
   size_t end_ = 0;  // of what was handed out
   int line_ = 0;
   size_t numbers_ = 0;
+  int corners_ = 0;                         // of the face that was looked at last
+  int few_corners_ = 0, first_of_few_ = 0;  // faces; line
 };
 
 struct ObjFace {
@@ -163,7 +184,7 @@ class ObjContents {
   }
 
   void addFace(const tinyobj::index_t* corners, int count) {
-    if (count < 3) return;  // a point or a line
+    if (count < 3) return;  // the lines warn of it
     ObjObject& object = current();
     if (count > kMostCorners)
       fail("a face of " + quotedShort(object.names.empty() ? "" : object.names.front()) + " has " +
@@ -331,7 +352,10 @@ MeshFile parseObj(std::string text, const std::string& name) {
   in.exceptions(std::ios::badbit);  // what a line is refused by goes through
   ObjContents contents(name, lines);
   tinyobj::LoadObjWithCallback(in, callbacks(), &contents);
-  return contents.meshFile();
+  MeshFile mesh = contents.meshFile();
+  if (std::string warning = lines.warning(); !warning.empty())
+    mesh.warnings.push_back(std::move(warning));
+  return mesh;
 }
 
 }  // namespace amble

@@ -126,6 +126,18 @@ TEST(ReadMesh, AnObjIsLeftAsItIsAndSaysNoAxes) {
   EXPECT_NEAR(volumeOf(file.parts[0].mesh), 1.0, 1e-12);
 }
 
+TEST(ReadMesh, WhatAnObjWarnsOfComesOutOfTheGuard) {
+  const TestFolder folder;
+  const std::filesystem::path file = folder.write("cube.obj", cubeObj() + "f 1 2\n");
+  const MeshFile alone = readMesh(file);
+  ASSERT_EQ(alone.warnings.size(), 1u);
+  EXPECT_TRUE(alone.warnings[0].starts_with(file.string() + ":")) << alone.warnings[0];
+  const std::filesystem::path whole = folder.write("whole.obj", cubeObj());
+  const auto together = SmallMeshes({file, whole}).take();
+  EXPECT_EQ(together.at(file).warnings, alone.warnings);
+  EXPECT_TRUE(together.at(whole).warnings.empty());
+}
+
 TEST(ReadMesh, ObjectsAndGroupsOfAnObjAreParts) {
   const TestFolder folder;
   const MeshFile file = readMesh(folder.write(

@@ -46,6 +46,12 @@ TEST(MeshWarnings, AMeshFarFromItsOriginHasLostItsShape) {
   EXPECT_EQ(onlyWarning(fileOf({600, 400, 260}, {80000, 0, 0}), 0.01, false), "");
 }
 
+TEST(MeshWarnings, WhatWasPassedOverIsToldWithItsObject) {
+  MeshFile file = fileOf({6, 4, 2.6});
+  file.warnings = {"house.obj:7: something"};
+  EXPECT_EQ(onlyWarning(file, 1.0, false), "house: house.obj:7: something");
+}
+
 TEST(MeshWarnings, OfNothingAreNone) { EXPECT_EQ(onlyWarning({}, 1.0, true), ""); }
 
 }  // namespace

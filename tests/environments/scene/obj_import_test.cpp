@@ -182,6 +182,18 @@ TEST(ParseObj, LinesMayEndAndGoOnAndBeginAsPeopleWriteThem) {
   }
 }
 
+TEST(ParseObj, FacesOfFewerThanThreeCornersArePassedOverWithAWarning) {
+  const std::string passed = ": a face of fewer than 3 corners is passed over";
+  for (const char* few : {"f 1 2", "f 3", "f", " f \t", "f # 1 2 3", "f 1/2/3 2//1"}) {
+    SCOPED_TRACE(few);
+    const std::string text = kStart + kFace + few + "\n" + kFace;
+    EXPECT_EQ(parsed(text).warnings, std::vector<std::string>{"drawn.obj:6" + passed});
+  }
+  EXPECT_EQ(parsed(kStart + kFace + "f 1 2\nl 1 2\nf\n" + kFace).warnings,
+            std::vector<std::string>{"drawn.obj:6" + passed + ", one of 2 such"});
+  EXPECT_TRUE(parsed(kStart + "l 1 2\np 3\n" + kFace + "f 1 2 2\n# f 1 2\n").warnings.empty());
+}
+
 TEST(ParseObj, AWeightDividesAndAColourDoesNot) {
   const auto last = [](const std::string& numbers) {
     return parsed("v 0 0 0\nv 2 0 0\nv " + numbers + "\n" + kFace).parts[0].mesh.vertices[2];
