@@ -58,6 +58,7 @@ struct Obstruction {
     kGap,       ///< breadth, between `object` and `other`
     kHeadroom,  ///< height, below `object`
     kStep,      ///< `object`, or a step of it, is too high; `needed` is the most that would do
+    kDrop,      ///< the same, to step down from `object`
     kGround,    ///< the ground has a break; the same
     kTread,     ///< depth of a step, for a sole
     kSlope,     ///< `object` is too steep: `slope` and `max_slope`

@@ -50,12 +50,15 @@ class Profile {
     return {p.x(), p.y(), height_};
   }
   std::optional<Spot> spot(double s) const;
+  void nameStep(const Spot& spot, Obstruction& why) const;
   bool isTooHigh(const Spot& spot, double s, Obstruction& why) const;
   bool isTooSteep(const Spot& spot, double s, Obstruction& why);
   bool isTooShort(const Spot& spot, double s, Obstruction& why);
   double edge(double on, double off) const;
   bool isBroken(double s, Obstruction& why) const;
-  std::string name(int object) const { return objectName(scene_.objects[object]); }
+  std::string name(int object) const {
+    return object < 0 ? "" : objectName(scene_.objects[object]);
+  }
 
   const Eigen::Vector3d from_;
   Eigen::Vector2d way_;
@@ -65,6 +68,7 @@ class Profile {
   const Scene& scene_;
   const GroundLimits& limits_;
   double height_;                     // of the ground so far [m]
+  int object_ = -1;                   // that this ground is of
   std::optional<double> steep_from_;  // where it became too steep
   std::optional<double> riser_;       // the last
 };
@@ -85,13 +89,19 @@ std::optional<Spot> Profile::spot(double s) const {
   return best;
 }
 
+// From the ground so far: its edge is whose top is higher.
+void Profile::nameStep(const Spot& spot, Obstruction& why) const {
+  const bool down = spot.height < height_;
+  why.lack = down ? Obstruction::Lack::kDrop : Obstruction::Lack::kStep;
+  why.object = name(down ? object_ : spot.object);
+}
+
 bool Profile::isTooHigh(const Spot& spot, double s, Obstruction& why) const {
   const double rise = spot.height - height_;
   const double most = rise > 0.0 ? limits_.max_climb : limits_.max_drop;
   if (spot.steepness > limits_.max_slope || std::abs(rise) <= most + kRounding) return false;
   why.rule = WalkRule::kStepHeight;
-  why.lack = Obstruction::Lack::kStep;
-  why.object = name(spot.object);
+  nameStep(spot, why);
   why.at = at(s);
   why.width = std::abs(rise);
   why.needed = most;
@@ -166,6 +176,7 @@ bool Profile::measure(Obstruction& why) {
     if (isTooHigh(*here, s, why) || isTooSteep(*here, s, why) || isTooShort(*here, s, why))
       return true;
     height_ = here->height;
+    object_ = here->object;
   }
   return false;
 }
@@ -177,13 +188,13 @@ bool Profile::highest(Obstruction& why) {
     if (!here) continue;
     if (std::abs(here->height - height_) > most) {
       most = std::abs(here->height - height_);
-      why.lack = Obstruction::Lack::kStep;
-      why.object = name(here->object);
+      nameStep(*here, why);
       why.at = at(s);
       why.at.z() = std::min(here->height, height_);
       why.width = most;
     }
     height_ = here->height;
+    object_ = here->object;
   }
   return most > kRiser;
 }

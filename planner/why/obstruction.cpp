@@ -300,7 +300,7 @@ Obstruction whatTheGroundLacks(const GroundGap& gap, const PlanRequest& request)
     return why;
   // Another storey, of which nothing is seen from here.
   const GroundLimits& limits = request.ground->settings().limits;
-  why.lack = Obstruction::Lack::kStep;
+  why.lack = gap.rise() > 0.0 ? Obstruction::Lack::kStep : Obstruction::Lack::kDrop;
   why.width = std::abs(gap.rise());
   why.needed = gap.rise() > 0.0 ? limits.max_climb : limits.max_drop;
   return why;

@@ -98,6 +98,19 @@ std::string gapText(const Obstruction& why, const std::string& width, const std:
   return "the gap between " + sides + " is " + width + " wide" + at + wouldDo(why);
 }
 
+std::string stepText(const Obstruction& why, const std::string& width, const std::string& at) {
+  if (!why.needed) return "a step of " + width + " is out of a leg's reach" + at;
+  const bool down = why.lack == Lack::kDrop;
+  if (why.object.empty())
+    return "no ground leads from " + placeText(why.at) + " to " + placeText(why.body) + ", " +
+           width + (down ? " lower" : " higher") +
+           atMost(why, down ? "stepped down" : "stepped up");
+  if (down)
+    return "the ground beside " + why.object + " is " + width + " lower" + at +
+           atMost(why, "stepped down");
+  return why.object + " is " + width + " high" + at + atMost(why, "stepped over or climbed");
+}
+
 std::string measured(const Obstruction& why) {
   const int digits = why.width && why.needed ? digitsOf(*why.width, *why.needed) : 2;
   const std::string width = metres(why.width.value_or(0.0), digits),
@@ -108,12 +121,8 @@ std::string measured(const Obstruction& why) {
     case Lack::kHeadroom:
       return why.object + " hangs " + width + " over the ground" + at + wouldDo(why);
     case Lack::kStep:
-      if (!why.needed) return "a step of " + width + " is out of a leg's reach" + at;
-      if (why.object.empty())
-        return "no ground leads from " + placeText(why.at) + " to " + placeText(why.body) + ", " +
-               width + (why.body.z() > why.at.z() ? " higher" : " lower") +
-               atMost(why, "stepped up or down");
-      return why.object + " is " + width + " high" + at + atMost(why, "stepped over or climbed");
+    case Lack::kDrop:
+      return stepText(why, width, at);
     case Lack::kGround:
       return "the ground has a break of " + width + at + atMost(why, "stepped over");
     case Lack::kTread:
@@ -154,6 +163,8 @@ std::string_view lackName(Lack lack) {
       return "headroom";
     case Lack::kStep:
       return "step";
+    case Lack::kDrop:
+      return "drop";
     case Lack::kGround:
       return "ground";
     case Lack::kTread:

@@ -55,7 +55,8 @@ TEST(GroundProfile, AStepIsAsHighAsItIsFromBelowAndFromAboveByAnyHeading) {
     for (const bool back : {false, true}) {
       const Obstruction why = ground.measure(rise, back);
       ASSERT_TRUE(ground.found);
-      EXPECT_EQ(why.lack, Lack::kStep);
+      EXPECT_EQ(why.lack, back ? Lack::kDrop : Lack::kStep);
+      EXPECT_EQ(why.object, "second");  // whose edge it is, from both sides
       EXPECT_EQ(why.rule, WalkRule::kStepHeight);
       EXPECT_NEAR(*why.width, rise, 1e-3);
       EXPECT_EQ(*why.needed, 0.25);

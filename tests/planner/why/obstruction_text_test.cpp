@@ -60,14 +60,28 @@ TEST(ObstructionText, WhatThereIsNeverLooksLikeWhatWouldDo) {
 
 TEST(ObstructionText, OfWhatIsMeasuredEveryLineSaysTheThingAndThePlace) {
   const std::set<Lack> nameless = {Lack::kGround};  // it is where there is nothing
-  for (const Lack lack : {Lack::kGap, Lack::kHeadroom, Lack::kStep, Lack::kGround, Lack::kTread,
-                          Lack::kSlope, Lack::kUnknown}) {
+  for (const Lack lack : {Lack::kGap, Lack::kHeadroom, Lack::kStep, Lack::kDrop, Lack::kGround,
+                          Lack::kTread, Lack::kSlope, Lack::kUnknown}) {
     const std::string line = describe(lacking(lack, 0.5, 0.6));
     EXPECT_TRUE(says(line, "(1.00, 2.00, 0.80)")) << line;
     EXPECT_TRUE(nameless.contains(lack) || says(line, "wall")) << line;
     EXPECT_EQ(line.find('\n'), std::string::npos);
   }
   EXPECT_TRUE(says(describe(lacking(Lack::kSlope, 0, 0)), "30 degrees steep"));
+}
+
+TEST(ObstructionText, WhatIsTooHighToStepDownIsNotSaidToBeClimbed) {
+  Obstruction why = lacking(Lack::kDrop, 0.5, 0.25);
+  EXPECT_EQ(describe(why),
+            "the ground beside wall is 0.50 m lower at (1.00, 2.00, 0.80); at most 0.25 m is "
+            "stepped down");
+  why.object.clear();  // another storey
+  why.body = {3, 2, 0.3};
+  EXPECT_EQ(describe(why),
+            "no ground leads from (1.00, 2.00, 0.80) to (3.00, 2.00, 0.30), 0.50 m lower; at most "
+            "0.25 m is stepped down");
+  why.lack = Lack::kStep;
+  EXPECT_TRUE(says(describe(why), "0.50 m higher; at most 0.25 m is stepped up")) << describe(why);
 }
 
 TEST(ObstructionText, AnEndInAThingIsInIt) {
