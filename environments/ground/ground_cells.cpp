@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "base/union_find.h"
 #include "environments/ground/ground_column.h"
+#include "environments/ground/narrow_ground.h"
 #include "environments/ground/plan_triangle.h"
 
 namespace amble {
@@ -46,6 +47,7 @@ struct GroundCells::Builder {
   Eigen::Vector2d extent;  // of what could be ground [m]
   const TriangleGrid& all = pieces.grid;
   std::vector<bool> said = {};  // of each span: of an object that is said to be ground
+  std::optional<NarrowGround> narrow = {};
 
   // What a row of tiles holds, by numbers within it.
   struct Filled {
@@ -63,6 +65,7 @@ struct GroundCells::Builder {
   void fillTiles();
   void fillTile(int i, int j, GroundColumn& over, Filled& filled) const;
   void addSpans(int column, int row, GroundColumn& over, Filled& filled) const;
+  static void addNarrow(double height, size_t first, Filled& filled);
   void append(const Filled& filled, int j);
   void joinSteps();
   bool isAsked(int column, int row) const;
@@ -80,10 +83,22 @@ struct GroundCells::Builder {
 };
 
 void GroundCells::Builder::addSpans(int column, int row, GroundColumn& over, Filled& filled) const {
+  const size_t first = filled.spans.size();
   for (const GroundColumn::Surface& surface : over.surfacesAt(cells.middle(column, row))) {
     filled.spans.push_back({surface.height, surface.standable});
     filled.said.push_back(surface.said);
   }
+  for (const double height : narrow->over(column, row)) addNarrow(height, first, filled);
+}
+
+// To the spans from `first` on, unless one of them has that level.
+void GroundCells::Builder::addNarrow(double height, size_t first, Filled& filled) {
+  const auto begin = filled.spans.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto above = std::ranges::lower_bound(begin, filled.spans.end(), height, {}, &Span::height);
+  if (above != filled.spans.end() && above->height - height <= kLevel) return;
+  if (above != begin && height - std::prev(above)->height <= kLevel) return;
+  filled.said.insert(filled.said.begin() + (above - filled.spans.begin()), true);
+  filled.spans.insert(above, {height});
 }
 
 // Whether the square has neighbours that others of its tile do not stand for. In a plain tile those
@@ -350,7 +365,7 @@ void GroundCells::Builder::fillTiles() {
 
 // Finds the plain tiles, with squares that are larger where too many others are left.
 void GroundCells::Builder::makeTiles() {
-  for (cells.cell_ = kCell;; cells.cell_ *= 2.0) {
+  for (cells.cell_ = std::min(kCell, kCellOfFoot * settings.foot_breadth);; cells.cell_ *= 2.0) {
     for (int k = 0; k < 2; ++k) {
       cells.count_[k] = 1 + static_cast<int>(extent[k] / cells.cell_);
       cells.tile_count_[k] = (cells.count_[k] + kTile - 1) / kTile;
@@ -378,6 +393,7 @@ void GroundCells::Builder::makeTiles() {
 
 void GroundCells::Builder::build() {
   makeTiles();
+  narrow.emplace(scene, pieces, up, cells.min_, cells.cell_, cells.count_);
   fillTiles();
   joinSteps();
   choose();

@@ -9,11 +9,13 @@
 /// said to be, or, where there is no other, stood on by the problem; and so is all that goes on
 /// level from it, below tables and in corners where nobody stands.
 ///
-/// Squares are 0.1 m, whatever the size of the scene. They lie in tiles of 16 by 16, and a tile
-/// over which there are level surfaces only, each over all of it and a foot's length beyond, is
-/// kept as one square: what is found at one of its squares is found at all. So a floor of 400 m
-/// costs what its edges do. Only where more than kMostSquares are left, or kMostSurfaces over them
-/// (a hundred shells in one another), do they grow.
+/// Squares are 0.1 m, whatever the size of the scene, and less for who is below 1.4 m tall: 1.3
+/// breadths of a foot. What is narrower than a square may lie between their middles: then it is
+/// ground where it is said to be, and none where that is to be found out. They lie in tiles of 16
+/// by 16, and a tile over which there are level surfaces only, each over all of it and a foot's
+/// length beyond, is kept as one square: what is found at one of its squares is found at all. So a
+/// floor of 400 m costs what its edges do. Only where more than kMostSquares are left, or
+/// kMostSurfaces over them (a hundred shells in one another), do they grow.
 #pragma once
 
 #include <span>
@@ -69,8 +71,9 @@ class GroundCells {
 
  private:
   struct Builder;
-  static constexpr double kCell = 0.1;  // [m]
-  static constexpr int kTile = 16;      // squares along a side of a tile
+  static constexpr double kCell = 0.1;        // at most [m]
+  static constexpr double kCellOfFoot = 1.3;  // and so many breadths of a foot
+  static constexpr int kTile = 16;            // squares along a side of a tile
   // Beside plain tiles: 200 m of uneven ground; and what lies over them, of about 80 bytes each
   // while they are made.
   static constexpr long long kMostSquares = 4000000;

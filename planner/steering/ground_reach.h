@@ -4,8 +4,9 @@
 /// the longest step and no higher than the highest, so from a square of ground only those squares
 /// are reached that lie so near. All doubts are decided for the walker: a square counts whether or
 /// not a foot has room there, distances are widened by the squares' size, and heights by what the
-/// steepest slope explains, wherever ground is not flat. So "no ground leads there" is certain, up
-/// to beams that are narrower than a square, and "it leads there" says little.
+/// steepest slope explains, wherever ground is not flat. What is narrower than a square and not
+/// said to be ground is none (GroundCells). So "no ground leads there" is certain, and "it leads
+/// there" says little.
 #pragma once
 
 #include <Eigen/Geometry>

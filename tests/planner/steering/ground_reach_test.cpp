@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/rotation.h"
+#include "base/sample_stream.h"
 #include "base/union_find.h"
 #include "tests/environments/test_scenes.h"
 
@@ -38,6 +39,36 @@ TEST(GroundReach, AGapWiderThanAStepIsFoundWithItsWidth) {
 
 TEST(GroundReach, AGapThatAStepCrossesIsNone) {
   EXPECT_FALSE(gapIn({platform("west", -4, -0.3, 0), platform("east", 0.3, 4, 0)}).has_value());
+}
+
+// Wherever it lies to the squares' middles, level or turned.
+TEST(GroundReach, APlankThatIsSaidToBeGroundLeadsAcrossHoweverNarrowItIs) {
+  SampleStream stream(5, 0);
+  for (int i = 0; i < 40; ++i) {
+    SceneObject plank = makeObject("plank", Box{{2.4, stream.uniform(0.01, 0.12), 0.1}},
+                                   {0, stream.uniform(-1.0, 1.0), -0.05}, Role::kGround);
+    if (i % 2 == 0)
+      plank.X_WO.rotate(Eigen::AngleAxisd(stream.uniform(-0.3, 0.3), Eigen::Vector3d::UnitZ()));
+    const std::vector<SceneObject> sides = {platform("west", -4, -1, 0), platform("east", 1, 4, 0)};
+    EXPECT_FALSE(gapIn({sides[0], plank, sides[1]}).has_value()) << i;
+    plank.role = Role::kObstacle;
+    EXPECT_TRUE(gapIn({sides[0], plank, sides[1]}).has_value()) << i;
+  }
+}
+
+TEST(GroundReach, APlankThatIsBroadEnoughForAFootLeadsAcrossAtAnyStature) {
+  SampleStream stream(6, 0);
+  for (int i = 0; i < 24; ++i) {
+    const double stature = stream.uniform(0.5, 2.2), foot = 0.055 * stature;
+    GroundSettings settings;
+    settings.foot_length = 0.106 * stature;
+    settings.foot_breadth = foot;
+    const Scene scene = sceneOf(
+        {platform("west", -4, -1, 0), platform("east", 1, 4, 0),
+         makeObject("plank", Box{{2.0, 1.31 * foot, 0.1}}, {0, stream.uniform(-1.0, 1.0), -0.05})});
+    const SceneGround ground(scene, settings);
+    EXPECT_FALSE(findGap(ground, {-2, 0, 0}, {2, 0, 0}, 0.3 * stature).has_value()) << stature;
+  }
 }
 
 TEST(GroundReach, ALedgeThatNobodyClimbsIsAGap) {
