@@ -39,33 +39,6 @@ constexpr int kStopEvery = 1 << 10;  // squares between looks at the clock
 // Of the floods over what all balls pass, and what one passes that is asked about finely [m].
 constexpr double kOpenSquare = 0.2, kFinerOpenSquare = 0.04;
 
-// The axis of a part over a walk: heights over the ground, and how far it is from the path.
-struct PartWay {
-  Eigen::AlignedBox1d middle;  // of its middle [m]
-  Eigen::AlignedBox1d upper;   // of its upper end [m]
-  double aside = 0.0;          // of any of its points, in plan [m]
-};
-
-std::vector<PartWay> waysOfParts(const StraightWalk& walk, const Skeleton& skeleton,
-                                 const Body& body) {
-  std::vector<PartWay> ways(body.parts.size());
-  std::vector<JointFrame> joints(skeleton.size());
-  std::vector<Eigen::Vector3d> from(body.parts.size()), to(body.parts.size());
-  for (int frame = 0; frame < walk.buffer.size(); ++frame) {
-    forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
-    placeBody(body, joints, from, to);
-    const Eigen::Vector3d& path = walk.buffer.states[frame].position;
-    for (size_t part = 0; part < ways.size(); ++part) {
-      PartWay& way = ways[part];
-      const Eigen::Vector3d a = from[part] - path, b = to[part] - path;
-      way.middle.extend(Eigen::Matrix<double, 1, 1>(0.5 * (a.z() + b.z())));
-      way.upper.extend(Eigen::Matrix<double, 1, 1>(std::max(a.z(), b.z())));
-      way.aside = std::max({way.aside, a.head<2>().norm(), b.head<2>().norm()});
-    }
-  }
-  return ways;
-}
-
 // Share of a foot's extra lift that it may have that far through its swing (SwingShape).
 double mostOfLift(double tau) {
   const double ramp = *std::ranges::min_element(SwingSearch::kRamps);
@@ -117,6 +90,22 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
     return a.radius > b.radius;
   });
   addFeet(walk, skeleton, roles, body, highest_lift);
+  addPost(roles, body);
+}
+
+void BodyReach::addPost(const JointRoles& roles, const Body& body) {
+  const auto hips = std::ranges::find(body.parts, roles.hips, &BodyPart::joint);
+  if (hips == body.parts.end()) return;
+  Ball post;
+  post.part = static_cast<int>(hips - body.parts.begin());
+  post.radius = kPostRadius * stature_;
+  post.height = kPostLow * stature_;
+  post.highest = post.top = kPostHigh * stature_;
+  post.most_rise = SceneGround::kLevel;
+  post.aside = kOfLegs;
+  post.beyond = 0.0;
+  post.post = true;
+  balls_.push_back(post);
 }
 
 // Of each foot the front end of one of its soles, which swings lower than the heel.
@@ -163,17 +152,20 @@ UprightPost BodyReach::postAround(std::span<const Ball> balls) const {
 // What the floods ask of the ground.
 struct BodyReach::Around {
   Around(const SceneGround& ground, const ReachedGround& reached, double stature,
-         double longest_step, double high)
+         double longest_step, double high, double beyond)
       : range(ground, reached, kFeet * stature),
         chords(ground, reached, longest_step),
-        near_body(ground, reached, longest_step, kBeyond),
-        near_legs(ground, reached, longest_step, kLegsBeyond),
+        near_body(ground, reached, longest_step, std::min(kBeyond, beyond)),
+        near_legs(ground, reached, longest_step, std::min(kLegsBeyond, beyond)),
+        near_post(ground, reached, longest_step, 0.0),
         edges(ground, near_body, range, stature, high) {}
-  const NearGround& near(const Ball& ball) const { return ball.isLeg() ? near_legs : near_body; }
+  const NearGround& near(const Ball& ball) const {
+    return ball.post ? near_post : ball.isLeg() ? near_legs : near_body;
+  }
 
   GroundRange range;
   GroundChords chords;
-  NearGround near_body, near_legs;
+  NearGround near_body, near_legs, near_post;
   EdgeReach edges;
 };
 
@@ -442,7 +434,7 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
     high = std::max(high, ball.highest);
     if (!ball.carried.isEmpty()) high = std::max(high, ball.carried.max()[0]);
   }
-  const Around around(ground, reached, stature_, longest_step_, high);
+  const Around around(ground, reached, stature_, longest_step_, high, beyond);
   const auto is_open = [&](std::span<const Ball> balls, double square) {
     return isOpenWay(from, to, postAround(balls), square, world, ground, reached, around.near_legs,
                      *scratches.front(), stopped);
@@ -474,11 +466,13 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
     if (i > 0 && ball.isAsWide(balls_[i - 1])) continue;  // the other leg
     coarse.emplace_back(&ball, std::min(kLargest, squareOf(ball)));
   }
+  if (ground.isLevel() && !balls_.empty() && balls_.back().post)
+    coarse.emplace_back(&balls_.back(), std::min(kLargest, squareOf(balls_.back())));
   if (auto found = first_shut(coarse)) return found;
   if (ground.extent().sizes().prod() > kMostFinest * kFinest * kFinest) return std::nullopt;
   for (const Ball& ball : balls_) {
     // From a step beside it feet come higher over a thing.
-    const bool is_asked = ball.isFoot() ? ground.isLevel() : !ball.isLeg();
+    const bool is_asked = ball.isFoot() ? ground.isLevel() : !ball.isLeg();  // the post has been
     if (is_asked && !is_open({&ball, 1}, kFinerOpenSquare))
       fine.emplace_back(&ball, std::min(kFinest, squareOf(ball)));
   }

@@ -34,6 +34,15 @@
 /// kLegsBeyond: feet that turn swing out farther, but who gets by a thing there has ground beside
 /// it for his feet, and a flood that leaves that by more than a leg's radius gets by, too.
 ///
+/// Over level ground nobody goes round the end of what stands as high as hips where it reaches the
+/// ground's edge, or nearly: his feet would stand on either side of it, and shanks, thighs and
+/// pelvis be beyond. Each by itself may be; but of 37,000 walks, of people 0.5 to 2.2 m tall, that
+/// were drawn beside an edge and bent to get past the ends of thin walls there, straight to it or
+/// aslant, none left less than 0.055 of stature between wall and edge (0.04 where the wall's lower
+/// and upper parts stand as far apart as the post is thick). So a post of kPostRadius is let
+/// nowhere but over ground, and is shut out where from kPostLow to kPostHigh something is at each
+/// height. What is lower is stepped past: of 0.3 of stature with hardly a centimetre.
+///
 /// Where one after another of larger squares is open to all balls at once, in which none would
 /// touch anything, from the start to the goal, no ball's flood is begun: that is nearly always so.
 ///
@@ -59,6 +68,8 @@ class BodyReach {
   static constexpr double kRise = 0.02, kDip = 0.12;              ///< [m]
   static constexpr double kUnevenRise = 0.03, kUnevenDip = 0.17;  ///< the same over chords [m]
   static constexpr double kBeyond = 0.25, kLegsBeyond = 0.12;     ///< open edges [m]
+  /// Of stature: a post at the body's middle, between these heights, and its radius.
+  static constexpr double kPostLow = 0.1, kPostHigh = 0.5, kPostRadius = 0.03;
   /// Of stature: of ankles over the height that feet are lifted over, at most.
   static constexpr double kAnkle = 0.14;
   static constexpr double kLargest = 0.05;  ///< square [m]
@@ -104,25 +115,27 @@ class BodyReach {
     /// Of its middle, of the head's upper end, over the ground's chords, where that is uneven [m].
     Eigen::AlignedBox1d carried;
     double upright =
-        -HUGE_VAL;  ///< of the end of what is over an upright head, over the lower foot
-    int part = -1;  ///< of the body
+        -HUGE_VAL;      ///< of the end of what is over an upright head, over the lower foot
+    int part = -1;      ///< of the body
+    bool post = false;  ///< all of the post, which is shut out where something is at each height
 
-    bool isTrunk() const { return highest > height; }  ///< or a foot
+    bool isTrunk() const { return highest > height; }  ///< or a foot, or the post
     bool isLeg() const { return most_rise < HUGE_VAL; }
-    bool isFoot() const { return isLeg() && isTrunk(); }
+    bool isFoot() const { return isLeg() && isTrunk() && !post; }
     bool isAsWide(const Ball& other) const {
       return height == other.height && highest == other.highest && top == other.top &&
              most_rise == other.most_rise && radius == other.radius && aside == other.aside;
     }
   };
-  /// Those at one height first, and the largest first: their squares are the quickest to ask. Feet
-  /// last.
+  /// Those at one height first, and the largest first: their squares are the quickest to ask. Then
+  /// feet, and the post last.
   const std::vector<Ball>& balls() const { return balls_; }
 
  private:
   struct Around;
   class Flood;
   UprightPost postAround(std::span<const Ball> balls) const;
+  void addPost(const JointRoles& roles, const Body& body);
   void addFeet(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
                const Body& body, double highest_lift);
   double stature_;

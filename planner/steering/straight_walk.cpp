@@ -131,4 +131,24 @@ double passableBreadth(const StraightWalk& walk, const Skeleton& skeleton, const
   return std::min(most, least + kNeverQuite);
 }
 
+std::vector<PartWay> waysOfParts(const StraightWalk& walk, const Skeleton& skeleton,
+                                 const Body& body) {
+  std::vector<PartWay> ways(body.parts.size());
+  std::vector<JointFrame> joints(skeleton.size());
+  std::vector<Eigen::Vector3d> from(body.parts.size()), to(body.parts.size());
+  for (int frame = 0; frame < walk.buffer.size(); ++frame) {
+    forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
+    placeBody(body, joints, from, to);
+    const Eigen::Vector3d& path = walk.buffer.states[frame].position;
+    for (size_t part = 0; part < ways.size(); ++part) {
+      PartWay& way = ways[part];
+      const Eigen::Vector3d a = from[part] - path, b = to[part] - path;
+      way.middle.extend(Eigen::Matrix<double, 1, 1>(0.5 * (a.z() + b.z())));
+      way.upper.extend(Eigen::Matrix<double, 1, 1>(std::max(a.z(), b.z())));
+      way.aside = std::max({way.aside, a.head<2>().norm(), b.head<2>().norm()});
+    }
+  }
+  return ways;
+}
+
 }  // namespace amble

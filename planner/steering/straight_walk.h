@@ -36,4 +36,14 @@ Eigen::AlignedBox1d walkingBreadth(const StraightWalk& walk, const Skeleton& ske
 double passableBreadth(const StraightWalk& walk, const Skeleton& skeleton, const Body& body,
                        double depth);
 
+/// The axis of a part of the body over a walk.
+struct PartWay {
+  Eigen::AlignedBox1d middle;  ///< of its middle over the ground [m]
+  Eigen::AlignedBox1d upper;   ///< of its upper end [m]
+  double aside = 0.0;          ///< of any of its points from the path's, in plan, at most [m]
+};
+/// Of each part.
+std::vector<PartWay> waysOfParts(const StraightWalk& walk, const Skeleton& skeleton,
+                                 const Body& body);
+
 }  // namespace amble
