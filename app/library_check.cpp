@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 #include "animation/library/motion_library_reader.h"
@@ -27,6 +29,7 @@ MotionRequest requestOf(const Motion& motion, const std::filesystem::path& captu
   request.name = motion.name + " again";
   request.kind = motion.kind;
   if (motion.kind == MotionKind::kWalk) request.turning = motion.turning;
+  request.harmonics = motion.cycle.series.harmonics();
   request.chains = motion.chains;
   request.valid = motion.valid;
   request.source = motion.source;
@@ -57,6 +60,16 @@ Motion standBorrowedAgain(const MotionLibrary& library, const std::filesystem::p
   return *again.find("stand");
 }
 
+bool differ(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return a.rows() != b.rows() || a.cols() != b.cols() ||
+         (a.size() > 0 && (a - b).cwiseAbs().maxCoeff() > kSame);
+}
+
+bool differ(const std::vector<Eigen::Quaterniond>& a, const std::vector<Eigen::Quaterniond>& b) {
+  const auto off = [](const auto& p, const auto& q) { return p.angularDistance(q) > kSame; };
+  return a.size() != b.size() || !std::equal(a.begin(), a.end(), b.begin(), std::not_fn(off));
+}
+
 // In one line why the motion is not what the library says; empty where it is.
 std::string difference(const Motion& says, const Motion& is) {
   const auto off = [](double a, double b) {
@@ -70,18 +83,19 @@ std::string difference(const Motion& says, const Motion& is) {
   }
   if (off(a.period, b.period))
     return fmt::format("period {:.4f}, measured {:.4f}", a.period, b.period);
-  if (off(says.posture.root_height, is.posture.root_height)) return "another posture";
+  if (differ(a.series.alpha, b.series.alpha) || differ(a.series.beta, b.series.beta))
+    return "another cycle";
+  if (off(says.posture.root_height, is.posture.root_height) ||
+      differ(says.posture.rotations, is.posture.rotations))
+    return "another posture";
   if (off(says.transition.acceleration, is.transition.acceleration)) return "another transition";
-  const auto differs = [](const Eigen::MatrixXd& c, const Eigen::MatrixXd& d) {
-    return c.cols() != d.cols() || (c.size() > 0 && (c - d).cwiseAbs().maxCoeff() > kSame);
-  };
-  if (differs(says.transition.sequence.spline, is.transition.sequence.spline))
+  if (differ(says.transition.sequence.spline, is.transition.sequence.spline))
     return "another sequence of the transition";
   if (off(says.turn.angle, is.turn.angle)) {
     return fmt::format("turns by {:.1f}, measured {:.1f} degrees", says.turn.angle / kDegree,
                        is.turn.angle / kDegree);
   }
-  if (differs(says.turn.spline, is.turn.spline) || differs(says.turn.turned, is.turn.turned))
+  if (differ(says.turn.spline, is.turn.spline) || differ(says.turn.turned, is.turn.turned))
     return "another sequence of the turn";
   return "";
 }
@@ -100,18 +114,24 @@ bool mayHaveBorrowed(const MotionLibrary& library, const Motion& motion) {
          &motion == &library.motions.front() && library.file != motionLibraryFile("default");
 }
 
-// In one line what is wrong with the motion; empty where it is what its capture gives.
-std::string problemOf(const MotionLibrary& library, const Motion& motion,
-                      const std::filesystem::path& captures) {
+// In one line what is wrong with what was prepared again; empty where nothing is.
+std::string problemOf(const Motion& motion, const std::function<Motion()>& again) {
   try {
-    if (mayHaveBorrowed(library, motion) &&
-        difference(motion, standBorrowedAgain(library, captures)).empty()) {
-      return "";
-    }
-    return difference(motion, preparedAgain(library, motion, captures));
+    return difference(motion, again());
   } catch (const InputError& error) {
     return error.what();
   }
+}
+
+// In one line what is wrong with the motion; empty where it is what its capture gives.
+std::string problemOf(const MotionLibrary& library, const Motion& motion,
+                      const std::filesystem::path& captures) {
+  const std::string problem =
+      problemOf(motion, [&] { return preparedAgain(library, motion, captures); });
+  if (problem.empty() || !mayHaveBorrowed(library, motion)) return problem;
+  const std::string borrowed =
+      problemOf(motion, [&] { return standBorrowedAgain(library, captures); });
+  return borrowed.empty() ? "" : problem;
 }
 
 int run(const LibraryCheckArguments& options) {

@@ -4,10 +4,13 @@
 /// They are the mean of what the straight walks of its own rig stand on, each walk with its mirror
 /// image if the library has it, and where there are turns between that and what turns stand on: of
 /// walks rather than of the posture `stand`, for it is walks that are compared with their captures,
-/// and markers tilt feet that are loaded in passing otherwise than feet of somebody who poses. A
-/// straight walk is prepared on the soles that it was captured on itself, so that it is the same
-/// whatever came before, a turn on those of a library that has it; on the library's both stand
-/// flat, too, and roots are as far over their ankles.
+/// and markers tilt feet that are loaded in passing otherwise than feet of somebody who poses. Each
+/// motion is prepared on the soles that it was captured on itself, somebody else's too: on the
+/// library's it stands flat as well, and its root is as far over its ankles. So a library is the
+/// same in whatever order motions came behind the first, which gives its skeleton and, where it is
+/// no `stand`, is what one is borrowed for: to rounding, of 1e-11 m and rad, and of a micrometre
+/// where it is written and read between them. Only captures in which no foot stands are taken on
+/// the soles that the library has just then.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -42,9 +45,8 @@ std::array<double, 2> standingDrops(const WalkCycle& cycle, const Skeleton& skel
                                     const JointRoles& roles,
                                     const std::vector<Eigen::Quaterniond>& reference);
 
-/// On what soles a library is with a turn that stood on these, beside its straight walks [rad].
-std::array<double, 2> solesWithTurn(const MotionLibrary& library,
-                                    const std::array<double, 2>& turn);
+/// On what soles a walk of the library's own rig is prepared whose feet drop so, by Side [rad].
+std::array<double, 2> ownSoles(const std::array<double, 2>& drops, bool turning);
 
 /// The library on the soles of this skeleton, which is its own but for how feet drop at rest; its
 /// motions keep how their feet stand on them.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "animation/analysis/motion_measures.h"
 #include "animation/body/pelvis.h"
@@ -51,10 +52,14 @@ Skeleton withBvhNames(const Skeleton& skeleton) {
   return Skeleton(std::move(joints));
 }
 
-void adoptSkeleton(MotionLibrary& library, const LevelCapture& capture, const std::string& file) {
+Skeleton skeletonOf(const LevelCapture& capture) {
   std::vector<Joint> joints = capture.motion.clip.skeleton.joints();
   joints[0].offset.setZero();
-  library.skeleton = Skeleton(std::move(joints));
+  return Skeleton(std::move(joints));
+}
+
+void adoptSkeleton(MotionLibrary& library, const LevelCapture& capture, const std::string& file) {
+  library.skeleton = skeletonOf(capture);
   library.roles = capture.motion.roles;
   library.stature = statureOf(library.skeleton, library.roles);
   if (library.stature >= kShortestStature && library.stature <= kTallestStature) return;
@@ -79,6 +84,44 @@ Clip onLibrarySkeleton(const MotionLibrary& library, const LevelCapture& capture
     return onSoles(library, clip, footDrops(library.skeleton, library.roles));
   return carriedToLibrary(library, clip, roles, referenceOf(clip, roles),
                           referenceOf(library.skeleton, library.roles, library.stand().rotations));
+}
+
+// The library with nothing but its posture `stand`, on the soles that the capture shows: what is
+// prepared there depends on nothing else that the library has. As it is where no foot stands.
+MotionLibrary onSolesOf(const MotionLibrary& library, const LevelCapture& capture) {
+  MotionLibrary own = library;
+  std::erase_if(own.motions, [](const Motion& motion) { return motion.name != "stand"; });
+  const auto& [clip, roles] = std::tie(capture.motion.clip, capture.motion.roles);
+  if (own.skeleton.size() == 0 || !standingFootDrops(clip, roles)) return own;
+  standOn(isOfRig(own, clip.skeleton)
+              ? skeletonOf(capture)
+              : withFootDrops(own.skeleton, own.roles, footDrops(clip.skeleton, roles)),
+          own);
+  return own;
+}
+
+// The clip's mirror image, on the mirror image of its soles.
+Clip mirroredIn(MotionLibrary& own, const Clip& clip) {
+  Clip mirrored = mirrorClip(clip, own.roles);
+  std::array<double, 2> drops = footDrops(own.skeleton, own.roles);
+  std::swap(drops[kLeft], drops[kRight]);
+  standOn(withFootDrops(own.skeleton, own.roles, drops), own);
+  mirrored.skeleton = own.skeleton;
+  return mirrored;
+}
+
+// What was prepared there, on the library's soles, and the library on those of its walks.
+void takeOver(MotionLibrary own, MotionLibrary& library) {
+  if (library.skeleton.size() == 0) {
+    library.skeleton = own.skeleton;
+    library.roles = own.roles;
+    library.stature = own.stature;
+  }
+  standOn(library.skeleton, own);
+  for (Motion& motion : own.motions) {
+    if (library.find(motion.name) == nullptr) library.motions.push_back(std::move(motion));
+  }
+  if (library.motions.back().cycle.foot_drops) settleSoles(library);
 }
 
 // `stand` of the library `default`, on this library's skeleton, whose rig `clip` shows upright.
@@ -157,7 +200,7 @@ void prepareCycle(const MotionLibrary& library, const MotionRequest& request, co
   if (own_rig && motion.kind == MotionKind::kWalk) {
     const std::array<double, 2> drops =
         standingDrops(motion.cycle, clip.skeleton, library.roles, library.stand().rotations);
-    const std::array<double, 2> soles = options.turning ? solesWithTurn(library, drops) : drops;
+    const std::array<double, 2> soles = ownSoles(drops, options.turning);
     motion.cycle = cycleOf(library, onSoles(library, clip, soles), options, used);
     motion.cycle.foot_drops = drops;
   }
@@ -335,13 +378,14 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   const std::optional<WalkOfEngine> engines = engineWalkOf(request);
   const LevelCapture capture =
       engines ? engines->capture : readForLibrary(request.file, request.read);
-  if (engines && library.skeleton.size() == 0) {
-    adoptSkeleton(library, capture, file);
-    library.motions.push_back(engines->stand);
+  MotionLibrary own = onSolesOf(library, capture);
+  if (engines && own.skeleton.size() == 0) {
+    adoptSkeleton(own, capture, file);
+    own.motions.push_back(engines->stand);
   }
-  Clip clip = clipForLibrary(library, capture, file, is_stand);
+  Clip clip = clipForLibrary(own, capture, file, is_stand);
   const bool cyclic = request.kind == MotionKind::kWalk || request.kind == MotionKind::kMovement;
-  if (request.source.mirrored && !cyclic) clip = mirrorClip(clip, library.roles);
+  if (request.source.mirrored && !cyclic) clip = mirroredIn(own, clip);
   if (request.frames)
     request.frames = framesOfMotion(*request.frames, capture.first_frame, clip.frames(), file);
   Motion motion;
@@ -356,25 +400,25 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   switch (request.kind) {
     case MotionKind::kWalk:
     case MotionKind::kMovement:
-      prepareCycle(library, request, clip, isOfRig(library, capture.motion.clip.skeleton),
+      prepareCycle(own, request, clip, isOfRig(own, capture.motion.clip.skeleton),
                    engines ? &engines->plants : nullptr, motion);
       break;
     case MotionKind::kPosture:
     case MotionKind::kBlocking:
-      preparePose(library, request, clip, capture.first_frame, motion);
+      preparePose(own, request, clip, capture.first_frame, motion);
       break;
     case MotionKind::kStart:
     case MotionKind::kStop:
-      prepareTransition(library, request, clip, motion);
+      prepareTransition(own, request, clip, motion);
       break;
     case MotionKind::kTurnOnSpot:
-      prepareTurn(library, request, clip, motion);
+      prepareTurn(own, request, clip, motion);
       break;
   }
-  if (engines) motion.cycle.capture = qualityOf(*engines, library.stature);
+  if (engines) motion.cycle.capture = qualityOf(*engines, own.stature);
   for (int& frame : motion.source.frames) frame = engines ? 0 : frame + capture.first_frame;
-  library.motions.push_back(std::move(motion));
-  if (library.motions.back().cycle.foot_drops) settleSoles(library);
+  own.motions.push_back(std::move(motion));
+  takeOver(std::move(own), library);
 }
 
 std::vector<FourierSeries> capturedCycles(const MotionLibrary& library, const Motion& motion,
@@ -385,10 +429,11 @@ std::vector<FourierSeries> capturedCycles(const MotionLibrary& library, const Mo
   again_asked.source = motion.source;
   const std::optional<WalkOfEngine> engines = engineWalkOf(again_asked);
   const LevelCapture capture = engines ? engines->capture : readForLibrary(file, read);
-  Clip clip = onLibrarySkeleton(library, capture);
-  if (std::optional<std::array<double, 2>> own = motion.cycle.foot_drops) {
-    if (motion.source.mirrored) std::swap((*own)[kLeft], (*own)[kRight]);
-    clip = onSoles(library, clip, motion.turning ? solesWithTurn(library, *own) : *own);
+  const MotionLibrary own = onSolesOf(library, capture);
+  Clip clip = onLibrarySkeleton(own, capture);
+  if (std::optional<std::array<double, 2>> drops = motion.cycle.foot_drops) {
+    if (motion.source.mirrored) std::swap((*drops)[kLeft], (*drops)[kRight]);
+    clip = onSoles(own, clip, ownSoles(*drops, motion.turning));
   }
   CycleOptions options{file.string(),
                        motion.turning,

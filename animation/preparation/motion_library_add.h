@@ -42,7 +42,8 @@ Clip clipForLibrary(MotionLibrary& library, const LevelCapture& capture, const s
 
 /// Prepares the motion and appends it. The first capture's skeleton is the library's; others are
 /// carried over to it by role and leg length. Where there is no posture `stand` before the first
-/// motion that needs one, the library `default`'s is carried over.
+/// motion that needs one, the library `default`'s is carried over. Behind the first, the order of
+/// motions does not matter (library_soles.h); one that is refused leaves the library as it was.
 /// @throws InputError naming the file where the capture does not hold what is asked: no steady
 /// cycle, a turn that is called straight, no toes, a name that the library has.
 void addMotion(MotionLibrary& library, const MotionRequest& request);

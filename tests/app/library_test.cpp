@@ -265,6 +265,33 @@ TEST_F(Library, TurnsOnTheSpotAreAddedToBothSidesShownCheckedAndTurnedBy) {
   EXPECT_EQ(run("plan in/turn.yaml -o out --formats bvh,json").status, 0);
 }
 
+// Each file is read, and written with fewer digits, once a motion.
+TEST_F(Library, IsRightByItsCapturesInWhateverOrderTheyWereAdded) {
+  const auto of = [](const std::string& clip) { return kCaptures + clip + "' --name "; };
+  const std::map<std::string, std::string> motions = {
+      {"stand", of("accad_female1/Female1_A01_Stand.bvh") + "stand --kind posture"},
+      {"walk", of("accad_female1/Female1_B03_Walk1.bvh") + "walk"},
+      {"turn", of("accad_female1/Female1_B09_WalkTurnLeft90.bvh") + "turn"},
+      {"other", of("cmu_mb2/07_01.bvh") + "other --no-mirror"},
+      {"start", of("accad_female1/Female1_B01_StandToWalk.bvh") + "start --kind start"},
+      {"carry", of("accad_female1/Female1_B20_WalkWithBox.bvh") + "carry --kind movement"},
+      {"about",
+       of("accad_female1/Female1_B15_WalkTurnAround180.bvh") + "about --kind turn_on_spot"}};
+  for (const auto& [name, arguments] : motions) {
+    const std::string clip = arguments.substr(0, arguments.find('\''));
+    fs::create_directories(folder_ / "captures");
+    fs::copy_file(clip, folder_ / "captures" / fs::path(clip).filename());
+  }
+  for (const std::vector<std::string>& order :
+       {std::vector<std::string>{"stand", "other", "start", "about", "turn", "walk"},
+        {"start", "carry", "walk", "turn"}}) {
+    fs::remove(folder_ / "mine.yaml");
+    for (const std::string& name : order) add("mine.yaml '" + motions.at(name));
+    const Ran checked = run("library check mine.yaml --captures captures");
+    EXPECT_EQ(checked.status, 0) << order[1] << ": " << checked.out;
+  }
+}
+
 TEST_F(Library, ATurnOnTheSpotIsAddedToOneSideWhereThatIsAsked) {
   const std::string about = kCaptures + "accad_female1/Female1_B15_WalkTurnAround180.bvh";
   const auto countWith = [&](const std::string& options) {
