@@ -15,9 +15,6 @@ namespace amble {
 namespace {
 
 constexpr double kSameOffset = 1e-3;  // of joints of one subject in two clips [m]
-// In the mean over a stance a turn's heels rise earlier. By trial: with half of it to one and a
-// third of it no turn's knees are farther than 2.5 degrees from their captures [rad].
-constexpr double kTurnsDropLess = 0.75 * kDegree;
 // How much what turns stood on counts where there are both, by trial: so much, and neither a turn's
 // knees nor a walk's ankles are farther from their captures than they may be [1].
 constexpr double kOfTurns = 0.6;
@@ -118,11 +115,6 @@ std::array<double, 2> standingDrops(const WalkCycle& cycle, const Skeleton& skel
     }
   }
   return drops;
-}
-
-std::array<double, 2> ownSoles(const std::array<double, 2>& drops, bool turning) {
-  const double less = turning ? kTurnsDropLess : 0.0;
-  return {drops[kLeft] - less, drops[kRight] - less};
 }
 
 void standOn(Skeleton soles, MotionLibrary& library) {

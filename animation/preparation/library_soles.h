@@ -45,9 +45,6 @@ std::array<double, 2> standingDrops(const WalkCycle& cycle, const Skeleton& skel
                                     const JointRoles& roles,
                                     const std::vector<Eigen::Quaterniond>& reference);
 
-/// On what soles a walk of the library's own rig is prepared whose feet drop so, by Side [rad].
-std::array<double, 2> ownSoles(const std::array<double, 2>& drops, bool turning);
-
 /// The library on the soles of this skeleton, which is its own but for how feet drop at rest; its
 /// motions keep how their feet stand on them.
 void standOn(Skeleton soles, MotionLibrary& library);

@@ -200,8 +200,7 @@ void prepareCycle(const MotionLibrary& library, const MotionRequest& request, co
   if (own_rig && motion.kind == MotionKind::kWalk) {
     const std::array<double, 2> drops =
         standingDrops(motion.cycle, clip.skeleton, library.roles, library.stand().rotations);
-    const std::array<double, 2> soles = ownSoles(drops, options.turning);
-    motion.cycle = cycleOf(library, onSoles(library, clip, soles), options, used);
+    motion.cycle = cycleOf(library, onSoles(library, clip, drops), options, used);
     motion.cycle.foot_drops = drops;
   }
   if (request.source.mirrored) {
@@ -433,7 +432,7 @@ std::vector<FourierSeries> capturedCycles(const MotionLibrary& library, const Mo
   Clip clip = onLibrarySkeleton(own, capture);
   if (std::optional<std::array<double, 2>> drops = motion.cycle.foot_drops) {
     if (motion.source.mirrored) std::swap((*drops)[kLeft], (*drops)[kRight]);
-    clip = onSoles(own, clip, ownSoles(*drops, motion.turning));
+    clip = onSoles(own, clip, *drops);
   }
   CycleOptions options{file.string(),
                        motion.turning,
