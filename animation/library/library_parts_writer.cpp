@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/output_file.h"
 #include "base/rotation.h"
+#include "base/strict_yaml.h"
 #include "base/text.h"
 
 namespace amble {
@@ -78,6 +79,28 @@ Eigen::Quaterniond asReadAgain(const Eigen::Quaterniond& rotation) {
     if (((now * kOne).array().round() / kOne == written.array()).all()) break;
   }
   return Eigen::Quaterniond(written);
+}
+
+// Whether it is a library or engine whose skeleton is kept under this name beside it.
+bool isKeptBeside(const std::filesystem::path& file, const std::string& skeleton) {
+  if (file.extension() != ".yaml" && file.extension() != ".yml") return false;
+  try {
+    const YamlNode root = readYaml(file);
+    return root.isMap() && root.has("stature") && root.has("skeleton") &&
+           root.at("skeleton").asString() == skeleton;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+// Whether another library or engine of the folder has its skeleton there, too.
+bool isShared(const std::filesystem::path& library, const std::string& skeleton) {
+  const std::filesystem::path folder = std::filesystem::absolute(library).parent_path();
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().filename() != library.filename() && isKeptBeside(entry.path(), skeleton))
+      return true;
+  }
+  return false;
 }
 
 void makeFolder(const std::filesystem::path& folder) {
@@ -185,7 +208,8 @@ std::string skeletonNameBeside(const std::filesystem::path& file) {
     if (i > 2) name += "-" + std::to_string(i - 1);
     const std::filesystem::path skeleton = file.parent_path() / (name + ".bvh");
     // That of another, whose name was changed or ends otherwise, may lie there.
-    const bool own = std::filesystem::exists(file) && isLibrarySkeleton(skeleton);
+    const bool own = std::filesystem::exists(file) && isLibrarySkeleton(skeleton) &&
+                     !isShared(file, skeleton.filename().string());
     if (own || !std::filesystem::exists(skeleton)) return name + ".bvh";
   }
 }

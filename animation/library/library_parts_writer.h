@@ -46,7 +46,8 @@ void writeWithSkeleton(const Skeleton& skeleton, const std::string& skeleton_fil
 bool isLibrarySkeleton(const std::filesystem::path& file);
 
 /// A name beside a file that nothing has but, where the file is there already, the skeleton of some
-/// library, which is taken for its own: captures often are called what is made of them.
+/// library, which is taken for its own unless another library or engine of the folder names it:
+/// captures often are called what is made of them.
 std::string skeletonNameBeside(const std::filesystem::path& file);
 
 /// Where a library whose skeleton has become this one keeps it: where it was, if the file is not

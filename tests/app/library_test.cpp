@@ -185,6 +185,18 @@ TEST_F(Library, OfAnotherEndingOrAnOldNameKeepsItsSkeleton) {
   EXPECT_EQ(run("library show in/q.yaml").status, 0);
 }
 
+TEST_F(Library, WhoseFeetComeToStandOtherwiseLeavesASkeletonThatAnotherHasTooAsItIs) {
+  add("in/one.yaml " + kWalk);
+  fs::copy_file(folder_ / "in/one.yaml", folder_ / "in/other.yaml");
+  const std::string shared = read("in/one.bvh");
+  add("in/one.yaml " + kTurn);
+  EXPECT_EQ(read("in/one.bvh"), shared);
+  EXPECT_NE(read("in/one.yaml").find("skeleton: one-skeleton.bvh"), std::string::npos);
+  add("in/one.yaml " + kCaptures + "accad_female1/Female1_B12_WalkTurnRight90.bvh");
+  EXPECT_FALSE(fs::exists(folder_ / "in/one-skeleton-2.bvh"));  // that one is its own
+  EXPECT_EQ(read("in/one.bvh"), shared);
+}
+
 TEST_F(Library, NeverWritesOverTheCaptureThatItNamesAsItsSkeleton) {
   copy(kWalk, "in/mine.bvh");
   add("in/mine.yaml in/mine.bvh");
