@@ -30,7 +30,7 @@ struct Weight {
   static constexpr double kStraight = 300.0;  // of straight knees, which are seen, more
   static constexpr double kHip = 1.5;         // of how far forward the leg goes
   static constexpr double kAnkle = 0.5;       // of the ankle
-  static constexpr double kPitch = 0.45;       // of the pitch against the captured one
+  static constexpr double kPitch = 0.45;      // of the pitch against the captured one
   static constexpr double kFlat = 100.0;      // the same of a foot that stands flat
   static constexpr double kBends = 0.5;       // of what the pitch's second differences are more
   static constexpr double kToes = 0.02;       // of the toes against the captured ones

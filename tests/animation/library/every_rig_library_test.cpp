@@ -99,6 +99,8 @@ TEST_P(EveryRigsLibrary, HasASkeletonThatIsKnownForALibrarys) {
   EXPECT_TRUE(isLibrarySkeleton(folder.path() / "rig.bvh"));
   EXPECT_EQ(skeletonNameBeside(folder.path() / "rig.yaml"), "rig-skeleton.bvh");  // not its own
   writeMotionLibrary(library, folder.path() / "rig.yaml");
+  EXPECT_EQ(skeletonNameBeside(folder.path() / "rig.yaml"), "rig-skeleton.bvh");  // nor only its
+  std::filesystem::remove(folder.path() / "library.yaml");
   EXPECT_EQ(skeletonNameBeside(folder.path() / "rig.yaml"), "rig.bvh");
   if (std::string(GetParam()).ends_with(".bvh")) {
     EXPECT_FALSE(isLibrarySkeleton(sharedFolder() / "mocap" / GetParam()));
