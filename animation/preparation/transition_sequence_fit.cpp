@@ -23,8 +23,9 @@ constexpr double kEarliestLift = 0.02;  // on the clock [steps]
 // What is captured sets in within so long after the sway's begin; what captured standing differs by
 // from the posture `stand` is gone at clock 1 [steps].
 constexpr double kSetIn = 0.3;
-// From here to there on the clock sides are no longer told from the foot but from the walk's line.
-constexpr double kFromFoot = 0.6, kFromLine = 1.4;
+// From here, where the other foot leaves, to there, where it leaves itself, on the clock sides are
+// no longer told from the foot that stands but from the path's point.
+constexpr double kFromFoot = 0.2, kFromPath = 1.2;
 
 // A clip in the order of the clock: time t falls with the frames of a stop.
 struct Order {
@@ -80,15 +81,18 @@ class LaidWay {
       prints[i] = seen(print);
       floor_ += print.z() / kPlants;
     }
-    const auto along = [&](int i) { return 0.5 * (prints[i].x() + prints[i + 1].x()); };
-    stood_ = along(0);
-    for (int i = 1; i <= 3; ++i) way_[i] = direction() * (along(i) - stood_);
+    const auto midway = [&](int i) -> Eigen::Vector2d { return 0.5 * (prints[i] + prints[i + 1]); };
+    stood_ = midway(0).x();
+    for (int i = 1; i <= 3; ++i) way_[i] = direction() * (midway(i).x() - stood_);
+    for (int i = 0; i <= 3; ++i) left_[i] = midway(i).y();
     pivot_ = prints[1].y();
     const double width = (standing_side_ == kLeft ? 1.0 : -1.0) * (prints[1].y() - prints[0].y());
     widened_ = width > kNarrowStance ? stand_.step_width / width : 0.0;
   }
 
-  bool usable() const { return widened_ > 0.0 && way_[1] > 0.05 && way_[2] > way_[1]; }
+  bool usable() const {
+    return widened_ > 0.0 && way_[1] > 0.05 && way_[2] > way_[1] && way_[3] > way_[2];
+  }
   double step() const { return step_; }  // [frames]
   double advance() const { return way_[1]; }
   double frame(double clock) const { return order_.frame(first_node_ + (clock - 1.0) * step_); }
@@ -144,11 +148,27 @@ class LaidWay {
            t * v * v * first - t * t * v * last;
   }
 
+  // How far the path's point is to the left of the walk's line: nobody stands on it. Between the
+  // double supports it goes from side to side no farther than at them (Fritsch and Butland 1984).
+  double leftAt(double clock) const {
+    const auto slope = [&](int k) { return (left_[k + 1] - left_[k]) / (way_[k + 1] - way_[k]); };
+    const auto between = [](double a, double b) {
+      return a * b > 0.0 ? 2.0 * a * b / (a + b) : 0.0;
+    };
+    const int k = clock <= 1.0 ? 0 : 1;
+    const double length = way_[k + 1] - way_[k];
+    const double t = std::clamp((wayAt(clock) - way_[k]) / length, 0.0, 1.0), v = 1.0 - t;
+    const double first = k == 0 ? slope(0) : between(slope(0), slope(1));
+    const double last = between(slope(k), slope(k + 1));
+    return v * v * (1.0 + 2.0 * t) * left_[k] + t * t * (3.0 - 2.0 * t) * left_[k + 1] +
+           t * v * length * (v * first - t * last);
+  }
+
   double aside(double left, double clock) const {
     const double print = (standing_side_ == kLeft ? 0.5 : -0.5) * stand_.step_width;
     const double of_foot = print + widened_ * (left - pivot_);
-    const double share = smoothstep((clock - kFromFoot) / (kFromLine - kFromFoot));
-    return of_foot + share * (left - of_foot);
+    const double share = smoothstep((clock - kFromFoot) / (kFromPath - kFromFoot));
+    return of_foot + share * (left - leftAt(clock) - of_foot);
   }
 
   const GaitTrack& track_;
@@ -157,12 +177,13 @@ class LaidWay {
   double first_node_, step_ = 0.0;  // time of clock 1, and of a step [frames]
   double heading_ = 0.0;
   Eigen::Vector2d on_line_ = Eigen::Vector2d::Zero();
-  double stood_ = 0.0;           // middle of the standing prints along the line [m]
-  std::array<double, 4> way_{};  // of the path's point at clock 0, 1, 2, 3 [m]
-  Side standing_side_ = kLeft;   // of the foot that stands while the other steps
-  double pivot_ = 0.0;           // its print, to the left of the line [m]
-  double widened_ = 0.0;         // the posture's width by the captured one; 0: unknown
-  double floor_ = 0.0;           // height of the prints [m]
+  double stood_ = 0.0;  // middle of the standing prints along the line [m]
+  // Of the path's point at clock 0, 1, 2, 3: from where it stands, and to the left of the line [m].
+  std::array<double, 4> way_{}, left_{};
+  Side standing_side_ = kLeft;  // of the foot that stands while the other steps
+  double pivot_ = 0.0;          // its print, to the left of the line [m]
+  double widened_ = 0.0;        // the posture's width by the captured one; 0: unknown
+  double floor_ = 0.0;          // height of the prints [m]
 };
 
 // People shift their weight by up to 7 cm over the foot that they stand on; a root that is so far

@@ -18,10 +18,11 @@ namespace amble {
 /// Nothing where the clip does not show three steps of it, or stands with its feet too near one
 /// another.
 ///
-/// The captured way is laid on a straight path: along it by the prints, so that the path's point is
-/// midway between two prints at each double support, as that of every walk; across it as seen from
-/// the standing foot while both have stood, beside the walk's own line from then on. It begins as
-/// the posture `stand`, from which captured standing differs a little.
+/// The captured way is laid on a straight path by the prints, so that the path's point is midway
+/// between two of them at each double support, as that of every walk, along the path and across it:
+/// people start and stop beside the line that they walk on, by up to 14 cm. While both feet stand
+/// the body is laid across the path as it is seen from the foot that stays. It begins as the
+/// posture `stand`, from which captured standing differs a little.
 /// @param frames  of the clip that it was taken from
 std::optional<TransitionSequence> fitTransitionSequence(const Clip& level, const JointRoles& roles,
                                                         const std::array<FootShape, 2>& feet,
