@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "animation/clips/mirror_clip.h"
 #include "animation/preparation/gait_track.h"
 #include "animation/preparation/motion_library_add.h"
@@ -94,6 +96,24 @@ TEST(TransitionSequence, SeenInAMirrorTheOtherFootSteps) {
       EXPECT_NEAR(a[1], -b[1], 0.005);
       EXPECT_NEAR(a[2], b[2], 0.005);
     }
+  }
+}
+
+// A walk of a few steps is nothing but a start and a stop (QUALITY.md, mean path error).
+TEST(TransitionSequence, OnAverageTheBodyIsNoFartherBesideItsPathThanAWalkMayBe) {
+  AMBLE_NEEDS_CAPTURES();
+  for (const bool start : {true, false}) {
+    const Sequence made(start ? kStartClip : kStopClip, start);
+    ASSERT_TRUE(made.sequence);
+    std::vector<double> channels(made.sequence->spline.rows());
+    const double from = -made.sequence->sway, length = TransitionSequence::kEnd - from;
+    constexpr int kMoments = 200;
+    double mean = 0.0;
+    for (int i = 0; i < kMoments; ++i) {
+      transitionAt(*made.sequence, from + length * (i + 0.5) / kMoments, channels);
+      mean += std::abs(channels[1]) / kMoments;
+    }
+    EXPECT_LT(mean, 0.02) << start;
   }
 }
 
