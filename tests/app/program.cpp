@@ -127,7 +127,10 @@ void InRoom::wallOff() const {
 }
 
 void InRoom::makeEndless() const {
-  wallOff();
+  write("in/room.yaml",
+        read("in/room.yaml") +
+            "  - {name: south, box: {size: [0.2, 1.8, 2.5]}, at: [4, 0.9, 1.25]}\n"
+            "  - {name: north, box: {size: [0.2, 1.8, 2.5]}, at: [4, 3.1, 1.25]}\n");
   write("in/scenario.yaml", kScenario + "planner: {max_failures: 1000000, time_limit: 600}\n");
 }
 
