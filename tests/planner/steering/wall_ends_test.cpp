@@ -11,12 +11,9 @@ namespace amble {
 namespace {
 
 // A floor to the north of y = 0, and more on it.
-struct EdgedFloor {
+struct EdgedFloor : FurnishedRoom {
   explicit EdgedFloor(std::vector<SceneObject> objects, const CharacterSettings& settings = {})
-      : scene(withFloor(std::move(objects))),
-        synthesizer(furnishedRoom().library, ground, settings),
-        world(scene, ground, synthesizer.skeleton(), body),
-        steering(synthesizer, world, ground) {}
+      : FurnishedRoom(withFloor(std::move(objects)), settings) {}
   static Scene withFloor(std::vector<SceneObject> objects) {
     Scene scene;
     scene.objects = std::move(objects);
@@ -27,12 +24,7 @@ struct EdgedFloor {
     return steering.shutOff({-3, 2, 0}, {3, 2, 0}, [] { return false; }, {&scratch, 1}).has_value();
   }
 
-  const Scene scene;
-  const SceneGround ground{scene};
-  const WalkSynthesizer synthesizer;
-  const Body body = uprightBody(synthesizer);
-  const CollisionWorld world;
-  const WalkSteering steering;
+  const WalkSteering steering{synthesizer, world, ground};
   const SteeringScratchPtr scratch = steering.makeScratch();
 };
 
