@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 #include "animation/captures/bvh.h"
 #include "base/error.h"
@@ -96,7 +97,8 @@ bool isKeptBeside(const std::filesystem::path& file, const std::string& skeleton
 // Whether another library or engine of the folder has its skeleton there, too.
 bool isShared(const std::filesystem::path& library, const std::string& skeleton) {
   const std::filesystem::path folder = std::filesystem::absolute(library).parent_path();
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  std::error_code unreadable;  // there is nothing beside it then
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
     if (entry.path().filename() != library.filename() && isKeptBeside(entry.path(), skeleton))
       return true;
   }
