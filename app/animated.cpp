@@ -67,9 +67,8 @@ void checkRequest(const WalkSynthesizer& synthesizer, const DemoRequest& request
   const double fastest_deg = synthesizer.maxTurnRate() / kDegree;
   const double asked_deg = request.turn_rate / kDegree;
   if (std::abs(asked_deg) > fastest_deg) {
-    throw InputError(
-        "amble animate: --turn", 0, fmt::format("is {:g} degrees/s", asked_deg),
-        fmt::format("-{0:.1f} to {0:.1f}, the fastest of the library's walks", fastest_deg));
+    throw InputError("amble animate: --turn", 0, fmt::format("is {:g} degrees/s", asked_deg),
+                     fmt::format("-{0:.1f} to {0:.1f}, as the library's turns go", fastest_deg));
   }
   checkRamp("--stride", request.stride, synthesizer.capturedStep(), 0.6, 1.4);
   checkRamp("--lift", request.lift, synthesizer.capturedLift(), 0.5, 3.0);

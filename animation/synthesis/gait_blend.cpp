@@ -153,7 +153,8 @@ GaitBlend::GaitBlend(const MotionLibrary& library, double scale, double speed) {
   layOut();
   joinTransitions(library, scale, speed);
   max_turn_rate_ =
-      both ? std::min(turns_[0].back().turn_rate, -turns_[1].back().turn_rate) : kNoTurns;
+      both ? (1.0 + kSamePace) * std::min(turns_[0].back().turn_rate, -turns_[1].back().turn_rate)
+           : kNoTurns;
 }
 
 GaitBlend::Pace GaitBlend::meanPace(const Cycles& cycles, int harmonics, double scale) {

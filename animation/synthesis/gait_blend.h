@@ -7,7 +7,8 @@
 /// mean and lowest harmonics, and brings its feet (SwingCycles). Which is which is told by each
 /// cycle's own measured turn rate. (The paper has left turns negative; ours are positive.)
 /// Beyond the captured paces nothing is extrapolated but the step: the slowest and the fastest walk
-/// are warped, turns are held at the fastest captured rate, the speed drops instead.
+/// are warped, turns are held at the fastest captured rate. A path may turn as much faster as two
+/// captures of one pace differ, since they stand for it; beyond, the speed drops instead.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,7 +36,8 @@ class GaitBlend {
   GaitBlend& operator=(const GaitBlend&) = delete;
 
   const StrideLaw& law() const { return law_; }
-  /// Fastest turn of the library's walks; without turns in the library kNoTurns [rad/s, > 0].
+  /// The pace of the library's fastest turns and kSamePace of it more; without turns in the library
+  /// kNoTurns [rad/s, > 0].
   double maxTurnRate() const { return max_turn_rate_; }
   static constexpr double kNoTurns = 0.5;           ///< that a straight walk may be bent to [rad/s]
   double stepWidth() const { return step_width_; }  ///< of the straight walk [m]

@@ -76,6 +76,8 @@ AnimateOptions::Uses AnimateOptions::ofTheWalk() const {
        [this] {
          EXPECT_NEAR(measured("--turn 20", "turn_rate"), 20.0, 0.5);
          EXPECT_NEAR(measured("--turn -20", "turn_rate"), -20.0, 0.5);
+         for (const char* const tall : {"--height 1.4", "--height 2"})
+           good(std::string("animate -o a.bvh --duration 6 --turn 60 --quality ") + tall);
        }},
       {"--stride", [this] { EXPECT_NEAR(measured("--stride 0.55", "step_length"), 0.55, 0.011); }},
       {"--lift", [this] { EXPECT_NEAR(measured("--lift 0.12", "lift"), 0.12, 0.0025); }},

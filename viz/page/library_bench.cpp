@@ -315,8 +315,7 @@ Json stepLawJson(const MotionLibrary& library, const NumbersText& numbers) {
           {"steps", Json::parse(numbers(steps, kOfLengths))},
           {"points", std::move(points)},
           {"first_speed", blend.law().onset().first_speed},
-          {"acceleration", blend.law().onset().acceleration},
-          {"most_turn_rate", blend.maxTurnRate() / kDegree}};
+          {"acceleration", blend.law().onset().acceleration}};
 }
 
 }  // namespace

@@ -206,6 +206,16 @@ TEST(GaitBlend, ScaleEnlargesLengthsAndSlowsByFroudesLaw) {
   EXPECT_LT((b.tail(b.size() - 3) - a.tail(a.size() - 3)).norm(), 1e-12);
 }
 
+TEST(GaitBlend, PathsMayTurnAsFastAsAnyTurnOfTheFastestPace) {
+  const GaitBlend blend(defaultLibrary(), 1.0);
+  for (const double sign : {1.0, -1.0}) {
+    const double fastest = largestOf([](const Motion& m) { return m.turning; },
+                                     [&](const WalkCycle& c) { return sign * c.turn_rate; });
+    EXPECT_GE(blend.maxTurnRate(), fastest);
+    EXPECT_LE(blend.maxTurnRate(), (1.0 + GaitBlend::kSamePace) * fastest);
+  }
+}
+
 TEST(GaitBlend, TurnsAreToldByTheirTurnRateNotByTheirName) {
   MotionLibrary renamed = defaultLibrary();
   for (Motion& motion : renamed.motions) {
