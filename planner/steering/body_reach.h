@@ -72,6 +72,8 @@ class BodyReach {
   static constexpr double kPostLow = 0.1, kPostHigh = 0.5, kPostRadius = 0.03;
   /// Of stature: of ankles over the height that feet are lifted over, at most.
   static constexpr double kAnkle = 0.14;
+  /// The feet of who has a ball at a place are no farther from there, of stature.
+  static constexpr double kFeet = 0.5;
   static constexpr double kLargest = 0.05;  ///< square [m]
   /// Square of a second flood of pelvis and chest, which are broad enough to be told by it of gaps
   /// as narrow as they are [m].
@@ -92,8 +94,9 @@ class BodyReach {
     /// The ground where the smaller of the two parts ends, and where the rest begins [m, World].
     Eigen::Vector3d near = Eigen::Vector3d::Zero(), far = Eigen::Vector3d::Zero();
   };
-  /// None says nothing. Cost: a few hundred nanoseconds a square, of the smaller part at most
-  /// twice; where there is much room some of a hundredth as many.
+  /// None says nothing. Cost: a few hundred nanoseconds a square, where there is a way of those
+  /// along it, else of the smaller part at most thrice; where there is much room some of a
+  /// hundredth as many.
   /// @param from, to  on the ground [m, World]
   /// @param scratches  one for each thread that may take part [1 or more]: a ball each
   /// @param stopped  asked now and then, by any thread; where it says so nothing is known
@@ -132,8 +135,6 @@ class BodyReach {
   const std::vector<Ball>& balls() const { return balls_; }
 
  private:
-  struct Around;
-  class Flood;
   UprightPost postAround(std::span<const Ball> balls) const;
   void addPost(const JointRoles& roles, const Body& body);
   void addFeet(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
