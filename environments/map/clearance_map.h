@@ -56,9 +56,17 @@ class ClearanceMap {
   int size() const { return static_cast<int>(places_.size()); }
   double cell() const { return cell_; }  ///< [m, > 0]
   Eigen::Vector3d at(int place) const {
-    return {min_.x() + cell_ * (cell_of_[place] % count_.x() + 0.5),
-            min_.y() + cell_ * (cell_of_[place] / count_.x() + 0.5), places_[place].height};
+    const Eigen::Vector2i cell = cellOf(place);
+    return {middle(0, cell.x()), middle(1, cell.y()), places_[place].height};
   }
+  double height(int place) const { return places_[place].height; }  ///< [m, World]
+  /// Cells along x and y, and those over which a place is, from 0 on.
+  Eigen::Vector2i cells() const { return count_; }
+  Eigen::Vector2i cellOf(int place) const {
+    return {cell_of_[place] % count_.x(), cell_of_[place] / count_.x()};
+  }
+  /// Where the middle of a column (axis 0) or row (axis 1) of cells is along that axis [m, World].
+  double middle(int axis, int cell) const { return min_[axis] + cell_ * (cell + 0.5); }
   /// Room to either side, at most kFarthest; negative where the body does not fit [m].
   double spare(int place) const { return places_[place].spare; }
   /// The place beside one, `dx` and `dy` cells on, to which a step leads [-1 to 1 each]; -1: none.

@@ -6,6 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "base/bucket_queue.h"
+
 namespace amble {
 namespace {
 
@@ -27,6 +29,7 @@ constexpr double kLevelNear = 0.3;     // somebody stands where it is level so f
 constexpr double kSameHeight = 0.02;   // [m]
 constexpr double kAcross = 0.3;        // to each side of a narrow place, for the way there [m]
 constexpr int kPlacesEvery = 1 << 12;  // places between looks at the clock
+constexpr float kBucket = 0.05f;       // of costs that are about as high [m]
 constexpr double kRoomInSight = 0.04;  // beside a straight line, where there is as much [m]
 
 constexpr std::array<std::array<int, 2>, 8> kAround = {
@@ -46,6 +49,7 @@ WayFinder::WayFinder(std::shared_ptr<const ClearanceMap> map, const Eigen::Vecto
 // How many times its length a way by this place counts.
 double WayFinder::factor(int place) const {
   const double spare = map_->spare(place);
+  if (spare >= kComfort) return 1.0 + penalty_[place];
   const double unease = kUnease * std::max(0.0, (kComfort - spare) / kComfort);
   const double squeeze = kSqueeze * std::max(0.0, spare / kTightest);
   return 1.0 + unease + squeeze + penalty_[place];
@@ -64,43 +68,58 @@ double WayFinder::tightest(int place) const {
   return least;
 }
 
-// Places from end to end; none where the map knows no way.
+// Of the distance to a place along an axis, for each column (axis 0) or row of cells, its square
+// [m^2].
+std::vector<double> WayFinder::squaresTo(const Eigen::Vector3d& goal, int axis) const {
+  std::vector<double> squares(map_->cells()[axis]);
+  for (size_t i = 0; i < squares.size(); ++i) {
+    const double off = map_->middle(axis, static_cast<int>(i)) - goal[axis];
+    squares[i] = off * off;
+  }
+  return squares;
+}
+
+// Places from end to end; none where the map knows no way. A place goes on again only once it is
+// known to be reached at less cost.
 std::vector<int> WayFinder::cheapest() const {
   if (from_ < 0 || to_ < 0) return {};
   const double diagonal = std::hypot(1, 1);
   const Eigen::Vector3d goal = map_->at(to_);
+  const std::vector<double> along_x = squaresTo(goal, 0), along_y = squaresTo(goal, 1);
   struct Reached {
     float cost = HUGE_VALF;
     int before = -1;
   };
   std::vector<Reached> reached(map_->size());
-  using Entry = std::pair<float, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
-  const auto least = [&](int place) {
-    return static_cast<float>((map_->at(place) - goal).head<2>().norm());
+  std::vector<bool> went_on(map_->size(), false);
+  BucketQueue open(kBucket);
+  const auto reach = [&](int place, int x, int y, const Reached& by) {
+    reached[place] = by;
+    went_on[place] = false;
+    const float least = static_cast<float>(std::sqrt(along_x[x] + along_y[y]));
+    open.push(by.cost + least, place);
   };
-  reached[from_].cost = 0.0f;
-  open.emplace(least(from_), from_);
+  const Eigen::Vector2i begin = map_->cellOf(from_);
+  reach(from_, begin.x(), begin.y(), {0.0f, -1});
   for (long long i = 0; !open.empty(); ++i) {
     if (i % kPlacesEvery == 0 && stopped_()) return {};
-    const auto [estimate, place] = open.top();
-    open.pop();
+    const int place = open.pop();
     if (place == to_) break;
+    if (went_on[place]) continue;
+    went_on[place] = true;
     const float cost = reached[place].cost;
-    if (estimate > cost + least(place) + 1e-4f) continue;
+    const Eigen::Vector2i cell = map_->cellOf(place);
     for (const auto& [dx, dy] : kAround) {
       const int other = map_->beside(place, dx, dy);
       if (other < 0) continue;
-      const double rise = std::abs(map_->at(other).z() - map_->at(place).z());
+      const double rise = std::abs(map_->height(other) - map_->height(place));
       const double length =
           map_->cell() * (dx != 0 && dy != 0 ? diagonal : 1.0) + kWayOfClimb * rise;
       // No factor is less than 1: most places are known to be reached as well already.
       if (cost + static_cast<float>(length) >= reached[other].cost) continue;
       if (map_->spare(other) < kTightest && map_->spare(other) < tightest(other)) continue;
       const float total = cost + static_cast<float>(length * factor(other));
-      if (total >= reached[other].cost) continue;
-      reached[other] = {total, place};
-      open.emplace(total + least(other), other);
+      if (total < reached[other].cost) reach(other, cell.x() + dx, cell.y() + dy, {total, place});
     }
   }
   std::vector<int> way;

@@ -31,6 +31,7 @@ class WayFinder : public WayGuide {
   std::optional<Narrow> narrowest() const override;
 
  private:
+  std::vector<double> squaresTo(const Eigen::Vector3d& goal, int axis) const;
   std::vector<int> cheapest() const;
   std::vector<int> widest() const;
   double factor(int place) const;
