@@ -11,8 +11,8 @@
 /// A guide for the search, which proves nothing: cells are 5 cm, distances are of their middles,
 /// and bodies sway. Distances spread from obstacle cells to their neighbours, each of which knows
 /// the obstacle that is nearest to it (P.-E. Danielsson, "Euclidean distance mapping", Computer
-/// Graphics and Image Processing 14, 1980), over ground that steps join. Cost: linear in places,
-/// and in the cells that obstacles lie over.
+/// Graphics and Image Processing 14, 1980), over ground that steps join (ClearanceStrip). Cost:
+/// linear in places, and in the cells that obstacles lie over.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -22,7 +22,6 @@
 #include <vector>
 
 #include "environments/ground/scene_ground.h"
-#include "environments/scene/triangle_grid.h"
 
 namespace amble {
 
@@ -46,11 +45,13 @@ class ClearanceMap {
   /// Coarser ones where there would be more: beyond 210 x 210 m.
   static constexpr double kMostCells = 18e6;
 
-  /// Of the ground within `bounds`. @param stopped  asked now and then: where it says so the map is
-  /// left empty. @throws std::invalid_argument for more bands than kMostBands
+  /// Of the ground within `bounds`. @param stopped  asked now and then, by any thread: where it
+  /// says so the map is left empty. @param threads  that make it; it is the same for any number [>=
+  /// 1]
+  /// @throws std::invalid_argument for more bands than kMostBands
   ClearanceMap(
       const SceneGround& ground, const Eigen::AlignedBox2d& bounds, const Breadth& body,
-      const std::function<bool()>& stopped = [] { return false; });
+      const std::function<bool()>& stopped = [] { return false; }, int threads = 1);
 
   /// Places are numbered from 0.
   int size() const { return static_cast<int>(places_.size()); }
@@ -86,40 +87,29 @@ class ClearanceMap {
   int placeAt(const Eigen::Vector3d& p) const;
 
  private:
-  // What a place's spare room is measured to: so many cells away.
-  struct Source {
-    std::int16_t dx = 0, dy = 0;
-    std::int8_t band = kFeet;  // of the body; kMostBands fit
-    bool waits = false;        // the place is in the queue
+  friend class ClearanceStrip;
+
+  struct Place {
+    float height, spare;  // [m]
   };
-  static constexpr int kFeet = -1;
+  // The same of some rows, with where the places of each of their cells end.
+  struct Rows {
+    std::vector<int> cell_of, end;
+    std::vector<Place> places;
+  };
 
   // False where they are stopped.
-  bool layPlaces(const SceneGround& ground, const Eigen::AlignedBox2d& bounds,
+  bool layPlaces(const SceneGround& ground, const Eigen::AlignedBox2d& bounds, int threads,
                  const std::function<bool()>& stopped);
-  bool markObstacles(const SceneGround& ground, const std::function<bool()>& stopped);
-  bool spread(const std::function<bool()>& stopped);
-  void fetchAhead(size_t next) const;
-  void markEdges();
-  void markTriangle(const Triangle3& t);
-  // Heights of something, and of the first bands those that it is in at some place of all, and at
-  // every place.
-  struct Between {
-    double low, high;     // [m]
-    bool others = false;  // whether there are more bands
-    std::uint8_t at_some = 0, at_all = 0;
-  };
-  Between between(double low, double high) const;
-  bool isNewsTo(const Eigen::Vector2i& cell, const Between& heights);
-  bool mayBeNews(const Triangle3& t, const Between& heights);
-  Eigen::Vector2i cellAt(const Eigen::Vector2d& p) const;
-  void markColumn(const Eigen::Vector2i& at, double low, double high);
-  template <typename Visit>
-  bool anyOver(const Eigen::Vector2i& at, double low, double high, Visit visit) const;
-  void measureDistances();
-  double spareFrom(const Source& source) const;
-  bool isNews(int place, double spare) const;
-  void see(int place, const Source& source);
+  bool layRows(const GroundCells& squares, int begin, int end, const std::function<bool()>& stopped,
+               Rows& rows) const;
+  void append(Rows rows);
+  // Where the i-th of so many blocks of rows begins.
+  int rowsBefore(int i, int blocks) const {
+    return static_cast<int>(static_cast<long long>(count_.y()) * i / blocks);
+  }
+  int firstOfRow(int row) const { return start_[static_cast<size_t>(row) * count_.x()]; }
+  bool measure(const SceneGround& ground, int threads, const std::function<bool()>& stopped);
 
   Breadth body_;
   Eigen::Vector2d min_{0, 0};
@@ -128,20 +118,7 @@ class ClearanceMap {
   double step_ = 0.0;         // highest [m]
   std::vector<int> start_;    // of each cell's places, lowest first; x fastest; and the end
   std::vector<int> cell_of_;  // by place
-  struct Place {
-    float height, spare;  // [m]
-  };
   std::vector<Place> places_;
-  std::vector<Source> source_;  // by place, while the map is built
-  // By cell, while the map is built: a bit for each of the first bands in which nothing over the
-  // cell is news to any place any more.
-  static constexpr int kBandsDone = 8;
-  std::vector<std::uint8_t> done_;
-  float lowest_ = HUGE_VALF, highest_ = -HUGE_VALF;  // of all places [m]
-  std::vector<int> queue_;  // places that saw something nearer, while the map is built
-  // To an obstacle so many cells away along x and y, while the map is built [m].
-  std::vector<double> distance_;
-  int far_ = 0;  // cells along a side of these
 };
 
 }  // namespace amble

@@ -206,7 +206,8 @@ std::optional<Obstruction> Plan::whyNot(const LegPlanner& planner) const {
 // How far one gets on the leg that is not walked.
 void Plan::tellReached() {
   if (outcome_.status == PlanStatus::kStartBlocked || !outcome_.why) return;
-  const auto room = steering_.map(request_.bounds, [&] { return request_.limits.stopped(); });
+  const auto room = steering_.map(
+      request_.bounds, [&] { return request_.limits.stopped(); }, request_.limits.threads);
   if (!room) return;
   outcome_.reached = reachedRegion(*room, stops_[leg_].stance.position,
                                    stops_[leg_ + 1].stance.position, outcome_.why->at);

@@ -349,7 +349,8 @@ std::unique_ptr<WayGuide> SampledRoadmap::findWays(const Eigen::Vector3d& from,
   std::unique_ptr<WayGuide> guide;
   parallelFor(2, limits.threads, [&](int i, int) {
     if (i == 0)
-      guide = steering_.guide(from, to, sampler_.bounds(), [&] { return limits.stopped(); });
+      guide = steering_.guide(
+          from, to, sampler_.bounds(), [&] { return limits.stopped(); }, limits.threads);
     else if (!passages_)
       passages_ = steering_.passages();
   });
@@ -418,9 +419,9 @@ void SampledRoadmap::followWaysNear(int from, int to, const SearchLimits& limits
   const auto place = [&](int node) { return roadmap_.nodes()[node].at.stance.position; };
   Eigen::AlignedBox2d ends(place(from).head<2>());
   ends.extend(place(to).head<2>().eval());
-  const auto guide = steering_.guide(place(from), place(to),
-                                     sampler_.bounds().intersection(grown(ends, kFirstMargin)),
-                                     [&] { return limits.stopped(); });
+  const auto guide = steering_.guide(
+      place(from), place(to), sampler_.bounds().intersection(grown(ends, kFirstMargin)),
+      [&] { return limits.stopped(); }, limits.threads);
   if (guide) followWays(*guide, from, to, limits, scratches);
 }
 

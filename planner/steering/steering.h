@@ -163,10 +163,11 @@ class Steering {
   virtual std::vector<StancePair> passages() const { return {}; }
 
   /// Ways within bounds that may lead from one place to another; null where it knows of none.
-  /// @param stopped  asked now and then: where it says so there are none
+  /// @param stopped  asked now and then, by any thread: where it says so there are none
+  /// @param threads  that may look for them [>= 1]; what they find does not depend on how many
   virtual std::unique_ptr<WayGuide> guide(const Eigen::Vector3d&, const Eigen::Vector3d&,
-                                          const Eigen::AlignedBox2d&,
-                                          const std::function<bool()>&) const {
+                                          const Eigen::AlignedBox2d&, const std::function<bool()>&,
+                                          int /*threads*/) const {
     return nullptr;
   }
 

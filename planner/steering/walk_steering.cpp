@@ -147,17 +147,19 @@ std::vector<StancePair> WalkSteering::passages() const {
 std::unique_ptr<WayGuide> WalkSteering::guide(const Eigen::Vector3d& from,
                                               const Eigen::Vector3d& to,
                                               const Eigen::AlignedBox2d& bounds,
-                                              const std::function<bool()>& stopped) const {
-  auto room = map(bounds, stopped);
+                                              const std::function<bool()>& stopped,
+                                              int threads) const {
+  auto room = map(bounds, stopped, threads);
   if (!room) return nullptr;
   return std::make_unique<WayFinder>(std::move(room), from, to, synthesizer_.shortestWalk(),
                                      stopped);
 }
 
 std::shared_ptr<const ClearanceMap> WalkSteering::map(const Eigen::AlignedBox2d& bounds,
-                                                      const std::function<bool()>& stopped) const {
+                                                      const std::function<bool()>& stopped,
+                                                      int threads) const {
   if (breadth_.bands.empty()) return nullptr;
-  return std::make_shared<const ClearanceMap>(ground_, bounds, breadth_, stopped);
+  return std::make_shared<const ClearanceMap>(ground_, bounds, breadth_, stopped, threads);
 }
 
 namespace {

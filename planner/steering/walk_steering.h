@@ -59,7 +59,7 @@ class WalkSteering : public Steering {
   std::vector<StancePair> passages() const override;
   std::unique_ptr<WayGuide> guide(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                   const Eigen::AlignedBox2d& bounds,
-                                  const std::function<bool()>& stopped) const override;
+                                  const std::function<bool()>& stopped, int threads) const override;
   std::optional<SteeringFailure> shutOff(
       const Eigen::Vector3d& from, const Eigen::Vector3d& to, const std::function<bool()>& stopped,
       std::span<const SteeringScratchPtr> scratches) const override;
@@ -76,7 +76,8 @@ class WalkSteering : public Steering {
 
   /// The room that the walking body has; null where its breadth is not known.
   std::shared_ptr<const ClearanceMap> map(const Eigen::AlignedBox2d& bounds,
-                                          const std::function<bool()>& stopped) const;
+                                          const std::function<bool()>& stopped,
+                                          int threads = 1) const;
 
   /// The same as steer(), and the proposal whose refusal it answers with; none where the two
   /// waypoints have no root path between them.

@@ -268,6 +268,31 @@ TEST(ClearanceMapLaws, APartOfTheRoomIsMappedAsTheWholeAwayFromItsEdge) {
   EXPECT_GT(compared, 1000);
 }
 
+// Strips of the room, each with some of what is beside it, are made one by one: among things on the
+// ground and above it, below a gallery, under a beam, and for bodies of which more is beside them.
+TEST(ClearanceMapLaws, IsTheSameToTheBitHoweverManyThreadsMakeIt) {
+  for (const std::uint64_t seed : {31, 32, 33, 34, 35, 36}) {
+    auto objects = drawnThings(seed, 60);
+    if (seed % 2 == 0) objects.push_back(makeObject("gallery", Box{{4, 3, 0.2}}, {-2, 1, 2.6}));
+    if (seed % 3 == 0) objects.push_back(makeObject("beam", Box{{9, 0.3, 0.2}}, {0, 0.4, 1.5}));
+    ClearanceMap::Breadth body = kWalker;
+    for (ClearanceMap::Band& band : body.bands) band.half_breadth += seed % 3 == 1 ? 0.3 : 0.0;
+    const Scene scene = sceneOf(std::move(objects));
+    const SceneGround ground(scene);
+    const auto never = [] { return false; };
+    const ClearanceMap one(ground, kRoomOfMap, body);
+    ASSERT_GT(one.size(), 20000);
+    for (const int threads : {2, 3, 5, 64}) {
+      const ClearanceMap many(ground, kRoomOfMap, body, never, threads);
+      ASSERT_EQ(many.size(), one.size()) << threads;
+      for (int place = 0; place < one.size(); ++place) {
+        ASSERT_EQ(many.at(place), one.at(place)) << threads << " " << place;
+        ASSERT_EQ(many.spare(place), one.spare(place)) << threads << " " << place;
+      }
+    }
+  }
+}
+
 TEST(ClearanceMapLaws, StoppedAtAnyMomentItIsEmptyElseItIsWhole) {
   const Scene scene = sceneOf(drawnThings(18, 10));
   const SceneGround ground(scene);

@@ -156,8 +156,8 @@ TEST_F(KeptTwoRooms, AFilledRoadmapEndsAtItsFailuresAndIsTheSameAtAnyNumberOfThr
 class GuidedDisc : public DiscSteering {
  public:
   std::unique_ptr<WayGuide> guide(const Eigen::Vector3d& from, const Eigen::Vector3d&,
-                                  const Eigen::AlignedBox2d&,
-                                  const std::function<bool()>&) const override {
+                                  const Eigen::AlignedBox2d&, const std::function<bool()>&,
+                                  int) const override {
     struct Way : WayGuide {
       std::vector<Stance> stances;
       std::optional<std::vector<Stance>> next() override {

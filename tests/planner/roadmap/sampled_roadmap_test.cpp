@@ -68,8 +68,8 @@ class GuidedRooms : public DiscSteering {
   mutable std::vector<Eigen::Vector3d> avoided;
 
   std::unique_ptr<WayGuide> guide(const Eigen::Vector3d&, const Eigen::Vector3d&,
-                                  const Eigen::AlignedBox2d&,
-                                  const std::function<bool()>&) const override {
+                                  const Eigen::AlignedBox2d&, const std::function<bool()>&,
+                                  int) const override {
     return std::make_unique<Guide>(*this);
   }
   std::optional<SteeringFailure> shutOff(const Eigen::Vector3d&, const Eigen::Vector3d&,
