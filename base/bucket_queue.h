@@ -43,6 +43,13 @@ class BucketQueue {
     }
     entries.push_back(keyOf(value, number));
   }
+  /// A number that comes out soon, likely next; -1: none is known.
+  int soon() const {
+    if (!heap_.empty()) return numberOf(heap_.front());
+    for (size_t i = now_ + 1; i < std::min(buckets_.size(), now_ + 1 + kLookedAt); ++i)
+      if (!buckets_[i].empty()) return numberOf(buckets_[i].front());
+    return -1;
+  }
   /// The number of the least, which is taken out. @pre not empty()
   int pop() {
     while (heap_.empty()) goOn();
@@ -50,7 +57,7 @@ class BucketQueue {
     std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
     const std::uint64_t key = heap_.back();
     heap_.pop_back();
-    return static_cast<int>(key & 0xffffffffu);
+    return numberOf(key);
   }
 
  private:
@@ -59,11 +66,14 @@ class BucketQueue {
     return static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(value)) << 32 |
            static_cast<std::uint32_t>(number);
   }
+  static int numberOf(std::uint64_t key) { return static_cast<int>(key & 0xffffffffu); }
   void goOn() {
     heap_.swap(buckets_[++now_]);
     if (buckets_[now_].capacity() > 0) emptied_.push_back(std::move(buckets_[now_]));
     std::make_heap(heap_.begin(), heap_.end(), std::greater<>());
   }
+
+  static constexpr size_t kLookedAt = 8;  // buckets for what comes out soon
 
   float per_breadth_;
   size_t size_ = 0, now_ = 0;

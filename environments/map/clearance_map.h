@@ -16,6 +16,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -82,6 +83,16 @@ class ClearanceMap {
       best = i;
     }
     return best;
+  }
+  /// Has the memory fetched that beside() reads of a place. @return a place of each row there, or
+  /// the end of all, by which whoever knows more of places may have that fetched
+  std::array<int, 3> fetch(int place) const {
+    std::array<int, 3> rows;
+    for (int row = 0; row < 3; ++row) {
+      rows[row] = start_[cell_of_[place] + (row - 1) * count_.x()];
+      __builtin_prefetch(places_.data() + rows[row]);
+    }
+    return rows;
   }
   /// That which somebody stands on at p, or the nearest to it within a few cells; -1: none.
   int placeAt(const Eigen::Vector3d& p) const;

@@ -8,7 +8,6 @@ namespace {
 
 // Things lie over cells so far beside them, and corners of cells on round numbers [m].
 constexpr double kBesideCell = 1e-6;
-constexpr double kLeastGain = 1e-4;  // smaller improvements of a distance are not passed on [m]
 constexpr int kStopEvery = 1 << 12;  // triangles or places between looks at the clock
 // Cells around one without ground whose places see what is over it.
 constexpr int kBesideGround = 3;
@@ -52,10 +51,6 @@ ClearanceStrip::ClearanceStrip(const ClearanceMap& map, const ClearanceReach& re
 bool ClearanceStrip::measure(const SceneGround& ground, const std::function<bool()>& stopped) {
   markEdges();
   return markObstacles(ground, stopped) && spread(stopped);
-}
-
-bool ClearanceStrip::isNews(int place, double spare) const {
-  return spare <= seen_[place - first_].spare - kLeastGain;
 }
 
 // A place that waits in the queue already passes on what it has seen by then.

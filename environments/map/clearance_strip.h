@@ -78,6 +78,9 @@ class ClearanceStrip {
     std::uint8_t at_some = 0, at_all = 0;
   };
 
+  // Smaller improvements of a distance are not passed on [m].
+  static constexpr double kLeastGain = 1e-4;
+
   bool has(int place) const { return place >= first_ && place < end_; }
   void markEdges();
   bool markObstacles(const SceneGround& ground, const std::function<bool()>& stopped);
@@ -91,7 +94,9 @@ class ClearanceStrip {
   Eigen::Vector2i cellAt(const Eigen::Vector2d& p) const;
   template <typename Visit>
   bool anyOver(const Eigen::Vector2i& at, double low, double high, Visit visit) const;
-  bool isNews(int place, double spare) const;
+  bool isNews(int place, double spare) const {
+    return spare <= seen_[place - first_].spare - kLeastGain;
+  }
   void see(int place, const Source& source, double spare);
 
   const ClearanceMap& map_;

@@ -29,11 +29,34 @@ constexpr double kLevelNear = 0.3;     // somebody stands where it is level so f
 constexpr double kSameHeight = 0.02;   // [m]
 constexpr double kAcross = 0.3;        // to each side of a narrow place, for the way there [m]
 constexpr int kPlacesEvery = 1 << 12;  // places between looks at the clock
-constexpr float kBucket = 0.05f;       // of costs that are about as high [m]
+constexpr float kBucket = 0.002f;      // of costs that are about as high [m]
 constexpr double kRoomInSight = 0.04;  // beside a straight line, where there is as much [m]
 
 constexpr std::array<std::array<int, 2>, 8> kAround = {
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+
+// Of the distance to a place along an axis, for each column (axis 0) or row of cells, its square
+// [m^2].
+std::vector<double> squaresTo(const ClearanceMap& map, int place, int axis) {
+  std::vector<double> squares(map.cells()[axis]);
+  const double there = map.middle(axis, map.cellOf(place)[axis]);
+  for (size_t i = 0; i < squares.size(); ++i) {
+    const double off = map.middle(axis, static_cast<int>(i)) - there;
+    squares[i] = off * off;
+  }
+  return squares;
+}
+
+// Distances in plan from the cells of a map to one of its places, without a multiplication.
+class DistanceTo {
+ public:
+  DistanceTo(const ClearanceMap& map, int place)
+      : along_x_(squaresTo(map, place, 0)), along_y_(squaresTo(map, place, 1)) {}
+  double from(int x, int y) const { return std::sqrt(along_x_[x] + along_y_[y]); }  // [m]
+
+ private:
+  std::vector<double> along_x_, along_y_;
+};
 
 }  // namespace
 
@@ -68,24 +91,12 @@ double WayFinder::tightest(int place) const {
   return least;
 }
 
-// Of the distance to a place along an axis, for each column (axis 0) or row of cells, its square
-// [m^2].
-std::vector<double> WayFinder::squaresTo(const Eigen::Vector3d& goal, int axis) const {
-  std::vector<double> squares(map_->cells()[axis]);
-  for (size_t i = 0; i < squares.size(); ++i) {
-    const double off = map_->middle(axis, static_cast<int>(i)) - goal[axis];
-    squares[i] = off * off;
-  }
-  return squares;
-}
-
 // Places from end to end; none where the map knows no way. A place goes on again only once it is
 // known to be reached at less cost.
 std::vector<int> WayFinder::cheapest() const {
   if (from_ < 0 || to_ < 0) return {};
-  const double diagonal = std::hypot(1, 1);
-  const Eigen::Vector3d goal = map_->at(to_);
-  const std::vector<double> along_x = squaresTo(goal, 0), along_y = squaresTo(goal, 1);
+  const double diagonal = map_->cell() * std::hypot(1, 1);
+  const DistanceTo goal(*map_, to_);
   struct Reached {
     float cost = HUGE_VALF;
     int before = -1;
@@ -96,8 +107,7 @@ std::vector<int> WayFinder::cheapest() const {
   const auto reach = [&](int place, int x, int y, const Reached& by) {
     reached[place] = by;
     went_on[place] = false;
-    const float least = static_cast<float>(std::sqrt(along_x[x] + along_y[y]));
-    open.push(by.cost + least, place);
+    open.push(by.cost + static_cast<float>(goal.from(x, y)), place);
   };
   const Eigen::Vector2i begin = map_->cellOf(from_);
   reach(from_, begin.x(), begin.y(), {0.0f, -1});
@@ -107,14 +117,18 @@ std::vector<int> WayFinder::cheapest() const {
     if (place == to_) break;
     if (went_on[place]) continue;
     went_on[place] = true;
+    // Waiting for memory is most of what it costs on a large map.
+    if (const int soon = open.soon(); soon >= 0)
+      for (const int row : map_->fetch(soon)) __builtin_prefetch(reached.data() + row);
     const float cost = reached[place].cost;
+    const double height = map_->height(place);
     const Eigen::Vector2i cell = map_->cellOf(place);
     for (const auto& [dx, dy] : kAround) {
       const int other = map_->beside(place, dx, dy);
       if (other < 0) continue;
-      const double rise = std::abs(map_->height(other) - map_->height(place));
-      const double length =
-          map_->cell() * (dx != 0 && dy != 0 ? diagonal : 1.0) + kWayOfClimb * rise;
+      double length = dx != 0 && dy != 0 ? diagonal : map_->cell();
+      if (map_->height(other) != height)
+        length += kWayOfClimb * std::abs(map_->height(other) - height);
       // No factor is less than 1: most places are known to be reached as well already.
       if (cost + static_cast<float>(length) >= reached[other].cost) continue;
       if (map_->spare(other) < kTightest && map_->spare(other) < tightest(other)) continue;
