@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
+#include "base/union_find.h"
 #include "environments/ground/ground_cells.h"
 #include "environments/ground/scene_ground.h"
 #include "tests/environments/random_scenes.h"
@@ -354,6 +356,49 @@ TEST(GroundLaws, WhatIsStandableBelongsToAPartAndGroundToAFloor) {
     }
   }
   EXPECT_EQ(most, cells.layers());
+}
+
+// However its rows are shared out among threads: by sets of all that is over all squares.
+TEST(GroundLaws, PartsAreWhatStepsJoinOverUpToThreeSquares) {
+  constexpr int kReach = 3;
+  for (const std::uint64_t seed : {41, 42, 43}) {
+    const Storeys storeys(seed);
+    const GroundCells& cells = storeys.ground.cells();
+    const double step = storeys.ground.settings().limits.highestStep();
+    std::vector<int> first = {0};  // of each square's spans
+    for (int row = 0; row < cells.rows(); ++row)
+      for (int column = 0; column < cells.columns(); ++column)
+        first.push_back(first.back() + static_cast<int>(cells.spans(column, row).size()));
+    const auto number = [&](int column, int row) { return first[row * cells.columns() + column]; };
+    UnionFind sets(first.back());
+    std::vector<int> part(first.back(), -1);
+    for (int row = 0; row < cells.rows(); ++row) {
+      for (int column = 0; column < cells.columns(); ++column) {
+        const auto here = cells.spans(column, row);
+        for (size_t i = 0; i < here.size(); ++i) {
+          part[number(column, row) + i] = here[i].part;
+          if (!here[i].standable) continue;
+          for (int far = 1; far <= kReach; ++far) {
+            for (const auto& [x, y] : {std::pair(column + far, row), {column, row + far}}) {
+              const auto there = cells.spans(x, y);
+              for (size_t k = 0; k < there.size(); ++k) {
+                if (there[k].standable && std::abs(there[k].height - here[i].height) <= step)
+                  sets.join(number(column, row) + static_cast<int>(i),
+                            number(x, y) + static_cast<int>(k));
+              }
+            }
+          }
+        }
+      }
+    }
+    std::map<int, int> set_of_part, part_of_set;
+    for (int i = 0; i < sets.size(); ++i) {
+      if (part[i] < 0) continue;
+      ASSERT_EQ(set_of_part.try_emplace(part[i], sets.find(i)).first->second, sets.find(i)) << i;
+      ASSERT_EQ(part_of_set.try_emplace(sets.find(i), part[i]).first->second, part[i]) << i;
+    }
+    EXPECT_GT(part_of_set.size(), 3u);
+  }
 }
 
 TEST(GroundLaws, WhoClimbsMoreHasNoLessGround) {
