@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kMostSquares = 1e8;       // of a flood; larger ones are not begun
 constexpr size_t kMostOfReport = 4000000;  // of a part that is flooded to be told of only
+constexpr double kStackLevels = 0.02;      // between heights at which a stack is tried [m]
 constexpr double kLevels = 0.03;           // between heights at which a ball is tried [m]
 constexpr int kFinerLevels = 4;            // so many between two of them
 constexpr int kStopEvery = 1 << 10;        // squares between looks at the clock
@@ -94,6 +95,26 @@ int BallFlood::touchedOnUneven(const Eigen::Vector2d& p, const Eigen::AlignedBox
                         : touchedAtAll(p, std::max(low, upright), high, radius);
 }
 
+// However high the hips are. What is between two heights that are tried is so near to one of them.
+int BallFlood::touchedByStack(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet) const {
+  const std::vector<StackedBall>& stack = ball_.stack.balls;
+  const double low = feet.min()[0] - ball_.stack.dip - BodyReach::kDip;
+  const double high = feet.max()[0] + ball_.stack.rise + BodyReach::kRise;
+  const int any = touched(p, low + stack.front().height, high + stack.back().height, ball_.radius);
+  if (any < 0) return kNothing;
+  const int count = 1 + static_cast<int>((high - low) / kStackLevels);
+  const double step = (high - low) / count, less = 0.5 * step + std::sqrt(0.5) * square_;
+  for (int i = 0; i < count; ++i) {
+    const double z = low + (i + 0.5) * step;
+    const bool is_touched = std::ranges::any_of(stack, [&](const StackedBall& own) {
+      const double radius = own.radius - less;
+      return radius > 0.0 && touched(p, z + own.height, z + own.height, radius) >= 0;
+    });
+    if (!is_touched) return kNothing;
+  }
+  return any;
+}
+
 // What the ball touches wherever in the square it is, kNothing: perhaps nothing; kNoGround where it
 // would touch nothing, but none of the square is where somebody is who stands on ground.
 int BallFlood::object(const Eigen::Vector2d& p) {
@@ -111,6 +132,7 @@ int BallFlood::thing(const Eigen::Vector2d& p) {
   if (feet.isEmpty()) return kNothing;
   const double rise = feet.sizes()[0], radius = ball_.radius - std::sqrt(0.5) * square_;
   if (rise > ball_.most_rise) return kNothing;
+  if (!ball_.stack.balls.empty()) return touchedByStack(p, feet);
   const double low = feet.min()[0] + ball_.height;
   // Feet are lifted by as much more as one print is over the other.
   const double high = feet.max()[0] + ball_.highest + (ball_.isFoot() ? rise : 0.0);

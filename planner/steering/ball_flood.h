@@ -34,7 +34,7 @@ struct FloodGround {
   FloodGround(const SceneGround& ground, const ReachedGround& reached, double stature,
               double longest_step, double high, double beyond);
   const NearGround& near(const BodyReach::Ball& ball) const {
-    return ball.post ? near_post : ball.isLeg() ? near_legs : near_body;
+    return ball.post ? near_post : ball.beyond < BodyReach::kBeyond ? near_legs : near_body;
   }
 
   GroundRange range;
@@ -76,6 +76,7 @@ class BallFlood {
   int touchedAtAll(const Eigen::Vector2d& p, double low, double high, double radius) const;
   Eigen::AlignedBox1d carried(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet);
   int touchedOnUneven(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet, double radius);
+  int touchedByStack(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet) const;
   int object(const Eigen::Vector2d& p);
   int thing(const Eigen::Vector2d& p);
   std::uint8_t look(int square, std::uint8_t if_open);

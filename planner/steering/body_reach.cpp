@@ -17,6 +17,9 @@
 namespace amble {
 namespace {
 
+constexpr double kSureWaist = 0.9;     // of what thigh and pelvis hold together
+constexpr double kStackMargin = 0.01;  // of poses that are not those of a straight walk [m]
+
 constexpr double kMostFinest = 2e6;  // squares of the second flood; larger ones are not begun
 // Of a ball's radius, half a square's diagonal.
 constexpr double kOfRadius = 0.4;
@@ -30,6 +33,15 @@ constexpr double kOpenSquare = 0.2, kFinerOpenSquare = 0.04;
 double mostOfLift(double tau) {
   const double ramp = *std::ranges::min_element(SwingSearch::kRamps);
   return tau <= 0.0 ? 0.0 : minimumJerk(tau / ramp) * minimumJerk((1.0 - tau) / ramp);
+}
+
+// Of two balls, their middles so far apart: the circle in which they meet, than which nothing of
+// what bounds the two together is nearer to any point of the line between the middles.
+double waistOf(double a, double b, double apart) {
+  if (apart >= a + b) return 0.0;
+  const double x = (apart * apart + a * a - b * b) / (2.0 * apart);
+  if (!(x > 0.0) || x >= apart) return std::min(a, b);  // that circle is not between them
+  return std::sqrt(std::max(0.0, a * a - x * x));
 }
 
 }  // namespace
@@ -76,8 +88,60 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
     if (a.isTrunk() != b.isTrunk()) return b.isTrunk();
     return a.radius > b.radius;
   });
+  addCrossings(walk, skeleton, roles, body);
+  for (TrunkStack& stack : trunkStacks(walk, skeleton, roles, body, kStackMargin))
+    addStack(std::move(stack));
   addFeet(walk, skeleton, roles, body, highest_lift);
   addPost(roles, body);
+}
+
+// Legs cross any height between an ankle and the middle of the pelvis once: from the height of the
+// ball that there is to where that middle is at least, evenly.
+void BodyReach::addCrossings(const StraightWalk& walk, const Skeleton& skeleton,
+                             const JointRoles& roles, const Body& body) {
+  const auto leg = std::ranges::find_if(balls_, &Ball::isLeg);
+  const auto hips = std::ranges::find(body.parts, roles.hips, &BodyPart::joint);
+  if (leg == balls_.end() || hips == body.parts.end()) return;
+  const auto pelvis = std::ranges::find(balls_, hips - body.parts.begin(), &Ball::part);
+  Ball ball = *leg;
+  ball.most_rise = SceneGround::kLevel;
+  ball.aside = kOfLegs;
+  ball.beyond = kBeyond;
+  std::vector<JointFrame> joints(skeleton.size());
+  std::vector<Eigen::Vector3d> from(body.parts.size()), to(body.parts.size());
+  for (int frame = 0; frame < walk.buffer.size(); ++frame) {
+    forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
+    placeBody(body, joints, from, to);
+    const size_t of_hips = hips - body.parts.begin();
+    const Eigen::Vector3d middle = 0.5 * (from[of_hips] + to[of_hips]);
+    for (size_t i = 0; i < body.parts.size(); ++i) {
+      const BodyPart& thigh = body.parts[i];
+      if (thigh.joint != roles.legs[kLeft].up_leg && thigh.joint != roles.legs[kRight].up_leg)
+        continue;
+      const double waist = waistOf(thigh.radius, hips->radius, (from[i] - middle).norm());
+      ball.radius = std::min({ball.radius, thigh.radius, kSureWaist * waist});
+    }
+  }
+  if (ball.radius <= 0.0) return;
+  const double lowest = leg->height, way = pelvis->height - lowest;
+  const int count =
+      static_cast<int>(std::ceil(way / (kThinnest + 2.0 * (1.0 - kOfRadius) * ball.radius)));
+  for (int i = 1; i <= count; ++i) {
+    ball.height = ball.highest = ball.top = lowest + way * i / count;
+    balls_.push_back(ball);
+  }
+}
+
+void BodyReach::addStack(TrunkStack stack) {
+  Ball ball;
+  for (const StackedBall& own : stack.balls) ball.radius = std::max(ball.radius, own.radius);
+  ball.part = stack.balls.back().part;
+  ball.height = stack.balls.front().height - stack.dip - kDip;
+  ball.highest = ball.top = stack.balls.back().height + stack.rise + kRise;
+  ball.most_rise = SceneGround::kLevel;
+  ball.aside = kOfLegs;
+  ball.stack = std::move(stack);
+  balls_.push_back(std::move(ball));
 }
 
 void BodyReach::addPost(const JointRoles& roles, const Body& body) {
@@ -178,6 +242,7 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
   for (size_t i = 0; i < but_feet.size(); ++i) {
     const Ball& ball = but_feet[i];
     if (i > 0 && ball.isAsWide(balls_[i - 1])) continue;  // the other leg
+    if (!ball.stack.balls.empty() || (ball.isOverLevelOnly() && !ground.isLevel())) continue;
     coarse.emplace_back(&ball, std::min(kLargest, squareOf(ball)));
   }
   if (ground.isLevel() && !balls_.empty() && balls_.back().post)
@@ -185,8 +250,9 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
   if (auto found = first_shut(coarse)) return found;
   if (ground.extent().sizes().prod() > kMostFinest * kFinest * kFinest) return std::nullopt;
   for (const Ball& ball : balls_) {
-    // From a step beside it feet come higher over a thing.
-    const bool is_asked = ball.isFoot() ? ground.isLevel() : !ball.isLeg();  // the post has been
+    // From a step beside it feet come higher over a thing. Legs and the post have been.
+    const bool is_asked =
+        ball.isFoot() || !ball.stack.balls.empty() ? ground.isLevel() : !ball.isLeg();
     if (is_asked && !is_open({&ball, 1}, kFinerOpenSquare))
       fine.emplace_back(&ball, std::min(kFinest, squareOf(ball)));
   }

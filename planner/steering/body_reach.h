@@ -2,10 +2,13 @@
 ///
 /// Wherever the body walks, whatever its heading, it holds some balls at heights of their own: in
 /// its pelvis, its chest and its head, with what of an upright body is over it, and in each leg
-/// where it crosses a height that no ankle is lifted to. Each moves along a curve without a jump,
-/// from near the start to near the goal. Where a ball cannot be, because something is nearer to its
-/// middle than its radius, none of its curves leads. So if the plane without those places falls
-/// apart, with start and goal in different parts, for any one of the balls, there is no walk.
+/// where it crosses a height that no ankle is lifted to. Over level ground also in each leg at some
+/// heights from there to the hips, and in the trunk and the head, one over the other
+/// (TrunkStack): by them hardly a bar as thick as kThinnest gets between two of those balls. Each
+/// moves along a curve without a jump, from near the start to near the goal. Where a ball cannot
+/// be, because something is nearer to its middle than its radius, none of its curves leads. So if
+/// the plane without those places falls apart, with start and goal in different parts, for any one
+/// of the balls, there is no walk.
 ///
 /// A flood over squares decides it. A square is shut where a ball at its middle touches something
 /// with its radius less half the square's diagonal: then it does wherever in the square it is. All
@@ -60,6 +63,7 @@
 #include "environments/collision/collision_world.h"
 #include "planner/steering/open_way.h"
 #include "planner/steering/straight_walk.h"
+#include "planner/steering/trunk_stack.h"
 
 namespace amble {
 
@@ -74,6 +78,8 @@ class BodyReach {
   static constexpr double kAnkle = 0.14;
   /// The feet of who has a ball at a place are no farther from there, of stature.
   static constexpr double kFeet = 0.5;
+  /// Of what is from side to side, for balls to be near enough to each other [m].
+  static constexpr double kThinnest = 0.1;
   static constexpr double kLargest = 0.05;  ///< square [m]
   /// Square of a second flood of pelvis and chest, which are broad enough to be told by it of gaps
   /// as narrow as they are [m].
@@ -121,21 +127,28 @@ class BodyReach {
         -HUGE_VAL;      ///< of the end of what is over an upright head, over the lower foot
     int part = -1;      ///< of the body
     bool post = false;  ///< all of the post, which is shut out where something is at each height
+    /// All of these, kDip lower and kRise higher than in the walk at most: shut out where one
+    /// always touches a thing.
+    TrunkStack stack = {};
 
     bool isTrunk() const { return highest > height; }  ///< or a foot, or the post
     bool isLeg() const { return most_rise < HUGE_VAL; }
-    bool isFoot() const { return isLeg() && isTrunk() && !post; }
+    bool isFoot() const { return isLeg() && isTrunk() && !post && stack.balls.empty(); }
+    bool isOverLevelOnly() const { return most_rise == SceneGround::kLevel; }
     bool isAsWide(const Ball& other) const {
       return height == other.height && highest == other.highest && top == other.top &&
              most_rise == other.most_rise && radius == other.radius && aside == other.aside;
     }
   };
   /// Those at one height first, and the largest first: their squares are the quickest to ask. Then
-  /// feet, and the post last.
+  /// those where legs cross a height, stacks, feet, and the post last.
   const std::vector<Ball>& balls() const { return balls_; }
 
  private:
   UprightPost postAround(std::span<const Ball> balls) const;
+  void addCrossings(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
+                    const Body& body);
+  void addStack(TrunkStack stack);
   void addPost(const JointRoles& roles, const Body& body);
   void addFeet(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
                const Body& body, double highest_lift);

@@ -2,6 +2,7 @@
 // balls that the body holds.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <queue>
 
@@ -113,8 +114,19 @@ bool ballPasses(const Crowded& crowded, const BodyReach::Ball& ball, const Eigen
     return {kApart * (i + 0.5), kApart * (j + 0.5)};
   };
   // At some height at least of those at which it may be, with all that is over it.
+  const auto isStackFree = [&](int i, int j, double lifted) {
+    return std::ranges::none_of(ball.stack.balls, [&](const StackedBall& own) {
+      Eigen::Vector3d at;
+      at << middle(i, j), own.height + lifted;
+      return crowded.world.touched(at, at, own.radius, scratch) >= 0;
+    });
+  };
   const auto isFree = [&](int i, int j) {
     for (int k = 0; k <= 8; ++k) {
+      const double highest = BodyReach::kRise + ball.stack.rise;
+      const double lifted = highest - (highest + BodyReach::kDip + ball.stack.dip) * k / 8;
+      if (!ball.stack.balls.empty() && isStackFree(i, j, lifted)) return true;
+      if (!ball.stack.balls.empty()) continue;
       Eigen::Vector3d low, high;
       low << middle(i, j), ball.height + (ball.highest - ball.height) * k / 8;
       high << middle(i, j), low.z() + ball.top - ball.highest;

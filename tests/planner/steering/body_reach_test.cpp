@@ -137,6 +137,83 @@ TEST(BodyReach, WallsThatAreThickShutOffAsThinOnesDo) {
 }
 
 // Walks of all kinds, over things as high as may be stepped over: all balls are in the body.
+// From where nothing is stepped over to where heads are at least, and where they may not be.
+TEST(BodyReach, ABarFromSideToSideShutsOffAtAnyHeight) {
+  SampleStream stream(12, 0);
+  const double stature = furnishedRoom().synthesizer.stature();
+  for (int i = 0; i < 20; ++i) {
+    const double under = stream.uniform(0.25, 0.95) * stature, thick = stream.uniform(0.15, 0.3);
+    const double deep = stream.uniform(0.03, 0.4);
+    const auto named =
+        shutOffBy({boxObject("bar", {deep, 4.0, thick}, {3, 2, under + 0.5 * thick})});
+    ASSERT_TRUE(named.has_value()) << under << ' ' << thick;
+    EXPECT_EQ(named->object, "bar");
+  }
+  EXPECT_FALSE(shutOffBy({boxObject("bar", {0.1, 4.0, 0.2}, {3, 2, stature + 0.2})}));
+}
+
+// Ends of the axes of the body's parts, in a pose.
+struct Pose {
+  const std::vector<Eigen::Vector3d>&from, &to;
+  Eigen::Vector3d middle(int part) const { return 0.5 * (from[part] + to[part]); }
+};
+
+bool isInBody(const Eigen::Vector3d& p, const Pose& pose, const Body& body) {
+  for (size_t i = 0; i < body.parts.size(); ++i) {
+    const Eigen::Vector3d axis = pose.to[i] - pose.from[i];
+    const double along = (p - pose.from[i]).dot(axis) / std::max(axis.squaredNorm(), 1e-12);
+    const Eigen::Vector3d nearest = pose.from[i] + std::clamp(along, 0.0, 1.0) * axis;
+    if ((p - nearest).norm() <= body.parts[i].radius) return true;
+  }
+  return false;
+}
+
+// All of a ball round the place where each leg, from the ankle by the knee and the hip to the
+// middle of the pelvis, crosses its height: there is one such place.
+void expectHeld(const BodyReach::Ball& ball, const Pose& pose, const Body& body,
+                const JointRoles& roles) {
+  const auto partOf = [&](int joint) {
+    return std::ranges::find(body.parts, joint, &BodyPart::joint) - body.parts.begin();
+  };
+  for (const LegJoints& leg : roles.legs) {
+    const auto shank = partOf(leg.leg), thigh = partOf(leg.up_leg), pelvis = partOf(roles.hips);
+    const Eigen::Vector3d chain[] = {pose.to[shank], pose.from[shank], pose.from[thigh],
+                                     pose.middle(static_cast<int>(pelvis))};
+    int crossings = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d &low = chain[i], &high = chain[i + 1];
+      if ((low.z() > ball.height) == (high.z() > ball.height)) continue;
+      ++crossings;
+      const double share = (ball.height - low.z()) / (high.z() - low.z());
+      const Eigen::Vector3d at = low + share * (high - low);
+      for (int k = 0; k < 64; ++k) {  // a spiral over the ball
+        const double z = -1.0 + (2.0 * k + 1.0) / 64.0, turned = 2.4 * k;
+        const double out = std::sqrt(1.0 - z * z);
+        const Eigen::Vector3d way(out * std::cos(turned), out * std::sin(turned), z);
+        ASSERT_TRUE(isInBody(at + 0.999 * ball.radius * way, pose, body)) << ball.height;
+      }
+    }
+    ASSERT_EQ(crossings, 1) << ball.height;
+  }
+}
+
+// All balls of a stack, as low or high as its middle part is.
+void expectHeld(const TrunkStack& stack, const Pose& pose, const Body& body) {
+  const auto middle = std::ranges::find_if(stack.balls, [&](const StackedBall& own) {
+    return body.parts[own.part].name == "abdomen" || body.parts[own.part].name == "neck";
+  });
+  ASSERT_NE(middle, stack.balls.end());
+  const Eigen::Vector3d at = pose.middle(middle->part);
+  const double lifted = at.z() - middle->height;
+  ASSERT_GT(lifted, -(stack.dip + BodyReach::kDip));
+  ASSERT_LT(lifted, stack.rise + BodyReach::kRise);
+  for (const StackedBall& own : stack.balls) {
+    const Eigen::Vector3d ball(at.x(), at.y(), own.height + lifted);
+    const BodyPart& part = body.parts[own.part];
+    ASSERT_LE((ball - pose.middle(own.part)).norm() + own.radius, part.radius) << part.name;
+  }
+}
+
 TEST(BodyReach, EveryPoseHoldsTheBalls) {
   const double highest = furnishedRoom().ground.settings().limits.highestStep();
   std::vector<SceneObject> logs;
@@ -170,6 +247,14 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
       placeBody(room.body, joints, a, b);
       for (const BodyReach::Ball& ball : reach.balls()) {
         if (ball.isFoot() || ball.post) continue;  // LiftedFeet, WallEnds
+        if (!ball.stack.balls.empty()) {
+          expectHeld(ball.stack, {a, b}, room.body);
+          continue;
+        }
+        if (ball.isOverLevelOnly()) {
+          expectHeld(ball, {a, b}, room.body, room.synthesizer.roles());
+          continue;
+        }
         const BodyPart& part = room.body.parts[ball.part];
         const double middle = 0.5 * (a[ball.part] + b[ball.part]).z();
         if (ball.part == room.body.head) {
@@ -190,7 +275,7 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
       }
     }
   }
-  EXPECT_GE(reach.balls().size(), 5u);
+  EXPECT_GE(reach.balls().size(), 10u);
   EXPECT_GT(lifted, highest);  // somebody stepped over a log
 }
 
@@ -288,7 +373,7 @@ TEST(BodyReach, NoWalkOverStepsWasShutOffAndTheirPosesHoldTheBalls) {
         placeBody(room.body, joints, a, b);
         for (const BodyReach::Ball& ball : reach.balls()) {
           const BodyPart& part = room.body.parts[ball.part];
-          if (ball.post) continue;
+          if (ball.isLeg()) continue;
           if (part.name != "pelvis" && part.name != "chest") continue;
           const Eigen::Vector3d middle = 0.5 * (a[ball.part] + b[ball.part]);
           const auto ground = range.around(middle.head<2>());
