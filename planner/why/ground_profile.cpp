@@ -6,6 +6,7 @@
 #include "animation/body/foot_shape.h"
 #include "animation/steps/foothold.h"
 #include "animation/steps/stride_law.h"
+#include "animation/steps/unevenness.h"
 #include "base/rotation.h"
 #include "environments/scene/scene_pieces.h"
 
@@ -98,7 +99,7 @@ void Profile::nameStep(const Spot& spot, Obstruction& why) const {
 
 bool Profile::isTooHigh(const Spot& spot, double s, Obstruction& why) const {
   const double rise = spot.height - height_;
-  const double most = rise > 0.0 ? limits_.max_climb : limits_.max_drop;
+  const double most = highestStep(limits_, rise > 0.0);
   if (spot.steepness > limits_.max_slope || std::abs(rise) <= most + kRounding) return false;
   why.rule = WalkRule::kStepHeight;
   nameStep(spot, why);
@@ -209,6 +210,10 @@ bool measureGround(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
 bool measureRise(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const PlanRequest& request,
                  Obstruction& why) {
   return Profile(from, to, request).highest(why);
+}
+
+double highestStep(const GroundLimits& limits, bool up) {
+  return std::max(up ? limits.max_climb : limits.max_drop, Unevenness::kNatural);
 }
 
 double longestStep(const WalkSynthesizer& synthesizer) {

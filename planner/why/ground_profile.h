@@ -17,6 +17,9 @@ bool measureGround(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
 bool measureRise(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const PlanRequest& request,
                  Obstruction& why);
 
+/// That is stepped up, or down: what is natural is, whatever is let [m].
+double highestStep(const GroundLimits& limits, bool up);
+
 /// Middles of two feet in one step are no farther apart [m].
 double longestStep(const WalkSynthesizer& synthesizer);
 

@@ -299,10 +299,9 @@ Obstruction whatTheGroundLacks(const GroundGap& gap, const PlanRequest& request)
   if (measureGround(gap.near, gap.far, request, why) || why.rule != WalkRule::kStepHeight)
     return why;
   // Another storey, of which nothing is seen from here.
-  const GroundLimits& limits = request.ground->settings().limits;
   why.lack = gap.rise() > 0.0 ? Obstruction::Lack::kStep : Obstruction::Lack::kDrop;
   why.width = std::abs(gap.rise());
-  why.needed = gap.rise() > 0.0 ? limits.max_climb : limits.max_drop;
+  why.needed = highestStep(request.ground->settings().limits, gap.rise() > 0.0);
   return why;
 }
 

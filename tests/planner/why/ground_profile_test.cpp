@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "animation/steps/unevenness.h"
 #include "base/rotation.h"
 #include "base/sample_stream.h"
 #include "tests/planner/furnished_room.h"
@@ -100,6 +101,23 @@ TEST(GroundProfile, ABreakIsShorterThanTheLongestStep) {
   const WalkSynthesizer& synthesizer = furnishedRoom().synthesizer;
   EXPECT_LT(longestBreak(synthesizer), longestStep(synthesizer));
   EXPECT_GT(longestBreak(synthesizer), 0.3);
+}
+
+TEST(GroundProfile, WhoMayNotClimbTakesWhatIsNaturalAllTheSame) {
+  GroundSettings settings;
+  settings.limits.max_climb = settings.limits.max_drop = 0.02;
+  for (const double rise : {0.05, 0.08}) {
+    Ground ground(0.4, rise, 0.0);
+    const SceneGround strict(ground.room.scene, settings);
+    ground.request.ground = &strict;
+    for (const bool back : {false, true}) {
+      const Obstruction why = ground.measure(rise, back);
+      ASSERT_EQ(ground.found, rise > Unevenness::kNatural) << rise;
+      if (ground.found) {
+        EXPECT_EQ(*why.needed, Unevenness::kNatural);
+      }
+    }
+  }
 }
 
 TEST(GroundProfile, WhoGoesNowhereLacksNothing) {
