@@ -16,6 +16,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -71,6 +72,12 @@ class ClearanceMap {
   double middle(int axis, int cell) const { return min_[axis] + cell_ * (cell + 0.5); }
   /// Room to either side, at most kFarthest; negative where the body does not fit [m].
   double spare(int place) const { return places_[place].spare; }
+  /// Of the body's bands that of least breadth: with so much less than none something is in one of
+  /// them right over the place, or as little room is beside it in another [m, >= 0].
+  double leastBreadth() const {
+    const auto least = std::ranges::min_element(body_.bands, {}, &Band::half_breadth);
+    return least == body_.bands.end() ? 0.0 : least->half_breadth;
+  }
   /// The place beside one, `dx` and `dy` cells on, to which a step leads [-1 to 1 each]; -1: none.
   int beside(int place, int dx, int dy) const {
     const int cell = cell_of_[place] + dy * count_.x() + dx;

@@ -28,6 +28,11 @@ constexpr int kMostWays = 16;
 constexpr double kAroundNarrow = 2.5;
 // Of the search's effort, 1 over this where what is left leads by a place that refuses them.
 constexpr int kShareOfRefused = 4;
+// So near to a place passages lead by it, and so far from their ends [m]: nearer to these one may
+// come aslant. And so many pairs of ends of walks over them, there and back, tell that it refuses
+// them: those of two lines. By trial, with beams over 400 drawn flights and ramps.
+constexpr double kBesidePassage = 1.0, kInPassage = 1.5;
+constexpr int kEnoughOverPassages = 10;
 Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box, double by) {
   return {box.min().array() - by, box.max().array() + by};
 }
@@ -171,6 +176,7 @@ void SampledRoadmap::clear() {
   samples_ = 0;
   failures_ = 0;
   passages_.reset();
+  over_passages_.clear();
   resetEffort();
 }
 
@@ -187,8 +193,26 @@ void SampledRoadmap::insertPassages(const Eigen::AlignedBox2d& region, const Sea
   passages_ = std::move(far);
   for (TriedWalk& walk : tryPassages(steering_, near, limits, scratches)) {
     if (limits.stopped()) return;
+    over_passages_.emplace_back(walk.ends, walk.isThere());
     insertTried(std::move(walk), scratches);
   }
+}
+
+// Whether walks over passages by a place were tried, and each was refused.
+bool SampledRoadmap::isRefusedOverPassages(const Eigen::Vector3d& at) const {
+  int refused = 0;
+  for (const auto& [ends, is_there] : over_passages_) {
+    const Eigen::Vector3d &first = ends.first.position, &second = ends.second.position;
+    const Eigen::Vector2d line = (second - first).head<2>(), way = (at - first).head<2>();
+    const double length = line.norm(), along = way.dot(line) / length;
+    const double aside = std::sqrt(std::max(0.0, way.squaredNorm() - along * along));
+    if (!(along >= kInPassage && along <= length - kInPassage && aside <= kBesidePassage)) continue;
+    const auto [low, high] = std::minmax({first.z(), second.z()});
+    if (at.z() < low - kBesidePassage || at.z() > high + kBesidePassage) continue;
+    if (is_there) return false;
+    ++refused;
+  }
+  return refused >= kEnoughOverPassages;
 }
 
 // The ends become nodes if one of the walks between them is there.
@@ -327,7 +351,10 @@ std::optional<bool> SampledRoadmap::askNarrow(const WayGuide::Narrow& narrow, in
   TriedCrossing crossing = tryCrossing(steering_, narrow, limits, scratches);
   for (TriedWalk& walk : crossing.tried) insertTried(std::move(walk), scratches);
   if (roadmap_.reachableFrom(from)[to]) return true;
-  const int share = crossing.outcome == TriedCrossing::Outcome::kRefused ? kShareOfRefused : 1;
+  const bool is_refused =
+      crossing.outcome == TriedCrossing::Outcome::kRefused ||
+      (narrow.blocked && crossing.tried.empty() && isRefusedOverPassages(narrow.at));
+  const int share = is_refused ? kShareOfRefused : 1;
   const Eigen::Vector2d at = narrow.at.head<2>();
   const StanceSampler around = sampler_.within(grown({at, at}, kAroundNarrow));
   // Every other sample is uniform.

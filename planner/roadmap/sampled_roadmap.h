@@ -12,7 +12,9 @@
 /// place of the widest way. Walks straight through that are asked first, a few hundred, that begin
 /// and end at different distances: arms swing alike only so. Then max_failures uniform samples are
 /// drawn around it before others, whether they add guards or not, a quarter of them where those
-/// walks were refused; and where not even the guide finds a way through it there are no others.
+/// walks were refused; and where not even the guide finds a way through it there are no others. On
+/// stairs nobody stands to begin such walks: there it is those over the passages by that place,
+/// where something is right in the way, with no more room beside it.
 ///
 /// Large maps are looked at from the near to the far: start and goal are asked about first, then
 /// the passages and samples of a region around both, which widens when most of it is covered. Where
@@ -168,6 +170,7 @@ class SampledRoadmap {
   void insertPassages(const Eigen::AlignedBox2d& region, const SearchLimits& limits,
                       Scratches& scratches);
   void insertTried(TriedWalk walk, Scratches& scratches);
+  bool isRefusedOverPassages(const Eigen::Vector3d& at) const;
   std::optional<bool> askNarrow(const WayGuide::Narrow& narrow, int from, int to,
                                 const SearchLimits& limits, Scratches& scratches);
   void note(const Waypoint& from, const Waypoint& to, const SteerResult& result);
@@ -183,6 +186,8 @@ class SampledRoadmap {
   long long samples_ = 0;
   int failures_ = 0;
   std::optional<std::vector<StancePair>> passages_;  // those that are not inserted yet
+  // Ends of walks over those that are, and whether one was found.
+  std::vector<std::pair<StancePair, bool>> over_passages_;
 };
 
 }  // namespace amble

@@ -86,6 +86,8 @@ class WayGuide {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< [m, World]
     double heading = 0.0;                          ///< of the way there [rad]
     bool may_pass = false;                         ///< next() has led, or may lead, through it
+    /// There is no more room beside what is in the way than where it is right over the way.
+    bool blocked = false;
   };
   /// The narrowest place of the widest way, its ends left out, if there is hardly room for the
   /// body, or none; nothing where there is no way, or room everywhere.

@@ -190,6 +190,33 @@ TEST(SampledRoadmap, ANarrowPlaceBesideWhichNobodyStandsIsSearchedInFull) {
   EXPECT_GE(roadmap.samples(), 20);
 }
 
+/// The same, and passages.
+class StairRooms : public GuidedRooms {
+ public:
+  std::vector<StancePair> lines;
+  std::vector<StancePair> passages() const override { return lines; }
+};
+
+// Samples about a place in a wall that nobody stands beside, with passages through it at y.
+long long samplesAboutWall(double y, bool blocked) {
+  StairRooms steering;
+  steering.boxes = {box(28, -1, 32, 61)};
+  steering.narrow = WayGuide::Narrow{{30, 30, 0}, 0.0, false, blocked};
+  for (const double off : {0.0, 0.3})
+    steering.lines.push_back({standing(26.5, y + off).stance, standing(33.5, y + off).stance});
+  VisibilityRoadmap roadmap({steering, box(0, 0, 60, 60)});
+  const int from = roadmap.insert(standing(5, 30), true, true),
+            to = roadmap.insert(standing(55, 30), true, true);
+  EXPECT_FALSE(roadmap.connect(from, to, limitsOf(1, 20)));
+  return roadmap.samples();
+}
+
+TEST(SampledRoadmap, WherePassagesByABlockedPlaceAreRefusedItIsSearchedLess) {
+  EXPECT_LE(samplesAboutWall(30.4, true), 10);  // of 40
+  EXPECT_GE(samplesAboutWall(40.0, true), 20);  // those passages are elsewhere
+  EXPECT_GE(samplesAboutWall(30.4, false), 20);
+}
+
 TEST(SampledRoadmap, ASearchEndsWhereTheWholeMapIsCovered) {
   DiscSteering steering;
   steering.boxes = {box(99, -1, 101, 201)};

@@ -130,6 +130,18 @@ TEST(WayFinder, WhatMissesLittleMayBePassed) {
   EXPECT_TRUE(narrowest->may_pass);
 }
 
+TEST(WayFinder, BlockedIsAPlaceOnlyWhereNoneHasRoomBesideWhatIsInTheWay) {
+  const auto whole = Room({}).from(Room::kWest, Room::kEast).narrowest();
+  ASSERT_TRUE(whole.has_value());
+  EXPECT_TRUE(whole->blocked);
+  EXPECT_FALSE(whole->may_pass);
+  for (const double gap : {0.2, 0.35, 0.62}) {
+    const auto beside = Room({{1.0, 1.0 + gap}}).from(Room::kWest, Room::kEast).narrowest();
+    ASSERT_TRUE(beside.has_value()) << gap;
+    EXPECT_FALSE(beside->blocked) << gap;
+  }
+}
+
 TEST(WayFinder, WithRoomEverywhereNoPlaceIsNarrow) {
   EXPECT_FALSE(Room({{0.0, 1.5}}).from(Room::kWest, Room::kEast).narrowest().has_value());
 }
