@@ -30,7 +30,7 @@ constexpr double kAroundNarrow = 2.5;
 constexpr int kShareOfRefused = 4;
 // So near to a place passages lead by it, and so far from their ends [m]: nearer to these one may
 // come aslant. And so many pairs of ends of walks over them, there and back, tell that it refuses
-// them: those of two lines. By trial, with beams over 400 drawn flights and ramps.
+// them: those of two lines. By trial, with beams across 100 drawn flights and ramps.
 constexpr double kBesidePassage = 1.0, kInPassage = 1.5;
 constexpr int kEnoughOverPassages = 10;
 Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box, double by) {
@@ -351,9 +351,9 @@ std::optional<bool> SampledRoadmap::askNarrow(const WayGuide::Narrow& narrow, in
   TriedCrossing crossing = tryCrossing(steering_, narrow, limits, scratches);
   for (TriedWalk& walk : crossing.tried) insertTried(std::move(walk), scratches);
   if (roadmap_.reachableFrom(from)[to]) return true;
-  const bool is_refused =
-      crossing.outcome == TriedCrossing::Outcome::kRefused ||
-      (narrow.blocked && crossing.tried.empty() && isRefusedOverPassages(narrow.at));
+  const bool is_refused = crossing.outcome == TriedCrossing::Outcome::kRefused ||
+                          (narrow.blocked && narrow.on_steps && crossing.tried.empty() &&
+                           isRefusedOverPassages(narrow.at));
   const int share = is_refused ? kShareOfRefused : 1;
   const Eigen::Vector2d at = narrow.at.head<2>();
   const StanceSampler around = sampler_.within(grown({at, at}, kAroundNarrow));

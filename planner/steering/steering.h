@@ -88,6 +88,7 @@ class WayGuide {
     bool may_pass = false;                         ///< next() has led, or may lead, through it
     /// There is no more room beside what is in the way than where it is right over the way.
     bool blocked = false;
+    bool on_steps = false;  ///< the ground rises there by steps
   };
   /// The narrowest place of the widest way, its ends left out, if there is hardly room for the
   /// body, or none; nothing where there is no way, or room everywhere.

@@ -29,6 +29,7 @@ constexpr double kLevelNear = 0.3;     // somebody stands where it is level so f
 constexpr double kSameHeight = 0.02;   // [m]
 constexpr double kAcross = 0.3;        // to each side of a narrow place, for the way there [m]
 constexpr int kPlacesEvery = 1 << 12;  // places between looks at the clock
+constexpr double kStep = 0.05;         // higher from place to place is no slope [m]
 constexpr double kRounding = 1e-5;     // of rooms [m]
 constexpr float kBucket = 0.002f;      // of costs that are about as high [m]
 constexpr double kRoomInSight = 0.04;  // beside a straight line, where there is as much [m]
@@ -268,12 +269,15 @@ std::optional<WayGuide::Narrow> WayFinder::narrowest() const {
   }
   if (narrow < 0 || map_->spare(way[narrow]) > kRoomInSight) return std::nullopt;
   const int far = static_cast<int>(kAcross / map_->cell());
-  const Eigen::Vector3d across =
-      map_->at(way[std::min<int>(narrow + far, static_cast<int>(way.size()) - 1)]) -
-      map_->at(way[std::max(narrow - far, 0)]);
+  const int first = std::max(narrow - far, 0);
+  const int last = std::min<int>(narrow + far, static_cast<int>(way.size()) - 1);
+  const Eigen::Vector3d across = map_->at(way[last]) - map_->at(way[first]);
+  bool on_steps = false;
+  for (int i = first; i < last; ++i)
+    on_steps |= std::abs(map_->height(way[i + 1]) - map_->height(way[i])) > kStep;
   const double room = map_->spare(way[narrow]);
   return Narrow{map_->at(way[narrow]), std::atan2(across.y(), across.x()), room >= kTightest,
-                room <= kRounding - map_->leastBreadth()};
+                room <= kRounding - map_->leastBreadth(), on_steps};
 }
 
 void WayFinder::avoid(const Eigen::Vector3d& at) {

@@ -201,7 +201,7 @@ class StairRooms : public GuidedRooms {
 long long samplesAboutWall(double y, bool blocked) {
   StairRooms steering;
   steering.boxes = {box(28, -1, 32, 61)};
-  steering.narrow = WayGuide::Narrow{{30, 30, 0}, 0.0, false, blocked};
+  steering.narrow = WayGuide::Narrow{{30, 30, 0}, 0.0, false, blocked, true};
   for (const double off : {0.0, 0.3})
     steering.lines.push_back({standing(26.5, y + off).stance, standing(33.5, y + off).stance});
   VisibilityRoadmap roadmap({steering, box(0, 0, 60, 60)});

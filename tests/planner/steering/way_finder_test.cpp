@@ -134,12 +134,29 @@ TEST(WayFinder, BlockedIsAPlaceOnlyWhereNoneHasRoomBesideWhatIsInTheWay) {
   const auto whole = Room({}).from(Room::kWest, Room::kEast).narrowest();
   ASSERT_TRUE(whole.has_value());
   EXPECT_TRUE(whole->blocked);
+  EXPECT_FALSE(whole->on_steps);
   EXPECT_FALSE(whole->may_pass);
   for (const double gap : {0.2, 0.35, 0.62}) {
     const auto beside = Room({{1.0, 1.0 + gap}}).from(Room::kWest, Room::kEast).narrowest();
     ASSERT_TRUE(beside.has_value()) << gap;
     EXPECT_FALSE(beside->blocked) << gap;
   }
+}
+
+TEST(WayFinder, UnderABeamAcrossStairsAPlaceIsBlockedOnSteps) {
+  std::vector<SceneObject> objects = stairs(8, 0.17, 0.29);
+  objects.push_back(makeObject("floor", Box{{3, 2, 0.1}}, {-1.5, 0, -0.05}));
+  objects.push_back(makeObject("landing", Box{{3, 2, 1.36}}, {8 * 0.29 + 1.5, 0, 0.68}));
+  objects.push_back(makeObject("beam", Box{{0.2, 3, 0.5}}, {1.2, 0, 2.5}, Role::kObstacle));
+  const Scene scene = sceneOf(objects);
+  const SceneGround ground(scene);
+  const Eigen::AlignedBox2d bounds(Eigen::Vector2d(-3, -1), Eigen::Vector2d(5.3, 1));
+  const auto map = std::make_shared<const ClearanceMap>(ground, bounds, kBody);
+  const auto narrowest = WayFinder(map, {-2, 0, 0}, {4.5, 0, 1.36}, kShortest).narrowest();
+  ASSERT_TRUE(narrowest.has_value());
+  EXPECT_NEAR(narrowest->at.x(), 1.2, 0.5);
+  EXPECT_TRUE(narrowest->blocked);
+  EXPECT_TRUE(narrowest->on_steps);
 }
 
 TEST(WayFinder, WithRoomEverywhereNoPlaceIsNarrow) {
