@@ -102,7 +102,7 @@ void mapAndWay(benchmark::State& state, const std::string& scenario) {
   bool found = false;
   for (auto _ : state) {
     const auto guide =
-        steering.guide(request.start.position, request.goal.position, request.bounds, never);
+        steering.guide(request.start.position, request.goal.position, request.bounds, never, 1);
     found = guide && guide->next();
   }
   state.SetLabel(found ? "found" : "no way");
