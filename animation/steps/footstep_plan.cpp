@@ -149,7 +149,12 @@ void evenOut(const FootstepRequest& r, const TrialRequest& along, const Foothold
       const double even = before + (after - before) * wanted[i] / (wanted[i] + wanted[i + 1]);
       const auto [low, high] = free[i];
       const double pull = std::clamp((kNarrow - (high - low)) / (kNarrow - kNarrowest), 0.0, 1.0);
-      plan.arcs[i + 2] = std::clamp(even + pull * (0.5 * (low + high) - even), low, high);
+      const double at = std::clamp(even + pull * (0.5 * (low + high) - even), low, high);
+      // No step becomes longer or shorter for it than steps may be.
+      const double here = plan.arcs[i + 2];
+      const double least = std::max(before + r.shortest, after - r.longest);
+      const double most = std::min(before + r.longest, after - r.shortest);
+      plan.arcs[i + 2] = std::clamp(at, std::min(least, here), std::max(most, here));
     }
   }
   for (int i = 0; i < n; ++i) {  // the exact place; the one that was tried where that fails

@@ -19,7 +19,8 @@ const std::array<FootShape, 2>& ownFeet() {
 }
 
 /// From standing at the origin to standing `length` further along +x.
-FootstepPlan planOver(const Ground& ground, double length, GroundLimits limits = {}) {
+FootstepPlan planOver(const Ground& ground, double length, GroundLimits limits = {},
+                      double longest = 0.9) {
   const RootPath path = straightPath(length);
   const FootholdFinder holds(ground, ownFeet(), limits);
   FootPlacement placement;
@@ -42,7 +43,7 @@ FootstepPlan planOver(const Ground& ground, double length, GroundLimits limits =
                         .print = [&](Side side, double) { return placement.print(side); },
                         .wanted = [](double) { return kStep; },
                         .shortest = 0.2,
-                        .longest = 0.9},
+                        .longest = longest},
                        holds);
 }
 
@@ -102,6 +103,27 @@ TEST(FootstepPlan, FeetStandFartherBeforeHighRisers) {
     EXPECT_GT(least, before + 0.03) << rise;
     before = least;
   }
+}
+
+// Where a tread asks for a short step, what is left for those beside it is no reason for one that
+// is longer than legs may step.
+TEST(FootstepPlan, NoStepIsLongerThanStepsMayBeHoweverTheyAreEvenedOut) {
+  constexpr double kLongest = 0.72;
+  int near = 0;  // steps that would be longer
+  for (const double rise : {0.17, -0.17}) {
+    for (double start = 1.0; start < 2.5; start += 0.07) {
+      const Stairs flight{.rise = rise, .going = 0.29, .count = 3, .start = start};
+      const FootstepPlan plan = planOver(StairGround(flight), start + 2.0, {}, kLongest);
+      ASSERT_EQ(plan.refused, WalkRule::kNone) << rise << " " << start;
+      for (int i = 1; i < plan.steps; ++i) {
+        const double step = plan.arcs[i + 1] - plan.arcs[i];
+        EXPECT_LE(step, kLongest + 1e-9) << rise << " " << start;
+        EXPECT_GE(step, 0.2 - 1e-9) << rise << " " << start;
+        near += step > kLongest - 1e-6 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(near, 0);
 }
 
 TEST(FootstepPlan, LeftAndRightAlternateAndStayOnTheirLines) {
