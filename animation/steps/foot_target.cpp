@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "animation/steps/leg_reach.h"
 #include "animation/steps/swing_path.h"
 #include "base/ease.h"
 #include "base/rotation.h"
@@ -84,9 +85,9 @@ FootTarget targetOf(const FootShape& shape, const Sole& sole) {
 // The pitch from low to high at which the ankle is so far from a point in the sole's frame; the
 // largest that still helps where even that is too far. @pre it is at `low`, and farther there.
 // About heel or ball the ankle moves on a circle, so that the squared distance is a cosine of the
-// pitch; of its two solutions the one at which it falls, and kLeastYield before its least at most.
+// pitch; of its two solutions the one at which it falls, and `yield` before its least at most.
 double pitchAtDistance(const FootShape& shape, const Eigen::Vector3d& p, double distance,
-                       double low, double high) {
+                       double yield, double low, double high) {
   const auto squared = [&](double pitch) { return (rolledAnkle(shape, pitch) - p).squaredNorm(); };
   const double wanted = distance * distance;
   // About the heel below 0, about the ball above.
@@ -97,7 +98,7 @@ double pitchAtDistance(const FootShape& shape, const Eigen::Vector3d& p, double 
   const Eigen::Vector2d away(pivot - p.x(), shape.radius - p.z());
   const double a = away.dot(arm), b = away.x() * arm.y() - away.y() * arm.x();
   const double c = 0.5 * (wanted - away.squaredNorm() - p.y() * p.y() - arm.squaredNorm());
-  const double share = std::clamp(c / std::hypot(a, b), -std::cos(HeelRise::kLeastYield), 1.0);
+  const double share = std::clamp(c / std::hypot(a, b), -std::cos(yield), 1.0);
   return std::clamp(wrapAngle(std::atan2(b, a) + std::acos(share)), low, high);
 }
 
@@ -111,6 +112,7 @@ Sole soleOf(const FootState& state, const FootBlend& cycle, const FootShape& sha
   } else {
     sole = swingingSole(state, cycle);
   }
+  sole.unloaded = unloaded(state.at);
   sole.toes = toesOf(state, cycle);
   if (sole.toes > 0.0) {
     const double kept = (1.0 - toesShare(state)) * sole.toes;
@@ -133,19 +135,23 @@ double raisedPitch(const Sole& sole, const FootShape& shape, const Eigen::Vector
   Eigen::Vector3d ahead = q_WS * Eigen::Vector3d::UnitX();
   ahead.z() = 0.0;
   const Eigen::Vector3d away = hip - sole.place.position;
-  const HipOverSole over = {q_WS.conjugate() * away, (away - shape.ball_x * ahead).dot(ahead)};
+  const HipOverSole over = {q_WS.conjugate() * away, (away - shape.ball_x * ahead).dot(ahead),
+                            sole.unloaded};
   return raisedPitch(sole.pitch, shape, over, distance, longest);
 }
 
 double raisedPitch(double pitch, const FootShape& shape, const HipOverSole& hip, double distance,
                    double longest) {
-  if (distance < longest - kHeelRests) return pitch;
+  using Rise = HeelRise;
+  const double soft = Rise::kSoftReach + hip.unloaded * (Rise::kSoftSwinging - Rise::kSoftReach);
+  if (distance < longest - Rise::kRests * soft) return pitch;
   const double freedom = smoothstep(hip.behind / HeelRise::kBehind);
   if (freedom == 0.0) return pitch;  // as of every foot that strikes
   // A smooth minimum of what it is and what it may be.
-  const double over = (distance - longest) / HeelRise::kSoftReach;
-  const double wanted = distance - HeelRise::kSoftReach * std::log1p(std::exp(over));
-  return pitchAtDistance(shape, hip.p_S, wanted, pitch, pitch + HeelRise::kMost * freedom);
+  const double wanted = distance - soft * std::log1p(std::exp((distance - longest) / soft));
+  const double yield =
+      Rise::kLeastYield + hip.unloaded * (Rise::kYieldSwinging - Rise::kLeastYield);
+  return pitchAtDistance(shape, hip.p_S, wanted, yield, pitch, pitch + Rise::kMost * freedom);
 }
 
 FootTarget footTarget(const FootState& state, const FootBlend& cycle, const FootShape& shape,

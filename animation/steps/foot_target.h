@@ -20,11 +20,14 @@ struct HeelRise {
   /// all: a standing leg would be lifted by its toes [m].
   static constexpr double kBehind = 0.16;
   /// A heel rises until its ankle is nearest to the hip but for so much: from there on a degree
-  /// gives hardly a millimetre, and the foot would turn over in a frame. By trial [rad].
-  static constexpr double kLeastYield = 25.0 * kDegree;
+  /// gives hardly a millimetre, and the foot would turn over in a frame. Of a leg that does not
+  /// bear, whose foot goes on fast, more. By trial [rad].
+  static constexpr double kLeastYield = 25.0 * kDegree, kYieldSwinging = 45.0 * kDegree;
   /// Over which the heel begins to rise before the leg is at its longest; at once, and the knee
-  /// jerks; over more, and captured knees that are straight come out bent [m].
-  static constexpr double kSoftReach = 0.003;
+  /// jerks; over more, and captured knees that are straight come out bent, which those of legs that
+  /// do not bear are not [m].
+  static constexpr double kSoftReach = 0.003, kSoftSwinging = 0.005;
+  static constexpr double kRests = 6.0;  ///< so many times that nearer it does not rise at all [1]
 };
 
 /// Downhill a ball that is lifted over the tip of its toes goes forward, too, out of the ground's
@@ -50,13 +53,15 @@ struct Sole {
   /// How far the toes are rolled over their tip: the place is that of a sole whose ball is lifted
   /// by it [rad, >= 0].
   double toes = 0.0;
+  double unloaded = 0.0;  ///< how little its leg bears (leg_reach.h) [0, 1]
 };
 Sole soleOf(const FootState& state, const FootBlend& cycle, const FootShape& shape);
 
-/// Where the hip is over a sole.
+/// Where the hip is over a sole, and how little the leg between them bears.
 struct HipOverSole {
-  Eigen::Vector3d p_S;  ///< in the frame of the sole, as if it were not rolled [m]
-  double behind = 0.0;  ///< that the ball is behind it, in plan along the sole [m]
+  Eigen::Vector3d p_S;    ///< in the frame of the sole, as if it were not rolled [m]
+  double behind = 0.0;    ///< that the ball is behind it, in plan along the sole [m]
+  double unloaded = 0.0;  ///< Sole::unloaded
 };
 
 /// The pitch of a sole whose ankle is so far from `hip` [World] and should be `longest` away at
@@ -68,7 +73,7 @@ double raisedPitch(double pitch, const FootShape& shape, const HipOverSole& hip,
                    double longest);
 /// Nearer by so much than `longest`, and the pitch is the sole's own: raisedPitch need not be asked
 /// [m].
-inline constexpr double kHeelRests = 6.0 * HeelRise::kSoftReach;
+inline constexpr double kHeelRests = HeelRise::kRests * HeelRise::kSoftSwinging;
 
 /// Where the foot is to be in a frame, as FootController has it of many at once. Behind the walker,
 /// where the leg from `hip` [World] would be longer than `longest` [m], the heel rises farther than

@@ -182,11 +182,11 @@ void FootController::aim(const AnimationBuffer& buffer, const Four& frames, cons
     kernel.aim(lanes_[side], lanes, legs);
     bool risen = false;
     for (int i = 0; i < 4; ++i) {
+      const Sole& sole = trial.soles[frames[i]][side];
       legs.targets[side].longest[i] =
-          std::clamp(legs.targets[side].captured[i], LegReach::kStraight * leg_lengths_[side],
-                     LegReach::kLongest * leg_lengths_[side]);
+          longestLeg(legs.targets[side].captured[i], leg_lengths_[side], sole.unloaded);
       const double pitch = lanes.pitch[i];
-      lanes.pitch[i] = risenPitch(pitch, side, i, legs);
+      lanes.pitch[i] = risenPitch(sole, side, i, legs);
       risen = risen || lanes.pitch[i] != pitch;
     }
     if (risen) kernel.aim(lanes_[side], lanes, legs);
@@ -194,12 +194,13 @@ void FootController::aim(const AnimationBuffer& buffer, const Four& frames, cons
 }
 
 // Of one of four soles, that is pitched so.
-double FootController::risenPitch(double pitch, Side side, int lane,
+double FootController::risenPitch(const Sole& sole, Side side, int lane,
                                   const LaneLegFrames& legs) const {
   const LaneLegFrames::Target& target = legs.targets[side];
-  if (!(target.behind[lane] > 0.0)) return pitch;
+  if (!(target.behind[lane] > 0.0)) return sole.pitch;
   const double* p = target.hip_S + lane;
-  return raisedPitch(pitch, shapes_[side], {{p[0], p[4], p[8]}, target.behind[lane]},
+  return raisedPitch(sole.pitch, shapes_[side],
+                     {{p[0], p[4], p[8]}, target.behind[lane], sole.unloaded},
                      target.distance[lane], target.longest[lane]);
 }
 

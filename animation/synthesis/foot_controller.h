@@ -58,7 +58,7 @@ class FootController : public SubController {
   void addSoles(const FrameState& state, Scratch& scratch, Trial& trial) const;
   void aim(const AnimationBuffer& buffer, const Four& frames, const Trial& trial,
            LaneLegFrames& legs) const;
-  double risenPitch(double pitch, Side side, int lane, const LaneLegFrames& legs) const;
+  double risenPitch(const Sole& sole, Side side, int lane, const LaneLegFrames& legs) const;
   void turn(const Four& frames, const LaneLegFrames& legs, AnimationBuffer& buffer,
             bool reached[4]) const;
   bool tryLegs(AnimationBuffer& buffer, Scratch& scratch, Trial& trial) const;
