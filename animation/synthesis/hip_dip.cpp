@@ -36,7 +36,7 @@ std::vector<double> ofStances(double first, double last, int frames, double fram
   return dip;
 }
 
-// A curve over what is missing, let go towards the stances at both ends.
+// A curve over what hips give way, let go towards the stances at both ends.
 class LetGo {
  public:
   LetGo(const std::vector<double>& missing, const std::vector<double>& over, double frame_time)
@@ -85,6 +85,11 @@ class LetGo {
 
 }  // namespace
 
+double givenWay(double missing) {
+  const double squared = missing * missing;
+  return missing + HipDip::kMore * squared / (squared + HipDip::kFar * HipDip::kFar);
+}
+
 std::vector<double> hipDip(const std::vector<double>& missing, double frame_time) {
   const int n = static_cast<int>(missing.size());
   std::vector<double> dip = ofStances(missing.front(), missing.back(), n, frame_time);
@@ -92,7 +97,9 @@ std::vector<double> hipDip(const std::vector<double>& missing, double frame_time
   for (int i = 0; i < n; ++i) more[i] = std::max(0.0, missing[i] - dip[i]);
   if (std::all_of(more.begin(), more.end(), [](double m) { return m == 0.0; })) return dip;
   const int reach = std::max(1, static_cast<int>(std::lround(HipDip::kTime / frame_time)));
-  const RangeMaximum largest(more);
+  std::vector<double> given(n);
+  std::ranges::transform(more, given.begin(), givenWay);
+  const RangeMaximum largest(std::move(given));
   std::vector<double> over(n);
   for (int i = 0; i < n; ++i)
     over[i] = largest.over(std::max(0, i - reach), std::min(n - 1, i + reach));

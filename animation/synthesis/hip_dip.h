@@ -7,9 +7,12 @@
 
 namespace amble {
 
+/// By how much hips give way where so much is missing: all of it, and more (HipDip::kMore) [m].
+double givenWay(double missing);
+
 /// How far the root is lowered at each frame [m, >= 0], by how much is missing there: at the first
 /// and last frame, which are stances, exactly that, so that a stance is the same in every walk; in
-/// between the least smooth curve over it that the stances leave time for (HipDip).
+/// between the least smooth curve over givenWay() that the stances leave time for (HipDip).
 /// @param missing  [m, >= 0] @param frame_time  [s, > 0]
 std::vector<double> hipDip(const std::vector<double>& missing, double frame_time);
 

@@ -35,10 +35,21 @@ TEST(HipDip, AStanceIsLoweredByWhatIsMissingThereToTheBit) {
 TEST(HipDip, AwayFromStancesAllThatIsMissingIsCovered) {
   const std::vector<double> missing = bump(0.02, 0.0), dip = hipDip(missing, kFrameTime);
   for (size_t i = 10; i < 110; ++i) EXPECT_GE(dip[i], missing[i] - 1e-15) << i;
-  EXPECT_LE(*std::ranges::max_element(dip), 0.03 + 1e-12);  // and no more than that
+  EXPECT_LE(*std::ranges::max_element(dip), givenWay(0.03) + 1e-12);  // and no more than that
 }
 
 // Twice as finely sampled it is the same curve, and its acceleration is bounded.
+// More is missing, and they give way farther, by no more than is told, the less the less.
+TEST(HipDip, HipsGiveWayByMoreThanIsMissing) {
+  EXPECT_EQ(givenWay(0.0), 0.0);
+  for (double missing = 0.001; missing < HipDip::kDeepest; missing += 0.001) {
+    const double more = givenWay(missing) - missing;
+    EXPECT_GT(more, 0.0);
+    EXPECT_LT(more, std::min(0.5 * missing, HipDip::kMore));
+    EXPECT_GT(more, givenWay(0.99 * missing) - 0.99 * missing);
+  }
+}
+
 TEST(HipDip, TheCurveIsSmooth) {
   const std::vector<double> dip = hipDip(bump(0.02, 0.0), kFrameTime);
   for (size_t i = 1; i + 1 < dip.size(); ++i) {

@@ -11,6 +11,7 @@
 #include "animation/library/motion_library_reader.h"
 #include "animation/quality/step_measures.h"
 #include "animation/quality/walk_quality.h"
+#include "animation/steps/leg_reach.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "base/rotation.h"
 #include "tests/animation/walk_paths.h"
@@ -159,6 +160,59 @@ TEST(UnevenWalk, StairsAreTakenOneTreadAStepInTheMiddleOfEach) {
       for (const int count : feet) EXPECT_EQ(count, 1);
     }
   }
+}
+
+// Short people and tall ones, slowly and fast: none lets a leg go straight that snaps when its foot
+// goes on, none makes steps that legs do not reach.
+TEST(UnevenWalk, WhoeverClimbsStairsHoldsTheBarsOfGoodWalks) {
+  for (const double rise : {0.17, -0.17}) {
+    const Stairs flight{.rise = rise, .going = 0.29, .count = 3, .start = 1.4};
+    const StairGround ground(flight);
+    for (const double height : {1.4, 1.6, 1.7}) {
+      for (const double speed : {1.4, 1.6, 1.8, 2.0}) {
+        const WalkSynthesizer walker(ownLibrary(), ground, {.height = height, .speed = speed});
+        const Walked walked = walkOver(walker, ground, 3.38);
+        const std::string what = std::to_string(height) + " m at " + std::to_string(speed) +
+                                 " m/s, stairs of " + std::to_string(rise);
+        ASSERT_EQ(walked.result.refused, WalkRule::kNone) << what;
+        const Clip clip{
+            "walk", walker.skeleton(), walked.buffer.frame_time, walked.buffer.poses, {}};
+        for (const QualityLine& line : judgeWalk(clip, walker.roles(), walked.buffer, ground,
+                                                 anchorsOf(ownLibrary(), walker.scale(), speed))) {
+          EXPECT_TRUE(line.holds()) << what << ": " << line.measure << " is " << line.value;
+        }
+      }
+    }
+  }
+}
+
+// Of both legs while their feet swing on, by the poses: up stairs and slopes, where feet are left
+// far behind.
+TEST(UnevenWalk, ALegWhoseFootSwingsOnIsBent) {
+  const auto expectBent = [](const Ground& ground, double height, double speed) {
+    const WalkSynthesizer walker(ownLibrary(), ground, {.height = height, .speed = speed});
+    const Walked walked = walkOver(walker, ground, 3.38);
+    ASSERT_EQ(walked.result.refused, WalkRule::kNone) << height << " " << speed;
+    std::vector<JointFrame> joints(walker.skeleton().size());
+    int swinging = 0;
+    for (int i = 0; i < walked.buffer.size(); ++i) {
+      forwardKinematics(walker.skeleton(), walked.buffer.poses[i], joints);
+      for (const Side side : {kLeft, kRight}) {
+        if (unloaded(walked.buffer.states[i].feet[side].at) < 1.0) continue;
+        const LegJoints& leg = walker.roles().legs[side];
+        const double length = walker.roles().legLength(walker.skeleton(), side);
+        ++swinging;
+        EXPECT_LE((joints[leg.foot].p_WJ - joints[leg.up_leg].p_WJ).norm(),
+                  LegReach::kSwinging * length + 1e-6)
+            << height << " " << speed << " " << i;
+      }
+    }
+    EXPECT_GT(swinging, 0);
+  };
+  const StairGround stairs({.rise = 0.17, .going = 0.29, .count = 3, .start = 1.4});
+  for (const double height : {1.4, 1.6, 1.9})
+    for (const double speed : {0.6, 1.4, 2.0}) expectBent(stairs, height, speed);
+  expectBent(SlopeGround(15.0 * kDegree), 1.7, 1.6);
 }
 
 TEST(UnevenWalk, ToesClearEveryNosingWhereverTheStairsBegin) {
