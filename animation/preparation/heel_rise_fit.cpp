@@ -153,7 +153,8 @@ void addLeg(const LegTrack& track, const Eigen::VectorXd& now, int first, int sa
   }
   // A leg in front is no longer than it may be (LegReach): heels cannot help there, and hips would
   // be lowered.
-  const double most = longestLeg(track.capturedLength(sample), track.length(), unloaded(at));
+  const double most = std::clamp(track.capturedLength(sample), LegReach::kStraight * track.length(),
+                                 LegReach::kLongest * track.length());
   if (line.norm() <= most || (at > 0.4 && at < 1.6)) return;
   Row row(now, most - line.norm());
   addSlopes(track, first, sample, longer, row);

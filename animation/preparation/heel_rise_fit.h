@@ -21,8 +21,9 @@ namespace amble {
 /// (along the path and up, its mean where it was); all as near to what was captured and as smooth
 /// as may be. Captured is the mean cycle: the series, which says how feet are pitched, too. Legs
 /// that would be too long there are bent, and their heels risen, as they are in a walk
-/// (raisedPitch). Gauss and Newton, half a step at a time. Of a walk whose series, feet and prints
-/// are known, straight on or around a circle. Costs some tens of milliseconds.
+/// (raisedPitch), all as long as legs that bear may be. Gauss and Newton, half a step at a time. Of
+/// a walk whose series, feet and prints are known, straight on or around a circle. Costs some tens
+/// of milliseconds.
 /// @param reference  the rotations that the series is against
 void fitHeelRise(const Skeleton& skeleton, const JointRoles& roles,
                  const std::array<FootShape, 2>& shapes,

@@ -141,8 +141,8 @@ double LegTrack::raised(const Eigen::Vector3d& sole, int sample, double pitch,
   on.place.position = sole;
   on.place.heading = headingAt(timeOf(sample)) + toe_out_;
   on.pitch = pitch;
-  on.unloaded = unloaded(timeOf(sample));
-  const double longest = longestLeg(capturedLength(sample), length(), on.unloaded);
+  const double longest = std::clamp(capturedLength(sample), LegReach::kStraight * length(),
+                                    LegReach::kLongest * length());
   const Eigen::Vector3d ankle = sole + aboutZ(on.place.heading) * rolledAnkle(shape_, pitch);
   return raisedPitch(on, shape_, hip, (ankle - hip).norm(), longest);
 }
