@@ -10,6 +10,7 @@
 #include "animation/library/library_parts_writer.h"
 #include "animation/library/motion_library_writer.h"
 #include "animation/preparation/engine_clip.h"
+#include "animation/preparation/prepare_again.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "app/library_addition.h"
 #include "app/read_options.h"
@@ -29,6 +30,7 @@ struct LibraryAddArguments {
   std::vector<std::string> chains;
   std::vector<int> frames;
   std::vector<double> speeds;
+  std::vector<std::string> captures;
   bool no_mirror = false, mirror = false;
   ReadOptions read;
 };
@@ -95,11 +97,30 @@ void requireMeaning(const LibraryAddArguments& options) {
   if (!options.turning.empty()) requireOf(options, "--turning", kind == MotionKind::kWalk, "walk");
   if (!options.chains.empty())
     requireOf(options, "--joints", hasChains(kind), "movement, posture or blocking");
+  if (!options.captures.empty() && !(kind == MotionKind::kPosture && options.name == "stand")) {
+    throw InputError("amble library add: --captures", 0, "is of a posture called stand",
+                     "--kind posture --name stand");
+  }
   if (!options.mirror) return;
   requireOf(options, "--mirror", isForBothSides(kind), "walk or turn_on_spot");
   if (!options.style.empty()) return;
   throw InputError("amble library add: --mirror", 0, "is of walks in a style",
                    "--style NAME; walks and turns without one have a mirror image anyway");
+}
+
+// Whether all else was made again: a `stand` of the person's own takes the place of a borrowed one.
+bool addOrReplace(MotionLibrary& library, const MotionRequest& request,
+                  const LibraryAddArguments& options) {
+  if (!isStand(request) || !hasBorrowedStand(library)) {
+    addMotion(library, request);
+    return false;
+  }
+  LibraryCaptures captures;
+  captures.folders.assign(options.captures.begin(), options.captures.end());
+  if (captures.folders.empty()) captures.folders = {request.file.parent_path()};
+  captures.read = request.read;
+  replaceStand(library, request, captures);
+  return true;
 }
 
 int run(const LibraryAddArguments& options) {
@@ -111,8 +132,9 @@ int run(const LibraryAddArguments& options) {
   try {
     for (const std::string& clip : options.clips) {
       for (const MotionRequest& request : requestsOf(clip, how)) {
-        addMotion(library, request);
-        sayAdded(library.motions.back());
+        const bool again = addOrReplace(library, request, options);
+        sayAdded(*library.find(request.name));
+        if (again) say(stderr, "  the others are made again, with this stand\n");
         ++added;
       }
     }
@@ -189,6 +211,11 @@ void addLibraryAdd(CLI::App& library, Command& chosen) {
                    "no engines [m/s]")
       ->delimiter(',')
       ->check(number(kSlowestOfEngine, 5));
+  command
+      ->add_option("--captures", options->captures,
+                   "Of a posture called stand, in the place of a borrowed one: folders of the "
+                   "clips that the library was made of; default: that of CLIP")
+      ->type_name("DIR");
   command
       ->add_option("--style", options->style,
                    "In whose manner it walks: a person's name, or old-man; it is blended with none "

@@ -6,6 +6,15 @@
 #include "base/strict_yaml.h"
 
 namespace amble {
+namespace {
+
+std::array<int, 2> readFrames(const YamlNode& node) {
+  const std::vector<YamlNode> frames = node.items();
+  if (frames.size() != 2) node.fail("not two frames", "[first, last]");
+  return {frames[0].asInt(0, 10000000, "frame"), frames[1].asInt(0, 10000000, "frame")};
+}
+
+}  // namespace
 
 std::array<double, 2> degreePair(const YamlNode& node) {
   const Eigen::Vector2d v = node.asVec2("angles [degrees]");
@@ -55,10 +64,9 @@ MotionSource readSource(const YamlNode& node, bool of_engine) {
     node.requireKeys({"clip", "speed", "mirrored", "licence", "credit"});
     source.speed = node.at("speed").asPositive("speed [m/s]", 5.0);
   } else {
-    node.requireKeys({"clip", "frames", "mirrored", "licence", "credit"});
-    const std::vector<YamlNode> frames = node.at("frames").items();
-    if (frames.size() != 2) node.at("frames").fail("not two frames", "[first, last]");
-    source.frames = {frames[0].asInt(0, 10000000, "frame"), frames[1].asInt(0, 10000000, "frame")};
+    node.requireKeys({"clip", "frames", "within", "mirrored", "licence", "credit"});
+    source.frames = readFrames(node.at("frames"));
+    if (const YamlNode within = node["within"]) source.within = readFrames(within);
   }
   source.clip = node.at("clip").asString();
   if (const YamlNode m = node["mirrored"]) source.mirrored = m.asBool();

@@ -115,6 +115,12 @@ void makeFolder(const std::filesystem::path& folder) {
   }
 }
 
+void putFrames(YamlWriter& out, const char* key, const std::array<int, 2>& frames) {
+  out.key(key).beginList(YamlWriter::kFlow);
+  for (const int frame : frames) out.whole(frame);
+  out.end();
+}
+
 }  // namespace
 
 void put(YamlWriter& out, const char* key, double value) { out.key(key).plain(number(value)); }
@@ -164,9 +170,8 @@ void putSource(YamlWriter& out, const MotionSource& source) {
   if (source.speed) {
     put(out, "speed", *source.speed);
   } else {
-    out.key("frames").beginList(YamlWriter::kFlow);
-    for (const int frame : source.frames) out.whole(frame);
-    out.end();
+    putFrames(out, "frames", source.frames);
+    if (source.within) putFrames(out, "within", *source.within);
   }
   out.key("mirrored").truth(source.mirrored);
   out.key("licence").quoted(source.licence);

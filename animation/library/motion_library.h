@@ -41,11 +41,13 @@ inline bool hasStyle(MotionKind kind) {
   return kind == MotionKind::kWalk || isTransition(kind) || kind == MotionKind::kTurnOnSpot;
 }
 
-/// Whether motions of a kind may be of some chains of joints only.
-inline bool hasChains(MotionKind kind) {
-  return kind == MotionKind::kMovement || kind == MotionKind::kPosture ||
-         kind == MotionKind::kBlocking;
+/// Whether motions of a kind have a posture: the mean of all frames that were given.
+inline bool isPose(MotionKind kind) {
+  return kind == MotionKind::kPosture || kind == MotionKind::kBlocking;
 }
+
+/// Whether motions of a kind may be of some chains of joints only.
+inline bool hasChains(MotionKind kind) { return kind == MotionKind::kMovement || isPose(kind); }
 
 /// Whether a motion of a kind has a left and a right: the mirror image of one is another.
 inline bool isForBothSides(MotionKind kind) {
@@ -69,6 +71,8 @@ struct MotionSource {
   /// Where `clip` is a speed engine, which has no frames: how fast it walks, the person that it was
   /// fitted to being as large as captured [m/s, > 0].
   std::optional<double> speed = std::nullopt;
+  /// The frames that alone were looked at, where not all were: first and last [>= 0].
+  std::optional<std::array<int, 2>> within = std::nullopt;
 };
 /// Which part of what: "walk.bvh frames 30 to 150", "anna.yaml at 0.8 m/s".
 std::string partText(const MotionSource& source);

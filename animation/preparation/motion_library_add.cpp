@@ -373,7 +373,7 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
     throw InputError(file, 0, "the library has a motion " + asked.name, "another name");
   }
   MotionRequest request = asked;
-  const bool is_stand = request.name == "stand" && request.kind == MotionKind::kPosture;
+  const bool is_stand = isStand(request);
   const std::optional<WalkOfEngine> engines = engineWalkOf(request);
   const LevelCapture capture =
       engines ? engines->capture : readForLibrary(request.file, request.read);
@@ -394,6 +394,8 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   motion.valid = request.valid;
   motion.chains = request.chains;
   motion.source = request.source;
+  if (asked.frames && !isPose(request.kind))
+    motion.source.within = {asked.frames->first, asked.frames->second};
   if (engines && motion.source.licence.empty()) motion.source.licence = engines->licence;
   if (engines && motion.source.credit.empty()) motion.source.credit = engines->credit;
   switch (request.kind) {

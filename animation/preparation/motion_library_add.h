@@ -29,6 +29,11 @@ struct MotionRequest {
   int harmonics = 0;                          ///< of a cycle [1, 12]; 0: chosen by error
 };
 
+/// Whether it is for the posture `stand`, which all cycles refer to.
+inline bool isStand(const MotionRequest& request) {
+  return request.name == "stand" && request.kind == MotionKind::kPosture;
+}
+
 /// A capture as libraries take it: on a level floor, with toes, feet that are flat at rest and
 /// names as BVH has them. @throws InputError naming the file
 LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadOptions& read);

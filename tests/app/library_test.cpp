@@ -304,6 +304,34 @@ TEST_F(Library, IsRightByItsCapturesInWhateverOrderTheyWereAdded) {
   }
 }
 
+// One's own stand is taken whenever it comes, and all else is made again with it.
+TEST_F(Library, AStandOfOnesOwnTakesThePlaceOfABorrowedOne) {
+  const std::string folder = kCaptures + "accad_female1";
+  const std::string stand = kStand + "' --kind posture --name stand";
+  copy(kStand, "elsewhere/stand.bvh");
+  add("late.yaml '" + kWalk + "' --frames 30 110");
+  const std::string before = read("late.yaml");
+  const Ran apart = run("library add late.yaml elsewhere/stand.bvh --kind posture --name stand");
+  EXPECT_EQ(apart.status, 2);
+  EXPECT_NE(apart.err.find("elsewhere/Female1_B03_Walk1.bvh: is not there"), std::string::npos)
+      << apart.err;
+  EXPECT_NE(apart.err.find("--captures DIR"), std::string::npos) << apart.err;
+  EXPECT_EQ(read("late.yaml"), before);
+  add("late.yaml elsewhere/stand.bvh --kind posture --name stand --captures '" + folder + "'");
+  const Ran checked = run("library check late.yaml --captures elsewhere --captures '" + folder + "'");
+  EXPECT_EQ(checked.status, 0) << checked.out;
+  EXPECT_EQ(checked.out.find("WRONG"), std::string::npos) << checked.out;
+  const json motions = json::parse(run("library show --json late.yaml").out)[0]["motions"];
+  EXPECT_EQ(motions[0]["source"]["clip"], "stand.bvh");
+  const Ran twice = run("library add late.yaml '" + stand);
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_NE(twice.err.find("the library has a motion stand"), std::string::npos) << twice.err;
+  const Ran of_walk = run("library add late.yaml '" + kTurn + "' --captures .");
+  EXPECT_EQ(of_walk.status, 2);
+  EXPECT_NE(of_walk.err.find("--captures: is of a posture called stand"), std::string::npos)
+      << of_walk.err;
+}
+
 TEST_F(Library, ATurnOnTheSpotIsAddedToOneSideWhereThatIsAsked) {
   const std::string about = kCaptures + "accad_female1/Female1_B15_WalkTurnAround180.bvh";
   const auto countWith = [&](const std::string& options) {

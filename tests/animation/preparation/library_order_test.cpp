@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "animation/preparation/motion_library_add.h"
+#include "animation/preparation/prepare_again.h"
 #include "base/error.h"
 #include "tests/animation/captures.h"
 
@@ -47,6 +48,13 @@ std::vector<MotionRequest> everyKind() {
   }
   return all;
 }
+
+MotionRequest standRequest() {
+  return orderedRequest(MotionKind::kPosture, "stand", "accad_female1/Female1_A01_Stand.bvh");
+}
+
+/// Where the clips of all requests are.
+LibraryCaptures captureFolders() { return {{sharedFolder() / "mocap"}, {}}; }
 
 MotionLibrary libraryOf(const std::vector<MotionRequest>& requests) {
   MotionLibrary library;
@@ -100,7 +108,7 @@ std::vector<double> preparedIn(const Motion& motion) {
   return all;
 }
 
-void expectSame(const MotionLibrary& a, const MotionLibrary& b) {
+void expectSame(const MotionLibrary& a, const MotionLibrary& b, double rounding = kRounding) {
   ASSERT_EQ(a.motions.size(), b.motions.size());
   for (int j = 0; j < a.skeleton.size(); ++j)
     EXPECT_LT((a.skeleton.joint(j).offset - b.skeleton.joint(j).offset).norm(), kRounding) << j;
@@ -112,16 +120,14 @@ void expectSame(const MotionLibrary& a, const MotionLibrary& b) {
     ASSERT_EQ(one.size(), same.size()) << motion.name;
     double off = 0.0;
     for (size_t i = 0; i < one.size(); ++i) off = std::max(off, std::abs(one[i] - same[i]));
-    EXPECT_LT(off, motion.name == "other" ? kOfOthers : kRounding) << motion.name;
+    EXPECT_LT(off, motion.name == "other" ? kOfOthers : rounding) << motion.name;
   }
 }
 
 TEST(LibraryOrder, BehindItsStandALibraryIsTheSameWhateverCameFirst) {
   AMBLE_NEEDS_CAPTURES();
   std::vector<MotionRequest> requests = everyKind();
-  const MotionRequest stand =
-      orderedRequest(MotionKind::kPosture, "stand", "accad_female1/Female1_A01_Stand.bvh");
-  requests.insert(requests.begin(), stand);
+  requests.insert(requests.begin(), standRequest());
   const MotionLibrary library = libraryOf(requests);
   std::reverse(requests.begin() + 1, requests.end());
   expectSame(library, libraryOf(requests));
@@ -140,6 +146,39 @@ TEST(LibraryOrder, BehindItsFirstMotionSoIsOneWithoutAStand) {
   const MotionLibrary library = libraryOf(requests);
   std::reverse(requests.begin() + 1, requests.end());
   expectSame(library, libraryOf(requests));
+}
+
+// Whether the walk was looked for in all of its clip or not.
+TEST(LibraryOrder, AStandThatTakesTheBorrowedOnesPlaceIsAsGoodAsOneThatWasFirst) {
+  AMBLE_NEEDS_CAPTURES();
+  std::vector<MotionRequest> requests = everyKind();
+  requests.front().frames = {30, 110};
+  MotionLibrary late = libraryOf(requests);
+  ASSERT_TRUE(hasBorrowedStand(late));
+  for (const Motion& motion : late.motions)
+    EXPECT_EQ(problemOf(late, motion, captureFolders()), "") << motion.name;
+  replaceStand(late, standRequest(), captureFolders());
+  requests.insert(requests.begin(), standRequest());
+  const MotionLibrary first = libraryOf(requests);
+  expectSame(first, late, kOfOthers);  // this stand is taken onto the library's soles and back
+  EXPECT_FALSE(hasBorrowedStand(late));
+  for (size_t i = 0; i < late.motions.size(); ++i) {
+    EXPECT_EQ(late.motions[i].name, first.motions[i].name);
+    EXPECT_EQ(problemOf(late, late.motions[i], captureFolders()), "") << late.motions[i].name;
+  }
+}
+
+TEST(LibraryOrder, AStandThatCannotTakeTheBorrowedOnesPlaceLeavesTheLibraryAsItIs) {
+  AMBLE_NEEDS_CAPTURES();
+  MotionLibrary library = libraryOf({everyKind().front()});
+  library.motions.back().source.clip = "accad_female1/Female1_B20_WalkWithBox.bvh";
+  const MotionLibrary before = library;
+  EXPECT_THROW(replaceStand(library, standRequest(), captureFolders()), InputError);
+  EXPECT_THROW(replaceStand(library, standRequest(), {{sharedFolder()}, {}}), InputError);
+  MotionRequest moving = standRequest();
+  moving.file = everyKind().front().file;
+  EXPECT_THROW(replaceStand(library, moving, captureFolders()), InputError);
+  expectSame(before, library);
 }
 
 TEST(LibraryOrder, AWalkThatWasTakenOutAndIsAddedAgainIsTheOneOfBefore) {
