@@ -27,6 +27,7 @@ int complain(const std::string& line) {
 }
 
 // What a person wants first, in an order in which each may use what the one before made.
+constexpr const char* kNoOutput = "-: cannot be written; expected an open output";
 constexpr const char* kDescription =
     "Plans how a person walks through a 3D scene.\n\n"
     "Examples:\n"
@@ -92,7 +93,7 @@ int runProgram(int argc, char** argv) {
   try {
     const int status = runCommand(argc, argv);
     std::cout.flush();
-    return std::cout ? status : complain("-: cannot be written; expected an open output");
+    return std::cout ? status : complain(kNoOutput);
   } catch (const InputError& error) {
     return complain(error.what());
   } catch (const Stopped& stopped) {
@@ -101,7 +102,7 @@ int runProgram(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return complain("amble: out of memory; expected a smaller input");
   } catch (const std::exception& error) {
-    return complain(fmt::format("amble: {}", error.what()));
+    return complain(std::ferror(stdout) != 0 ? kNoOutput : fmt::format("amble: {}", error.what()));
   }
 }
 

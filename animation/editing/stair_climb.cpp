@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "animation/body/pelvis.h"
 #include "animation/editing/stair_swing.h"
 #include "base/cubic_spline.h"
 #include "base/rotation.h"
@@ -14,8 +15,11 @@ namespace amble {
 namespace {
 
 constexpr double kStraight = 25.0 * kDegree;  // a way that turns farther is no flight of stairs'
-constexpr double kDirectionOver = 0.3;        // as its directions are read [m]
-constexpr double kBeside = 0.5;               // of the mean step: a shorter one stays on its tread
+// A pelvis sways by 20 degrees; one that is turned farther is of somebody who turns about, or who
+// walks sideways or backwards.
+constexpr double kFacesAhead = 60.0 * kDegree;
+constexpr double kDirectionOver = 0.3;  // as its directions are read [m]
+constexpr double kBeside = 0.5;         // of the mean step: a shorter one stays on its tread
 // Going up, the forefoot is what stands on a tread: its tip stays away from the next riser, and the
 // heel may stand over the last [m]. Going down, toes may stand over the nosing.
 constexpr double kBackUp = 0.035, kAheadDown = 0.02;
@@ -45,6 +49,17 @@ double bentBy(const WalkPath& path, const Eigen::Vector2d& heading) {
     most = std::max(most, std::acos(std::clamp(way.normalized().dot(heading), -1.0, 1.0)));
     from = i;
   }
+  return most;
+}
+
+/// The largest angle between where the pelvis faces and the walk's direction as a whole, turned so
+/// far since its first frame [rad].
+double turnedAbout(const CapturedWalk& walk, const Eigen::Vector2d& heading) {
+  const double ahead = std::atan2(heading.y(), heading.x());
+  std::vector<double> facing = pelvisHeadings(walk.clip, walk.roles);
+  const double off = facing.front() - wrapAngle(facing.front() - ahead);
+  double most = 0.0;
+  for (const double angle : facing) most = std::max(most, std::abs(angle - off));
   return most;
 }
 
@@ -118,6 +133,13 @@ StairClimb climbStairs(const CapturedWalk& walk, const WalkPath& path, const Sta
   if (bent > kStraight) {
     climb.refused = fmt::format("it turns by {:.0f} degrees, and stairs are for straight walks",
                                 bent / kDegree);
+    return climb;
+  }
+  const double turned = turnedAbout(walk, line.heading);
+  if (turned > kFacesAhead) {
+    climb.refused =
+        fmt::format("it faces up to {:.0f} degrees off its way, and stairs are for who walks ahead",
+                    turned / kDegree);
     return climb;
   }
   line.heading.normalize();

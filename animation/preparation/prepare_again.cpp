@@ -145,9 +145,12 @@ std::string problemOf(const MotionLibrary& library, const Motion& motion,
   const std::string problem =
       problemOf(motion, [&] { return preparedAgain(library, requestOf(motion, captures)); });
   if (problem.empty() || !mayHaveBorrowed(library, motion)) return problem;
-  const std::string borrowed =
-      problemOf(motion, [&] { return standBorrowedAgain(library, captures); });
-  return borrowed.empty() ? "" : problem;
+  MotionLibrary begun = library;
+  return problemOf(motion, [&] {
+    begun.motions.front() = standBorrowedAgain(library, captures);
+    if (hasBorrowedStand(library)) return begun.motions.front();
+    return preparedAgain(begun, requestOf(motion, captures));
+  });
 }
 
 bool hasBorrowedStand(const MotionLibrary& library) {

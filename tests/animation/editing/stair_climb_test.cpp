@@ -138,5 +138,17 @@ TEST(StairClimb, ATurningWalkIsRefused) {
   EXPECT_EQ(climb.edited.refused, "it turns by 57 degrees, and stairs are for straight walks");
 }
 
+// On the way he turns about once on the spot, on which his way is straight.
+TEST(StairClimb, WhoTurnsAboutOnTheSpotOrWalksBackwardsIsRefused) {
+  AMBLE_NEEDS_CAPTURES();
+  for (const char* const clip :
+       {"mocap/cmu_mb2/06_10.bvh", "mocap/accad_female1/Female1_B05_WalkBackwards.bvh",
+        "mocap/cmu_mb2/06_06.bvh"}) {
+    const Climb climb = climbed(clip, {});
+    EXPECT_NE(climb.edited.refused.find("and stairs are for who walks ahead"), std::string::npos)
+        << clip << ": " << climb.edited.refused;
+  }
+}
+
 }  // namespace
 }  // namespace amble

@@ -168,6 +168,19 @@ TEST(LibraryOrder, AStandThatTakesTheBorrowedOnesPlaceIsAsGoodAsOneThatWasFirst)
   }
 }
 
+// Carried over by the one that was borrowed, which is gone then.
+TEST(LibraryOrder, SomebodyElsesStandThatTakesTheBorrowedOnesPlaceIsThatOfItsCapture) {
+  AMBLE_NEEDS_CAPTURES();
+  MotionLibrary library =
+      libraryOf({orderedRequest(MotionKind::kWalk, "walk", "accad_male1/Male1_B3_Walk.bvh")});
+  const Posture borrowed = library.stand();
+  replaceStand(library, standRequest(), captureFolders());
+  for (const Motion& motion : library.motions)
+    EXPECT_EQ(problemOf(library, motion, captureFolders()), "") << motion.name;
+  library.motions.front().posture = borrowed;
+  EXPECT_EQ(problemOf(library, library.motions.front(), captureFolders()), "another posture");
+}
+
 TEST(LibraryOrder, AStandThatCannotTakeTheBorrowedOnesPlaceLeavesTheLibraryAsItIs) {
   AMBLE_NEEDS_CAPTURES();
   MotionLibrary library = libraryOf({everyKind().front()});
