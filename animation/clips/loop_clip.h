@@ -18,6 +18,9 @@ double poseGap(std::span<const JointFrame> a, std::span<const JointFrame> b,
 /// 20 mm, those of other clips differ by 100 and more.
 inline constexpr double kLoopGap = 0.05;
 
+/// So often repeated, two whole cycles at least are in a loop of one, whatever it begins with.
+inline constexpr int kLoopRuns = 4;
+
 /// A clip whose last frame is its first one again, `times` [>= 1] times in a row, each from where
 /// and as the one before ended; nothing where the ends differ by more than kLoopGap.
 std::optional<Clip> repeatedLoop(const Clip& clip, const JointRoles& roles, int times);

@@ -41,7 +41,6 @@ constexpr double kLargestSlide = 0.06;          // of a standing ankle [m]
 constexpr double kStillPosture = 12.0 * kDegree;
 // A cycle that is made again has the same period, but for digits that the file does not keep [1].
 constexpr double kSamePeriod = 1e-3;
-constexpr int kLoopRuns = 4;  // of a loop: two whole cycles are among them, whatever it begins with
 constexpr double kHeldFor = 0.3;  // shortest hold that is looked for [s]
 
 // Joints called what the BVH beside the library calls them, so that a rig is known again.

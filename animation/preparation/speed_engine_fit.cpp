@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "animation/analysis/classify_clip.h"
 #include "animation/analysis/foot_plants.h"
 #include "animation/body/rest_feet.h"
 #include "animation/body/rotation_mean.h"
+#include "animation/clips/loop_clip.h"
 #include "animation/library/harmonics.h"
 #include "animation/preparation/cycle_samples.h"
 #include "animation/preparation/foot_cycle_fit.h"
@@ -81,9 +83,22 @@ std::array<double, 2> walkedDrops(const MotionLibrary& rig, const Clip& level,
   return standingDrops(mean, level.skeleton, rig.roles, reference);
 }
 
-// `level` is on the engine's skeleton; its first frame is `first_frame` of the file.
-void takeCycles(const MotionLibrary& rig, const Clip& level, int first_frame,
-                const EngineCapture& from, Gait gait, Captured& out) {
+// A capture, and what is done in it.
+struct Seen {
+  const EngineCapture* from;
+  LevelCapture capture;
+  ClipClass kind;
+  int frames;  // of the capture; more are in the clip of a loop, which is walked on
+
+  const Clip& clip() const { return capture.motion.clip; }
+  std::string file() const { return from->file.string(); }
+};
+
+// `level` is on the engine's skeleton.
+void takeCycles(const MotionLibrary& rig, const Clip& level, const Seen& seen, Gait gait,
+                Captured& out) {
+  const EngineCapture& from = *seen.from;
+  const int first_frame = seen.capture.first_frame;
   const std::array<FootShape, 2> feet = rig.feet();
   const GaitTrack track(level, rig.roles, feet);
   const CycleOptions options{from.file.string(), false, 0, {}};
@@ -111,6 +126,8 @@ void takeCycles(const MotionLibrary& rig, const Clip& level, int first_frame,
     if (gait == Gait::kWalk) takeFeet(track, stretch, rig, options.clip, series, cycle);
     out.cycles.push_back(std::move(cycle));
   }
+  if (seen.frames < level.frames())
+    clip.source.frames = {first_frame, first_frame + seen.frames - 1};
   clip.speed /= clip.cycles;
   clip.frequency /= clip.cycles;
   out.clips.push_back(std::move(clip));
@@ -240,21 +257,29 @@ GaitSpace spaceOf(const MotionLibrary& rig, double variance, Captured& gait) {
   return space;
 }
 
-// A capture, and what is done in it.
-struct Seen {
-  const EngineCapture* from;
-  LevelCapture capture;
-  ClipClass kind;
+bool showsCycle(const Clip& clip, const JointRoles& roles, const std::string& file) {
+  const GaitTrack track(clip, roles,
+                        makeFootShapes(clip.skeleton, roles, statureOf(clip.skeleton, roles)));
+  const CycleOptions options{file, false, 0, {}};
+  return !wholeCycles(track, options, Gait::kWalk).empty() ||
+         !wholeCycles(track, options, Gait::kRun).empty();
+}
 
-  const Clip& clip() const { return capture.motion.clip; }
-  std::string file() const { return from->file.string(); }
-};
-
+// A loop that is one cycle is walked on, so that whole cycles are in it.
 Seen see(const EngineCapture& from) {
   LevelCapture capture = readForLibrary(from.file, from.read);
-  const FootPlants plants = detectPlants(capture.motion.clip, capture.motion.roles);
-  ClipClass kind = classifyClip(plants, capture.motion.clip.frame_time);
-  return {&from, std::move(capture), std::move(kind)};
+  Clip& clip = capture.motion.clip;
+  const JointRoles& roles = capture.motion.roles;
+  const int frames = clip.frames();
+  const auto kind = [&] { return classifyClip(detectPlants(clip, roles), clip.frame_time); };
+  ClipClass done = kind();
+  if (done.largest() != MotionType::kStand && !showsCycle(clip, roles, from.file.string())) {
+    if (std::optional<Clip> loop = repeatedLoop(clip, roles, kLoopRuns)) {
+      clip = std::move(*loop);
+      done = kind();
+    }
+  }
+  return {&from, std::move(capture), std::move(done), frames};
 }
 
 // First frame of the kStandsFor in which joints turn least.
@@ -340,8 +365,7 @@ std::array<Captured, 2> takeGaits(const std::vector<Seen>& all, MotionLibrary& r
     }
     try {
       const Gait gait = gaitOf(seen);
-      takeCycles(rig, clip, seen.capture.first_frame, *seen.from, gait,
-                 gaits[static_cast<size_t>(gait)]);
+      takeCycles(rig, clip, seen, gait, gaits[static_cast<size_t>(gait)]);
     } catch (const InputError& error) {
       if (all.size() == 1) throw;
       warnings.push_back(std::string(error.what()) + "; left out");

@@ -114,6 +114,25 @@ TEST(FitSpeedEngine, AnEngineOfOneWalkGivesTheCycleThatALibraryHasOfIt) {
   }
 }
 
+// As games have them: who walked on from its last frame would walk it once more.
+TEST(FitSpeedEngine, ALoopOfOneCycleIsACaptureAsAnyOther) {
+  AMBLE_NEEDS_CAPTURES();
+  for (const char* const clip : {"cmu_style_loops/142_08_EDIT_LOOP.bvh", "formats/mass_walk.bvh"}) {
+    const LevelCapture capture = readForLibrary(sharedFolder() / "mocap" / clip, {});
+    const Clip& level = capture.motion.clip;
+    const int last = level.frames() - 1;
+    const double period = last * level.frame_time;
+    const double way = (level.poses.p_WR(last) - level.poses.p_WR(0)).head<2>().norm();
+    const EngineData engine = fitSpeedEngine(engineRequestOf({clip}));
+    ASSERT_TRUE(engine.walk) << clip;
+    const GaitSpace& space = *engine.walk;
+    ASSERT_EQ(space.clips.size(), 1u) << clip;
+    EXPECT_NEAR(space.clips[0].frequency, 1.0 / period, 0.01 / period) << clip;
+    EXPECT_NEAR(space.clips[0].speed, way / period, 0.02 * way / period) << clip;
+    EXPECT_EQ(space.clips[0].source.frames[1], capture.first_frame + last) << clip;
+  }
+}
+
 TEST(FitSpeedEngine, RunsFlyAndAreASpaceOfTheirOwn) {
   AMBLE_NEEDS_CAPTURES();
   const EngineData engine =
