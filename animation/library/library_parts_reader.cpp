@@ -58,13 +58,17 @@ Posture readPosture(const YamlNode& node, int joints) {
   return posture;
 }
 
-MotionSource readSource(const YamlNode& node, bool of_engine) {
+MotionSource readSource(const YamlNode& node, std::optional<MotionKind> of) {
   MotionSource source;
-  if (of_engine && node.has("speed")) {
+  if (of == MotionKind::kWalk && node.has("speed")) {
     node.requireKeys({"clip", "speed", "mirrored", "licence", "credit"});
     source.speed = node.at("speed").asPositive("speed [m/s]", 5.0);
   } else {
-    node.requireKeys({"clip", "frames", "within", "mirrored", "licence", "credit"});
+    if (of && !isPose(*of)) {
+      node.requireKeys({"clip", "frames", "within", "mirrored", "licence", "credit"});
+    } else {
+      node.requireKeys({"clip", "frames", "mirrored", "licence", "credit"});
+    }
     source.frames = readFrames(node.at("frames"));
     if (const YamlNode within = node["within"]) source.within = readFrames(within);
   }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,8 @@ Eigen::MatrixXd readMatrix(const YamlNode& node, int rows, int columns, const st
 std::vector<Eigen::Quaterniond> readRotations(const YamlNode& node, int joints);
 /// `posture:` of a skeleton of so many joints.
 Posture readPosture(const YamlNode& node, int joints);
-/// @param of_engine  whether it may be a speed engine
-MotionSource readSource(const YamlNode& node, bool of_engine = false);
+/// @param of  kind of the motion that it is of; none: it is of a speed engine's clip or posture
+MotionSource readSource(const YamlNode& node, std::optional<MotionKind> of = std::nullopt);
 CaptureQuality readCapture(const YamlNode& node);
 /// `joints:` by role; legs whole.
 JointRoles readRoles(const YamlNode& node, const Skeleton& skeleton);

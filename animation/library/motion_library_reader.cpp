@@ -174,7 +174,7 @@ Motion readLibraryMotion(const YamlNode& node, int joints, const Motion* stand) 
   if (const YamlNode style = node["style"]) motion.style = readStyle(style, motion.kind);
   if (const YamlNode valid = node["valid"]) motion.valid = readValidity(valid, motion.kind);
   if (const YamlNode which = node["joints"]) motion.chains = readChains(which);
-  motion.source = readSource(node.at("source"), motion.kind == MotionKind::kWalk);
+  motion.source = readSource(node.at("source"), motion.kind);
   switch (motion.kind) {
     case MotionKind::kWalk:
     case MotionKind::kMovement:

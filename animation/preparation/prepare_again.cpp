@@ -118,22 +118,25 @@ std::string problemOf(const Motion& motion, const std::function<Motion()>& again
 }
 
 // As the motion was asked for, as far as its capture tells: harmonics that are as many as would be
-// chosen are chosen anew.
+// chosen are chosen anew, and a turn that would be found is looked for.
 MotionRequest askedFor(const MotionLibrary& library, const Motion& motion,
                        const LibraryCaptures& captures) {
-  MotionRequest request = requestOf(motion, captures);
-  if (!std::filesystem::exists(request.file)) {
-    throw InputError(request.file.string(), 0,
+  const MotionRequest told = requestOf(motion, captures);
+  if (!std::filesystem::exists(told.file)) {
+    throw InputError(told.file.string(), 0,
                      "is not there: " + motion.name +
                          " of the library was made with a borrowed stand, and has to be made again",
                      "the clip there, or --captures DIR, its folder");
   }
-  request.harmonics = 0;
-  if (difference(motion, preparedAgain(library, request)).empty()) return request;
-  request.harmonics = motion.cycle.series.harmonics();
-  const std::string problem = difference(motion, preparedAgain(library, request));
-  if (problem.empty()) return request;
-  throw InputError(request.file.string(), 0,
+  MotionRequest open = told;
+  open.harmonics = 0;
+  if (motion.kind == MotionKind::kTurnOnSpot && !motion.source.within) open.frames.reset();
+  std::string problem;
+  for (const MotionRequest& request : {open, told}) {
+    problem = problemOf(motion, [&] { return preparedAgain(library, request); });
+    if (problem.empty()) return request;
+  }
+  throw InputError(told.file.string(), 0,
                    "does not give " + motion.name + " of the library again: " + problem,
                    "the clip and the options that it was made with");
 }

@@ -82,7 +82,7 @@ TEST(LibraryParts, ASourceComesBackWithWhateverItsTextHolds) {
   for (const char* const text : {"plain", "\"quoted\" \\ and: # marks", "-", "ünï", "  two  "}) {
     const MotionSource was{text, {3, 120}, true, text, text, {}, std::array{2, 130}};
     const YamlNode file = written([&](YamlWriter& out) { putSource(out, was); });
-    const MotionSource is = readSource(file.at("source"));
+    const MotionSource is = readSource(file.at("source"), MotionKind::kStart);
     EXPECT_EQ(is.clip, was.clip);
     EXPECT_EQ(is.licence, was.licence);
     EXPECT_EQ(is.credit, was.credit);

@@ -116,6 +116,7 @@ void expectSame(const MotionLibrary& a, const MotionLibrary& b, double rounding 
     const Motion* other = b.find(motion.name);
     ASSERT_NE(other, nullptr) << motion.name;
     EXPECT_EQ(motion.source.frames, other->source.frames) << motion.name;
+    EXPECT_EQ(motion.source.within, other->source.within) << motion.name;
     const std::vector<double> one = preparedIn(motion), same = preparedIn(*other);
     ASSERT_EQ(one.size(), same.size()) << motion.name;
     double off = 0.0;
