@@ -90,6 +90,7 @@ TEST_F(CaptureOptions, OfLibrary) {
 class LibraryAddOptions : public CaptureOptions {
  protected:
   void expectWalksOfAnEngine() const;
+  void expectClipsFound() const;
 };
 
 void LibraryAddOptions::expectWalksOfAnEngine() const {
@@ -119,6 +120,20 @@ void LibraryAddOptions::expectWalksOfAnEngine() const {
            {"in/walk.bvh --speed 1", {"walk.bvh: is no speed engine", "library engine build"}}})
     expectRefused("library add l.yaml " + use + " --name other", words);
   EXPECT_EQ(read("l.yaml"), before);
+}
+
+// From which the motions that there are are made again.
+void LibraryAddOptions::expectClipsFound() const {
+  const std::string stand = captureFolder() + "accad_female1/Female1_A01_Stand.bvh";
+  for (const char* const file : {"l.yaml", "l.bvh"}) fs::remove(folder_ / file);
+  good("library add l.yaml in/walk.bvh");
+  const std::string own = "library add l.yaml " + stand + " --kind posture --name stand";
+  fs::rename(folder_ / "in/walk.bvh", folder_ / "walk.bvh");
+  expectRefused(own, {"walk.bvh: is not there", "--captures DIR"});
+  good(own + " --captures in --captures .");
+  fs::rename(folder_ / "walk.bvh", folder_ / "in/walk.bvh");
+  EXPECT_EQ(printed("library show --json l.yaml")[0]["motions"][0]["source"]["clip"],
+            "Female1_A01_Stand.bvh");
 }
 
 TEST_F(LibraryAddOptions, OfLibraryAdd) {
@@ -195,17 +210,7 @@ TEST_F(LibraryAddOptions, OfLibraryAdd) {
     EXPECT_EQ(made("--no-mirror").size(), 1u);
     EXPECT_EQ(plain.size(), 2u);
   };
-  uses["--captures"] = [&] {
-    const std::string stand = captureFolder() + "accad_female1/Female1_A01_Stand.bvh";
-    made("");
-    const std::string own = "library add l.yaml " + stand + " --kind posture --name stand";
-    fs::rename(folder_ / "in/walk.bvh", folder_ / "walk.bvh");
-    expectRefused(own, {"walk.bvh: is not there", "--captures DIR"});
-    good(own + " --captures in --captures .");
-    fs::rename(folder_ / "walk.bvh", folder_ / "in/walk.bvh");
-    EXPECT_EQ(printed("library show --json l.yaml")[0]["motions"][0]["source"]["clip"],
-              "Female1_A01_Stand.bvh");
-  };
+  uses["--captures"] = [&] { expectClipsFound(); };
   uses["--licence"] = [&] { EXPECT_EQ(made("--licence 'A B'")[0]["source"]["licence"], "A B"); };
   uses["--credit"] = [&] { EXPECT_EQ(made("--credit 'C D'")[0]["source"]["credit"], "C D"); };
   expectEach("library add", uses);
