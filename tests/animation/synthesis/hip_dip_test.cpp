@@ -38,8 +38,7 @@ TEST(HipDip, AwayFromStancesAllThatIsMissingIsCovered) {
   EXPECT_LE(*std::ranges::max_element(dip), givenWay(0.03) + 1e-12);  // and no more than that
 }
 
-// Twice as finely sampled it is the same curve, and its acceleration is bounded.
-// More is missing, and they give way farther, by no more than is told, the less the less.
+// The more is missing the farther beyond it, but by less than half of it, and no more than is told.
 TEST(HipDip, HipsGiveWayByMoreThanIsMissing) {
   EXPECT_EQ(givenWay(0.0), 0.0);
   for (double missing = 0.001; missing < HipDip::kDeepest; missing += 0.001) {
@@ -50,6 +49,7 @@ TEST(HipDip, HipsGiveWayByMoreThanIsMissing) {
   }
 }
 
+// Twice as finely sampled it is the same curve, and its acceleration is bounded.
 TEST(HipDip, TheCurveIsSmooth) {
   const std::vector<double> dip = hipDip(bump(0.02, 0.0), kFrameTime);
   for (size_t i = 1; i + 1 < dip.size(); ++i) {
