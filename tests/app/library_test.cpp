@@ -318,7 +318,8 @@ TEST_F(Library, AStandOfOnesOwnTakesThePlaceOfABorrowedOne) {
   EXPECT_NE(apart.err.find("--captures DIR"), std::string::npos) << apart.err;
   EXPECT_EQ(read("late.yaml"), before);
   add("late.yaml elsewhere/stand.bvh --kind posture --name stand --captures '" + folder + "'");
-  const Ran checked = run("library check late.yaml --captures elsewhere --captures '" + folder + "'");
+  const Ran checked =
+      run("library check late.yaml --captures elsewhere --captures '" + folder + "'");
   EXPECT_EQ(checked.status, 0) << checked.out;
   EXPECT_EQ(checked.out.find("WRONG"), std::string::npos) << checked.out;
   const json motions = json::parse(run("library show --json late.yaml").out)[0]["motions"];
