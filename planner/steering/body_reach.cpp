@@ -19,8 +19,7 @@ namespace {
 
 constexpr double kSureWaist = 0.9;     // of what thigh and pelvis hold together
 constexpr double kStackMargin = 0.01;  // of poses that are not those of a straight walk [m]
-
-constexpr double kMostFinest = 2e6;  // squares of the second flood; larger ones are not begun
+constexpr double kMostFinest = 2e6;    // squares of the second flood; larger ones are not begun
 // Of a ball's radius, half a square's diagonal.
 constexpr double kOfRadius = 0.4;
 // Of a leg from the path, at any height [m].
@@ -89,8 +88,10 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
     return a.radius > b.radius;
   });
   addCrossings(walk, skeleton, roles, body);
-  for (TrunkStack& stack : trunkStacks(walk, skeleton, roles, body, kStackMargin))
-    addStack(std::move(stack));
+  if (body.upright > 0.0) {  // who may stoop bends his trunk otherwise in another walk
+    for (TrunkStack& stack : trunkStacks(walk, skeleton, roles, body, kStackMargin))
+      addStack(std::move(stack));
+  }
   addFeet(walk, skeleton, roles, body, highest_lift);
   addPost(roles, body);
 }

@@ -3,12 +3,12 @@
 /// Wherever the body walks, whatever its heading, it holds some balls at heights of their own: in
 /// its pelvis, its chest and its head, with what of an upright body is over it, and in each leg
 /// where it crosses a height that no ankle is lifted to. Over level ground also in each leg at some
-/// heights from there to the hips, and in the trunk and the head, one over the other
-/// (TrunkStack): by them hardly a bar as thick as kThinnest gets between two of those balls. Each
-/// moves along a curve without a jump, from near the start to near the goal. Where a ball cannot
-/// be, because something is nearer to its middle than its radius, none of its curves leads. So if
-/// the plane without those places falls apart, with start and goal in different parts, for any one
-/// of the balls, there is no walk.
+/// heights from there to the hips, and, unless it may stoop, in the trunk and the head, one over
+/// the other (TrunkStack): by them hardly a bar as thick as kThinnest gets between two of those
+/// balls. Each moves along a curve without a jump, from near the start to near the goal. Where a
+/// ball cannot be, because something is nearer to its middle than its radius, none of its curves
+/// leads. So if the plane without those places falls apart, with start and goal in different parts,
+/// for any one of the balls, there is no walk.
 ///
 /// A flood over squares decides it. A square is shut where a ball at its middle touches something
 /// with its radius less half the square's diagonal: then it does wherever in the square it is. All

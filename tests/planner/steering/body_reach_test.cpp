@@ -230,6 +230,8 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
                            highest, kLongestStep, StepPlacer::kHighestLift);
   const auto head = std::ranges::find(stooping.balls(), room.body.head, &BodyReach::Ball::part);
   ASSERT_NE(head, stooping.balls().end());
+  EXPECT_TRUE(std::ranges::all_of(
+      stooping.balls(), [](const BodyReach::Ball& ball) { return ball.stack.balls.empty(); }));
   const WalkSteering steering(room.synthesizer, room.world, room.ground);
   const auto scratch = steering.makeScratch();
   SampleStream stream(4, 0);
