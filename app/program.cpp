@@ -26,8 +26,9 @@ int complain(const std::string& line) {
   return kExitWrong;
 }
 
-// What a person wants first, in an order in which each may use what the one before made.
 constexpr const char* kNoOutput = "-: cannot be written; expected an open output";
+
+// What a person wants first, in an order in which each may use what the one before made.
 constexpr const char* kDescription =
     "Plans how a person walks through a 3D scene.\n\n"
     "Examples:\n"
