@@ -15,7 +15,6 @@
 #include "base/error.h"
 #include "base/keep_inputs.h"
 #include "base/output_file.h"
-#include "base/parallel.h"
 #include "viz/pictures/gait_plot.h"
 
 namespace amble {
@@ -109,7 +108,6 @@ int run(const AnalyseArguments& options) {
 
 void addAnalyse(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<AnalyseArguments>();
-  options->threads = usualThreads();
   CLI::App* command = app.add_subcommand(
       "analyse", "Measure clips: foot plants, gait events, type, speed, stride, lift, quality");
   command->add_option("CLIP", options->paths, "Captures, and folders of them; - is standard input")
@@ -126,10 +124,11 @@ void addAnalyse(CLI::App& app, Command& chosen) {
       ->add_option("--plot", options->plot,
                    "Write a picture (SVG) of the feet: a file, a name with {stem}, or a folder")
       ->type_name("FILE");
-  command->add_option("--threads", options->threads, "Threads; changes no result")
-      ->check(wholeNumber(1, 64));
+  addThreadsOption(*command, options->threads);
   command->add_flag("--json", options->json, "Print results for machines");
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = onThreads(options->threads, [options] { return run(*options); });
+  });
 }
 
 }  // namespace amble

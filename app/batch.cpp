@@ -19,7 +19,6 @@
 #include "app/say.h"
 #include "app/stop.h"
 #include "app/view_of.h"
-#include "base/parallel.h"
 #include "base/text.h"
 #include "batch/run/merge_batch.h"
 
@@ -143,7 +142,6 @@ int run(const BatchArguments& options) {
 
 void addBatch(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<BatchArguments>();
-  options->threads = usualThreads();
   CLI::App* command =
       app.add_subcommand("batch", "Plan many walks with labels, in shards; what is there is kept");
   CLI::Option* job = addJobOptions(*command, options->job);
@@ -151,8 +149,7 @@ void addBatch(CLI::App& app, Command& chosen) {
       ->type_name("I/N")
       ->check(shardForm())
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "Walks planned at a time; changes no result")
-      ->check(wholeNumber(1, 64));
+  addThreadsOption(*command, options->threads, "Walks planned at a time; changes no result");
   addPackOption(*command, options->job);
   command->add_flag("--json", options->json, "Print results for machines");
   addBatchMerge(*command, chosen);
@@ -167,7 +164,7 @@ void addBatch(CLI::App& app, Command& chosen) {
   command->callback([command, job, options, &chosen] {
     if (!command->get_subcommands().empty()) return;
     options->job.require(*job);
-    chosen = [options] { return run(*options); };
+    chosen = onThreads(options->threads, [options] { return run(*options); });
   });
 }
 

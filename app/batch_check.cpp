@@ -9,7 +9,6 @@
 #include "app/result_formats.h"
 #include "app/say.h"
 #include "app/stop.h"
-#include "base/parallel.h"
 #include "base/text.h"
 #include "batch/run/check_batch.h"
 
@@ -65,7 +64,6 @@ int runCheck(const BatchCheckArguments& options) {
 
 void addBatchCheck(CLI::App& batch, Command& chosen) {
   const auto options = std::make_shared<BatchCheckArguments>();
-  options->threads = usualThreads();
   CLI::App* command = batch.add_subcommand(
       "check", "Look at some walks again: their BVH against their scenes, as amble validate does");
   CLI::Option* job = addJobOptions(*command, options->job);
@@ -75,13 +73,12 @@ void addBatchCheck(CLI::App& batch, Command& chosen) {
   command->add_option("--seed", options->seed, "Another one, other walks")
       ->check(wholeNumber(0, 2147483647))
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "Threads; changes no result")
-      ->check(wholeNumber(1, 64));
+  addThreadsOption(*command, options->threads);
   command->add_flag("--json", options->json, "Print results for machines");
   addExitStatus(*command, "all hold", "one touches something or is not what its row says");
   command->callback([job, options, &chosen] {
     options->job.require(*job);
-    chosen = [options] { return runCheck(*options); };
+    chosen = onThreads(options->threads, [options] { return runCheck(*options); });
   });
 }
 

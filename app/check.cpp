@@ -204,7 +204,10 @@ void addCheck(CLI::App& app, Command& chosen) {
                "amble check scenarios/narrow-gap-070.yaml --junit check.xml",
                "amble check scenarios --filter narrow-gap-070,narrow-gap-080 -j 2 -o out/check"});
   addExitStatus(*command, "all hold", "something differs");
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] {
+    const int threads = options->threads > 0 ? options->threads * options->jobs : usualThreads();
+    chosen = onThreads(threads, [options] { return run(*options); });
+  });
 }
 
 }  // namespace amble

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/parallel.h"
 #include "base/strict_yaml.h"
 #include "base/text.h"
 
@@ -121,6 +122,19 @@ CLI::Validator wholeNumber(long min, long max) {
     return good ? "" : fmt::format("is '{}'; expected a whole number from {}", text, wanted);
   };
   return CLI::Validator(check, fmt::format("[{}]", wanted));
+}
+
+void addThreadsOption(CLI::App& command, int& threads, const std::string& what) {
+  threads = usualThreads();
+  command.add_option("--threads", threads, what)->check(wholeNumber(1, kMostThreads));
+}
+
+Command onThreads(int threads, const Command& command) {
+  return [threads, command] {
+    int status = 0;
+    withThreads(threads, [&] { status = command(); });
+    return status;
+  };
 }
 
 void addMemoryOption(CLI::App& command, size_t& bytes) {

@@ -50,6 +50,11 @@ CLI::Validator choice(const std::vector<std::string>& names);
 void addExamples(CLI::App& command, const std::vector<std::string>& lines);
 /// Says behind them what the command ends with. @param none  when it is kExitNone; "" for never
 void addExitStatus(CLI::App& command, const std::string& done, const std::string& none = "");
+/// `--threads N`. @param threads  is set to it; before, to as many as the machine runs
+void addThreadsOption(CLI::App& command, int& threads,
+                      const std::string& what = "Threads; changes no result");
+/// The command, on no more threads than these.
+Command onThreads(int threads, const Command& command);
 /// `--memory MB`, for commands that read meshes or captures. @param bytes  is set to it
 void addMemoryOption(CLI::App& command, size_t& bytes);
 /// Accepts a whole number within a range, ends included.

@@ -180,7 +180,6 @@ void addChainsOption(CLI::App& command, std::vector<std::string>& chains) {
 
 void addGraftAll(CLI::App& graft, Command& chosen) {
   const auto options = std::make_shared<GraftAllArguments>();
-  options->threads = usualThreads();
   CLI::App* command =
       graft.add_subcommand("all", "Graft every pair of clips that the rules permit, with an index");
   command->add_option("DIR", options->paths, "Folders of captures, and captures")
@@ -192,11 +191,12 @@ void addGraftAll(CLI::App& graft, Command& chosen) {
       ->type_name("DIR")
       ->capture_default_str();
   addChainsOption(*command, options->chains);
-  command->add_option("--threads", options->threads, "Threads; changes no result")
-      ->check(wholeNumber(1, 64));
+  addThreadsOption(*command, options->threads);
   command->add_flag("--json", options->json, "Print the index");
   addReadOptions(*command, options->read);
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = onThreads(options->threads, [options] { return run(*options); });
+  });
 }
 
 }  // namespace amble

@@ -18,7 +18,6 @@
 #include "app/say.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
-#include "base/parallel.h"
 #include "base/stopwatch.h"
 
 namespace amble {
@@ -191,7 +190,6 @@ void addErrorOption(CLI::App& command, double& error) {
 
 void addGraphBuild(CLI::App& graph, Command& chosen) {
   const auto options = std::make_shared<GraphBuildOptions>();
-  options->making.threads = usualThreads();
   CLI::App* command = graph.add_subcommand(
       "build", "Find which frames of some clips are alike, and keep that as a graph");
   command->add_option("CLIPS", options->clips, "Captures, and folders of them")
@@ -204,12 +202,13 @@ void addGraphBuild(CLI::App& graph, Command& chosen) {
       ->add_option("--fps", options->making.fps,
                    "Frames a second that are compared; default: 30, or those of the slowest clip")
       ->check(number(1, 1000, "1/s"));
-  command->add_option("--threads", options->making.threads, "Threads; changes no result")
-      ->check(wholeNumber(1, 64));
+  addThreadsOption(*command, options->making.threads);
   addReadOptions(*command, options->making.read);
   addExamples(*command, {"amble graph build Walk1.bvh WalkToRun.bvh -o walks.graph",
                          "amble graph build captures/ -o all.graph"});
-  command->callback([options, &chosen] { chosen = [options] { return build(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = onThreads(options->making.threads, [options] { return build(*options); });
+  });
 }
 
 void addGraphShow(CLI::App& graph, Command& chosen) {

@@ -11,7 +11,6 @@
 #include "app/read_options.h"
 #include "app/say.h"
 #include "app/stop.h"
-#include "base/parallel.h"
 #include "base/text.h"
 
 namespace amble {
@@ -85,7 +84,6 @@ int run(const LibraryFindArguments& options) {
 void addLibraryFind(CLI::App& library, Command& chosen) {
   const auto options = std::make_shared<LibraryFindArguments>();
   options->paths = {"default"};
-  options->threads = usualThreads();
   CLI::App* command = library.add_subcommand(
       "find", "Find clips and motions that are mostly standing, walking, running or jumping");
   command->add_option("PATH", options->paths, "Clips, folders of them, libraries; default: default")
@@ -100,12 +98,13 @@ void addLibraryFind(CLI::App& library, Command& chosen) {
       ->check(CLI::Validator(check, "[0% to 100%]"))
       ->capture_default_str();
   addReadOptions(*command, options->read);
-  command->add_option("--threads", options->threads, "Threads; changes no result")
-      ->check(wholeNumber(1, 64));
+  addThreadsOption(*command, options->threads);
   command->add_flag("--json", options->json, "Print results for machines");
   addExamples(*command, {"amble library find --type walk --at-least 75%"});
   addExitStatus(*command, "some were found", "none was found");
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = onThreads(options->threads, [options] { return run(*options); });
+  });
 }
 
 }  // namespace amble

@@ -19,7 +19,6 @@
 #include "app/write_formats.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
-#include "base/parallel.h"
 #include "base/text.h"
 #include "environments/ground/ground_warnings.h"
 #include "scenarios/problem.h"
@@ -302,7 +301,6 @@ void addResultOptions(CLI::App& command, PlanArguments& options) {
 
 void addPlan(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<PlanArguments>();
-  options->threads = usualThreads();
   CLI::App* command = app.add_subcommand("plan", "Plan one walk and write it with its report");
   CLI::Option* scenario =
       command
@@ -318,8 +316,7 @@ void addPlan(CLI::App& app, Command& chosen) {
       ->type_name("FILE");
   command->add_option("--seed", options->seed, "Instead of the scenario's")
       ->check(wholeNumber(0, 2147483647));
-  command->add_option("--threads", options->threads, "Threads; changes no result")
-      ->check(wholeNumber(1, 64));
+  addThreadsOption(*command, options->threads);
   command->add_option("--time-limit", options->time_limit, "Instead of the scenario's")
       ->check(number(0.001, 86400, "s"));
   addResultOptions(*command, *options);
@@ -337,7 +334,7 @@ void addPlan(CLI::App& app, Command& chosen) {
   addExitStatus(*command, "a walk was found", "none was found");
   command->callback([options, scenario, &chosen] {
     if (scenario->count() == 0 && !options->list_planners) throw CLI::RequiredError("SCENARIO");
-    chosen = [options] { return run(*options); };
+    chosen = onThreads(options->threads, [options] { return run(*options); });
   });
 }
 

@@ -12,7 +12,6 @@
 #include "app/stop.h"
 #include "base/error.h"
 #include "base/keep_inputs.h"
-#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "base/strict_yaml.h"
 #include "base/text.h"
@@ -145,7 +144,6 @@ int show(const std::string& file, bool json) {
 
 void addRoadmapBuild(CLI::App& roadmap, Command& chosen) {
   const auto options = std::make_shared<BuildOptions>();
-  options->threads = usualThreads();
   CLI::App* command = roadmap.add_subcommand(
       "build", "Make a roadmap of a scene, without start and goal, and keep it");
   command
@@ -162,8 +160,7 @@ void addRoadmapBuild(CLI::App& roadmap, Command& chosen) {
                    "Failures in a row to add a guard that end it: the visibility PRM's M")
       ->check(wholeNumber(1, 1000000))
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "Threads; changes no result")
-      ->check(wholeNumber(1, 64));
+  addThreadsOption(*command, options->threads);
   command->add_option("--time-limit", options->time_limit, "Instead of the scenario's")
       ->check(number(0.001, 86400, "s"));
   command->add_option("--fps", options->fps, "Frames a second of the walks")
@@ -173,7 +170,9 @@ void addRoadmapBuild(CLI::App& roadmap, Command& chosen) {
   addExamples(*command, {"amble roadmap build scenarios/narrow-gap-070.yaml -o gap.roadmap",
                          "amble plan scenarios/narrow-gap-070.yaml --roadmap gap.roadmap"});
   addExitStatus(*command, "it was made", "its time was up before that");
-  command->callback([options, &chosen] { chosen = [options] { return build(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = onThreads(options->threads, [options] { return build(*options); });
+  });
 }
 
 void addRoadmapShow(CLI::App& roadmap, Command& chosen) {

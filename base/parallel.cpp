@@ -12,7 +12,12 @@
 namespace amble {
 
 int usualThreads() {
-  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostThreads);
+  const int machine = static_cast<int>(std::thread::hardware_concurrency());
+  return std::clamp(std::min(machine, tbb::this_task_arena::max_concurrency()), 1, kMostThreads);
+}
+
+void withThreads(int threads, const std::function<void()>& work) {
+  tbb::task_arena(threads).execute(work);
 }
 
 void parallelFor(int count, int threads, const std::function<void(int i, int thread)>& task) {

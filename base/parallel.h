@@ -8,8 +8,14 @@ namespace amble {
 /// More threads than this help nobody.
 inline constexpr int kMostThreads = 64;
 
-/// As many as the machine runs at a time [1 to kMostThreads].
+/// As many as the machine runs at a time, or the withThreads that this is within if that is fewer
+/// [1 to kMostThreads].
 int usualThreads();
+
+/// Calls work() on the caller's thread. Until it returns no more threads than these work for it,
+/// its own among them, whatever its loops ask for; an exception goes on to the caller.
+/// @param threads  [>= 1]
+void withThreads(int threads, const std::function<void()>& work);
 
 /// Calls task(i, thread) for i in 0 .. count - 1, each once, begun in this order, and
 /// thread in 0 .. threads - 1, never two at a time of one thread. No more of them run at a time

@@ -57,7 +57,7 @@ struct AnimateAsked {
 
 std::shared_ptr<AnimatedWalk> animate(const AnimateAsked& asked) {
   std::shared_ptr<AnimatedWalk> made;
-  runStoppable([&](const std::atomic<bool>& stop) {
+  runStoppable(kMostThreads, [&](const std::atomic<bool>& stop) {
     made = std::make_shared<AnimatedWalk>(animateWalk(asked.request(), StopRequest{&stop, {}}));
   });
   return made;
@@ -110,7 +110,7 @@ std::shared_ptr<MotionLibrary> openLibrary(const std::string& name) {
 std::shared_ptr<MotionLibrary> buildLibrary(const std::filesystem::path& recipe,
                                             const std::filesystem::path& captures) {
   const auto library = std::make_shared<MotionLibrary>();
-  runStoppable([&](const std::atomic<bool>& stop) {
+  runStoppable(kMostThreads, [&](const std::atomic<bool>& stop) {
     *library = buildMotionLibrary(recipe, captures, StopRequest{&stop, {}});
   });
   return library;
@@ -130,7 +130,7 @@ struct AdditionAsked {
 void addTo(MotionLibrary& library, const std::vector<std::filesystem::path>& clips,
            const AdditionAsked& asked) {
   MotionLibrary longer = library;
-  runStoppable([&](const std::atomic<bool>& stop) {
+  runStoppable(kMostThreads, [&](const std::atomic<bool>& stop) {
     LibraryAddition how = asked.how;
     const auto& kinds = motionKindNames();
     how.kind =
@@ -151,7 +151,7 @@ py::tuple findIn(const std::vector<std::string>& paths, const std::string& type,
                  int threads) {
   std::string text;
   std::vector<std::string> wrong;
-  runStoppable([&](const std::atomic<bool>& stop) {
+  runStoppable(threads, [&](const std::atomic<bool>& stop) {
     MotionSearch search;
     search.paths = paths;
     search.type = type;

@@ -130,7 +130,7 @@ py::tuple edit(const PythonClip& clip, const Amount& stride, const Amount& lift,
                const Pair& incline_deg, const Pair& stairs, const Pair& arrive, bool foot_lock) {
   ClipPtr made;
   std::string refused;
-  runStoppable([&](const std::atomic<bool>& stop) {
+  runStoppable(kMostThreads, [&](const std::atomic<bool>& stop) {
     const StopRequest asked{&stop, {}};
     CapturedMotion motion = clip.motion;
     const CapturedWalk walk = captureWalk(motion, clip.file);
@@ -161,7 +161,7 @@ py::tuple graft(const PythonClip& base, const PythonClip& upper,
                 const std::optional<double>& ease, bool as_it_falls) {
   ClipPtr made;
   std::string refused;
-  runStoppable([&](const std::atomic<bool>& stop) {
+  runStoppable(kMostThreads, [&](const std::atomic<bool>& stop) {
     const StopRequest asked{&stop, {}};
     const GraftSource below = graftSource(base.motion, base.file);
     asked.check();

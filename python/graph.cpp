@@ -34,7 +34,7 @@ GraphPtr buildGraph(const std::vector<std::filesystem::path>& clips,
                     const std::filesystem::path& out, double fps, int threads) {
   const auto made = std::make_shared<PythonGraph>();
   made->file = out.string();
-  runStoppable([&](const std::atomic<bool>& stop) {
+  runStoppable(threads, [&](const std::atomic<bool>& stop) {
     GraphMaking making;
     making.fps = fps;
     making.threads = threads;

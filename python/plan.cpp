@@ -17,7 +17,7 @@ std::shared_ptr<PythonWalk> plan(const std::filesystem::path& file,
                                  const std::optional<std::string>& text, const Asked& asked) {
   const auto walk = std::make_shared<PythonWalk>();
   walk->command = asked.command;
-  runStoppable([&](const std::atomic<bool>& stop) {
+  runStoppable(asked.threads, [&](const std::atomic<bool>& stop) {
     const Scenario scenario = scenarioOf(file, text, asked);
     if (!scenario.queries.empty()) {
       scenario.source.fail("queries", "it asks for several walks", "amble.plan_queries()");
@@ -44,7 +44,7 @@ std::shared_ptr<PythonWalk> walkOf(RunResult& result, const std::string& command
 py::dict planQueries(const std::filesystem::path& file, const std::optional<std::string>& text,
                      const Asked& asked) {
   std::vector<std::pair<std::string, std::shared_ptr<PythonWalk>>> walks;
-  runStoppable([&](const std::atomic<bool>& stop) {
+  runStoppable(asked.threads, [&](const std::atomic<bool>& stop) {
     const Scenario scenario = scenarioOf(file, text, asked);
     if (scenario.queries.empty()) {
       scenario.source.fail("start", "it asks for one walk", "'queries:', or amble.plan()");

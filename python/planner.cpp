@@ -50,8 +50,9 @@ void make(const std::filesystem::path& name, const std::string& text, const Aske
 PlannerPtr makePlanner(const std::filesystem::path& name, const std::string& text,
                        const Asked& asked, int max_failures) {
   const auto made = std::make_shared<PythonPlanner>();
-  runStoppable(
-      [&](const std::atomic<bool>& stop) { make(name, text, asked, max_failures, stop, *made); });
+  runStoppable(asked.threads, [&](const std::atomic<bool>& stop) {
+    make(name, text, asked, max_failures, stop, *made);
+  });
   return made;
 }
 
@@ -60,7 +61,7 @@ std::shared_ptr<PythonWalk> planWith(const PlannerPtr& planner, const std::files
                                      const std::string& text, const Asked& asked) {
   const auto walk = std::make_shared<PythonWalk>();
   walk->command = asked.command;
-  runStoppable([&](const std::atomic<bool>& stop) {
+  runStoppable(asked.threads, [&](const std::atomic<bool>& stop) {
     const Scenario scenario = scenarioOf(name, text, asked);
     std::map<std::string, std::string> inputs = planner->inputs;
     inputs[name.string()] = scenario.source.sha256;

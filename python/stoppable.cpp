@@ -19,15 +19,16 @@ bool onMainThread() { return syscall(SYS_gettid) == getpid(); }
 
 }  // namespace
 
-void runStoppable(const std::function<void(const std::atomic<bool>& stop)>& work) {
+void runStoppable(int threads, const std::function<void(const std::atomic<bool>& stop)>& work) {
   std::atomic<bool> stop{false};
+  const auto run = [&] { withThreads(threads, [&] { work(stop); }); };
   if (!onMainThread()) {
     const py::gil_scoped_release released;
-    work(stop);
+    run();
     return;
   }
   std::optional<py::error_already_set> raised;
-  std::future<void> done = std::async(std::launch::async, [&] { work(stop); });
+  std::future<void> done = std::async(std::launch::async, run);
   {
     const py::gil_scoped_release released;
     while (done.wait_for(kLookForSignals) != std::future_status::ready) {

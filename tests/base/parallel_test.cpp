@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace amble {
@@ -55,6 +57,38 @@ TEST(ParallelFor, TheFirstFailureInOrderReachesTheCallerAtAnyNumberOfThreads) {
 TEST(ParallelFor, UsualThreadsAreSomeButNotTooMany) {
   EXPECT_GE(usualThreads(), 1);
   EXPECT_LE(usualThreads(), kMostThreads);
+}
+
+TEST(WithThreads, NoMoreWorkAtATimeThanThereAreWhateverLoopsWithinAskFor) {
+  for (const int threads : {1, 2}) {
+    std::atomic<int> at_work{0}, most{0}, done{0};
+    const auto inner = [&](int, int) {
+      const int now = ++at_work;
+      for (int known = most; now > known && !most.compare_exchange_weak(known, now);) continue;
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+      --at_work;
+      ++done;
+    };
+    withThreads(threads, [&] {
+      EXPECT_LE(usualThreads(), threads);
+      parallelFor(20, 4, [&](int, int) { parallelFor(5, 4, inner); });
+    });
+    EXPECT_EQ(done, 100);
+    EXPECT_LE(most, threads);
+  }
+}
+
+TEST(WithThreads, OneIsTheCallerAndFailuresReachHim) {
+  const std::thread::id caller = std::this_thread::get_id();
+  EXPECT_THROW(withThreads(1,
+                           [&] {
+                             EXPECT_EQ(std::this_thread::get_id(), caller);
+                             parallelFor(10, 4, [&](int i, int) {
+                               EXPECT_EQ(std::this_thread::get_id(), caller);
+                               if (i == 7) throw std::runtime_error("7");
+                             });
+                           }),
+               std::runtime_error);
 }
 
 TEST(ParallelFor, NothingToDoIsNothingDone) {
