@@ -108,11 +108,12 @@ void slowSteps(const WalkDepartures& departures, const GaitWishes& wishes, WalkS
     const double speed = walk.timing ? walk.timing->stepSpeed(i) : speedOf(*walk.profile, i);
     landings[i + 1].slower = departures.slowerBy(speed);
   }
-  if (!walk.from.standing)
-    for (const int i : {0, 1, 2}) landings[i].slower = walk.from_feet.placement.slower;
   if (!walk.end.standing)
     for (const int i : {walk.steps, walk.steps + 1})
       landings[i].slower = walk.end_feet.placement.slower;
+  // After the end's: of two steps the first is the begin's, whose rear heel is up already.
+  if (!walk.from.standing)
+    for (const int i : {0, 1, 2}) landings[i].slower = walk.from_feet.placement.slower;
 }
 
 // How fast each step turns that is level; a stance is that of a straight walk.

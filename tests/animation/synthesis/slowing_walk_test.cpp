@@ -205,6 +205,33 @@ TEST(SlowingWalk, JoinsToTheBitAtASlowStance) {
   }
 }
 
+// Rear heels are up at a walking stance: if they followed another cycle a frame later they would
+// jump, by 20 degrees where the paces of two stances two steps apart differ as much.
+TEST(SlowingWalk, FeetFollowAtTheFramesBesideAStanceWhatTheyFollowThere) {
+  const WalkSynthesizer walker(defaultLibrary(), kFlatFloor, {.speed = 1.8});
+  int of_two_steps = 0;
+  for (const double pace : {0.35, 0.5, 0.7, 1.0}) {
+    for (double length = 0.8; length < 2.5; length += 0.1) {
+      const RootPath path = straightPath(length);
+      Stance begin = stanceAt(path, false, false), end = stanceAt(path, true, false);
+      begin.pace = 0.5;
+      end.pace = pace;
+      AnimationBuffer walk;
+      const WalkResult made = walker.walk(begin, end, path, true, walk);
+      if (made.refused != WalkRule::kNone) continue;
+      of_two_steps += made.steps == 2 && pace != begin.pace;
+      const int last = walk.size() - 1;
+      for (const Side side : {kLeft, kRight}) {
+        EXPECT_TRUE(followsSame(walk.states[0].feet[side], walk.states[1].feet[side]))
+            << pace << ' ' << length;
+        EXPECT_TRUE(followsSame(walk.states[last - 1].feet[side], walk.states[last].feet[side]))
+            << pace << ' ' << length;
+      }
+    }
+  }
+  EXPECT_GE(of_two_steps, 4);
+}
+
 // Speeds change by onset().acceleration at most; what is blended changes no faster, and that change
 // no faster than the mean over its moment lets it.
 TEST(SlowingWalk, GoesOverFromPaceToPaceSmoothly) {
