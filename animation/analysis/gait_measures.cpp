@@ -402,6 +402,12 @@ GaitMeasures measureGait(const Clip& clip, const JointRoles& roles, const FootPl
   return result;
 }
 
+double smoothedSpeed(const std::vector<Eigen::Vector3d>& way, double frame_time, double begin,
+                     double end) {
+  const std::vector<double> ahead(way.size(), 0.0);
+  return travelOver(smoothed(way, frame_time, kSpeedWindow), ahead, begin, end, frame_time).speed;
+}
+
 SoleEnds capturedSole(const Eigen::Vector3d& ankle, const Eigen::Vector3d& toe, double heel,
                       double flat_pitch) {
   const Eigen::Vector2d ahead = (toe - ankle).head<2>();

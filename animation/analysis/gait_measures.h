@@ -84,6 +84,12 @@ struct GaitMeasures {
 GaitMeasures measureGait(const Clip& clip, const JointRoles& roles, const FootPlants& plants,
                          const Ground* ground = nullptr);
 
+/// GaitMeasures::speed of anything that is at way[frame] [m], between two moments [frames]: what is
+/// compared with a walk's must be smoothed as that is, for where a walk gains speed its smoothed
+/// way is a longer one [m/s, >= 0].
+double smoothedSpeed(const std::vector<Eigen::Vector3d>& way, double frame_time, double begin,
+                     double end);
+
 /// Heel and toe of a captured foot: the heel is the point so far [m] below the ankle of a flat foot
 /// (kAnkleHeightOfLeg), whose way from ankle to toe goes down by `flat_pitch` [rad], and turns with
 /// the foot.

@@ -231,7 +231,9 @@ WalkSteps StepPlacer::plan(const WalkRequest& request) const {
     }
   }
   if (walk.refused != WalkRule::kNone || walk.unwanted || outlook) return walk;
-  if (limits.pace || limits.stride || walk.timing || isSlower(walk))
+  // Where no slower pace is captured than the plan's, no step is that of one.
+  const bool slowest = swings_.cycles.departures.slower.empty();
+  if (limits.pace || limits.stride || walk.timing || slowest || isSlower(walk))
     walk.feet->setSupports(halfSupports(walk, s_));
   walk.level = isLevel(walk);
   if (!walk.level) walk.height = rootHeight(walk);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "animation/body/pelvis.h"
 #include "animation/library/motion_library_reader.h"
 #include "animation/synthesis/walk_synthesizer.h"
 #include "base/rotation.h"
@@ -50,15 +51,23 @@ class JudgeWalk : public testing::Test {
   JudgeWalk() : library_(openMotionLibrary("default")), synthesizer_(library_, ground_, {}) {
     walkFrom({0, 0, 0}, 0.0);
   }
-  void walkFrom(const Eigen::Vector3d& place, double heading) {
+  void walkFrom(const Eigen::Vector3d& place, double heading, double length = 6.0) {
     Stance from, to;
     from.position = place;
-    to.position = place + 6.0 * Eigen::Vector3d(std::cos(heading), std::sin(heading), 0.0);
+    to.position = place + length * Eigen::Vector3d(std::cos(heading), std::sin(heading), 0.0);
     from.heading = to.heading = heading;
     const RootPath path(
         {makeBezier(from.position.head<2>(), heading, to.position.head<2>(), heading)});
     EXPECT_EQ(synthesizer_.walk(from, to, path, true, walk_).refused, WalkRule::kNone);
     clip_ = {"walk", synthesizer_.skeleton(), walk_.frame_time, walk_.poses, {}};
+  }
+  // Straight ahead, so far [m].
+  void walkTo(const WalkSynthesizer& walker, double length) {
+    Stance from, to;
+    to.position.x() = length;
+    const RootPath path({makeBezier(from.position.head<2>(), 0.0, to.position.head<2>(), 0.0)});
+    ASSERT_EQ(walker.walk(from, to, path, true, walk_).refused, WalkRule::kNone) << length;
+    clip_ = {"walk", walker.skeleton(), walk_.frame_time, walk_.poses, {}};
   }
   std::vector<QualityLine> judged() const {
     return judgeWalk(clip_, synthesizer_.roles(), walk_, ground_,
@@ -107,6 +116,47 @@ TEST_F(JudgeWalk, AWalkFasterThanItsPlanIsNotWhatWasAsked) {
   for (int i = 0; i < clip_.frames(); ++i) clip_.poses.p_WR(i).x() *= 1.2;
   EXPECT_NEAR(line("speed, achieved against asked").value, 0.2, 0.03);
   EXPECT_FALSE(line("speed, achieved against asked").holds());
+}
+
+// A pelvis that is where its plan has it goes as fast as was asked.
+TEST_F(JudgeWalk, AWalkThatIsWhereItsPlanHasItIsAsFastAsAsked) {
+  for (const double length : {4.5, 6.0, 8.0}) {
+    walkFrom({0, 0, 0}, 0.4, length);
+    const std::vector<Eigen::Vector3d> pelvis = pelvisPath(clip_, synthesizer_.roles());
+    for (int i = 0; i < clip_.frames(); ++i)
+      clip_.poses.p_WR(i).head<2>() += (walk_.states[i].position - pelvis[i]).head<2>();
+    EXPECT_LT(line("speed, achieved against asked").value, 1e-9) << length;
+  }
+}
+
+// Frames fall where they will between strikes and lift-offs: the time between these does not.
+TEST_F(JudgeWalk, DoubleSupportIsTheSameAtAnyFrameRate) {
+  for (const double speed : {0.9, 2.0}) {
+    std::vector<double> off;
+    for (const double fps : {48.0, 60.0, 75.0, 240.0}) {
+      const WalkSynthesizer walker(library_, ground_, {.speed = speed, .frame_time = 1.0 / fps});
+      walkTo(walker, 6.0);
+      off.push_back(line("double support, from its norm").value);
+    }
+    for (const double each : off) EXPECT_NEAR(each, off.back(), 0.006) << speed;
+  }
+}
+
+// Short and slow, steps are so smooth that they hide no corner of an ankle's way, and slower than
+// any captured walk they have their own speed's double support.
+TEST_F(JudgeWalk, ShortSlowWalksHoldEveryBar) {
+  for (const double height : {1.4, 1.5, 1.6, 1.8, 2.0}) {
+    for (const double speed : {0.4, 0.6, 0.8}) {
+      const WalkSynthesizer walker(library_, ground_, {.height = height, .speed = speed});
+      for (const double length : {1.05, 1.4, 2.1, 3.2}) {
+        walkTo(walker, length * walker.shortestWalk());
+        for (const QualityLine& each : judged()) {
+          EXPECT_TRUE(each.holds()) << each.measure << " is " << each.value << " of " << each.bar
+                                    << ": " << height << " m, " << speed << " m/s, " << length;
+        }
+      }
+    }
+  }
 }
 
 TEST_F(JudgeWalk, WhereAWalkIsAndWhichWayItFacesIsNothingToItsQuality) {

@@ -6,6 +6,7 @@
 
 #include "animation/library/motion_library_reader.h"
 #include "animation/steps/leg_reach.h"
+#include "animation/steps/swing_path.h"
 
 namespace amble {
 namespace {
@@ -149,6 +150,39 @@ TEST(FootTarget, GoesOnWithoutAJumpWhereTheFootIsLiftedAndPutDown) {
     EXPECT_LT((a.ankle - b.ankle).norm(), 1e-4);
     EXPECT_LT(a.q_WF.angularDistance(b.q_WF), 1e-3);
     EXPECT_NEAR(a.toe_bend, b.toe_bend, 1e-3);
+  }
+}
+
+// About the ball until its sole passes flat, about the heel from then on: the ankle goes on as fast
+// and the same way for all that, and the sole is no lower for it.
+TEST(FootTarget, GoesOnWithoutACornerWhereASwingingSolePassesFlat) {
+  constexpr double kStep = 1e-4;  // of the swing
+  const FootShape& shape = foot().shape;
+  for (const Eigen::Vector3d& normal : {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(-0.2, 0.1, 1)}) {
+    const auto stateOf = [&](double at) {
+      FootState state = stateAt(at, {0.9, 0.1, -0.9 * normal.x() - 0.1 * normal.y()});
+      state.from.normal = state.to.normal = normal.normalized();
+      return state;
+    };
+    const auto pitch = [&](double at) { return soleOf(stateOf(at), foot().cycle, shape).pitch; };
+    const auto ankle = [&](double at) { return targetAt(stateOf(at)).ankle; };
+    int passed = 0;
+    for (double at = 1.2; at < 1.9; at += kStep) {
+      if ((pitch(at) < 0.0) == (pitch(at + kStep) < 0.0)) continue;
+      ++passed;
+      const double turned = std::abs(pitch(at + kStep) - pitch(at)) / kStep;
+      const Eigen::Vector3d before = (ankle(at - kStep) - ankle(at - 2.0 * kStep)) / kStep,
+                            after = (ankle(at + 3.0 * kStep) - ankle(at + 2.0 * kStep)) / kStep;
+      // What a corner would be.
+      const double corner = turned * (shape.ball_x - shape.heel_x);
+      ASSERT_GT(corner, 0.3);
+      EXPECT_LT((after - before).norm(), 0.1 * corner) << at;
+      const Sole sole = soleOf(stateOf(at), foot().cycle, shape);
+      EXPECT_GT(sole.place.position.dot(normal.normalized()),
+                swingHeight({}, foot().cycle, at - 1.0) * normal.normalized().z())
+          << at;
+    }
+    EXPECT_EQ(passed, 1);
   }
 }
 
