@@ -2,7 +2,36 @@
 
 #include <algorithm>
 
+#include "animation/editing/sole_contact.h"
+
 namespace amble {
+namespace {
+
+// Standing, as kFootLockWidth is in walks that were captured; between, by SpeedEngine::walkShare. A
+// walk that is slower than captured shrinks, and its feet stand for longer than the shrunken legs
+// have them: half a step is to be corrected, which would jerk within a third of a swing [s].
+constexpr double kSlowWidth = 0.15;
+
+std::vector<double> widthsOf(const SpeedEngine& engine, const EngineWalk& walk, double scale) {
+  std::vector<double> widths;
+  for (const double speed : walk.speeds) {
+    const double share = engine.walkShare(speed / scale);
+    widths.push_back(share * kFootLockWidth + (1.0 - share) * kSlowWidth);
+  }
+  return widths;
+}
+
+/// Where the feet of a clip are on the floor and held.
+Clip held(const EngineData& data, double scale, const Clip& clip, const FootPlants& plants,
+          const std::vector<double>& widths, FootLock& took) {
+  WalkTracks tracks = tracksOf(clip, data.roles);
+  const auto feet = makeFootShapes(clip.skeleton, data.roles, data.stature * scale);
+  took.farthest = restOnFloor(clip, data.roles, feet, plants, tracks);
+  took.farthest = std::max(took.farthest, lockTracks(plants, clip.frame_time, tracks, widths));
+  return followTracks(clip, data.roles, tracks, &took.fit);
+}
+
+}  // namespace
 
 EngineWalk lockedEngineWalk(const SpeedEngine& engine, const EngineRamp& ramp, FootLock* lock) {
   EngineWalkRequest request;
@@ -13,7 +42,10 @@ EngineWalk lockedEngineWalk(const SpeedEngine& engine, const EngineRamp& ramp, F
   request.frame_time = ramp.frame_time;
   request.scale = ramp.scale;
   EngineWalk walk = engineWalk(engine, request);
-  walk.clip = lockFeet(walk.clip, engine.data().roles, plantsOf(walk.planted), lock);
+  FootLock took;
+  walk.clip = held(engine.data(), ramp.scale, walk.clip, plantsOf(walk.planted),
+                   widthsOf(engine, walk, ramp.scale), took);
+  if (lock != nullptr) *lock = took;
   return walk;
 }
 

@@ -1,4 +1,4 @@
-/// A walk of a speed engine whose feet stay where they stand.
+/// A walk of a speed engine whose feet stay where they stand, on a floor that no sole goes into.
 #pragma once
 
 #include "animation/editing/foot_lock.h"
@@ -14,6 +14,8 @@ struct EngineRamp {
   double scale = 1.0;              ///< of the walker to the captured person [> 0]
 };
 
+/// engineWalk, its soles on the floor (sole_contact.h) and its feet held (foot_lock.h) while
+/// `planted` says that they stand. @param lock  if not null, what it took
 EngineWalk lockedEngineWalk(const SpeedEngine& engine, const EngineRamp& ramp,
                             FootLock* lock = nullptr);
 

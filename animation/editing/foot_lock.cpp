@@ -11,11 +11,10 @@ namespace {
 
 // Of a plant, at both ends, in which the toe comes down and leaves, at up to 1 m/s, and is not
 // held: QUALITY.md judges from 15 % on, and whoever finds plants himself finds their ends
-// elsewhere.
-constexpr double kLoose = 0.12;
-constexpr double kHeld = 1e10;  // weight of a frame in which the toe is held
-// Corrections come and go over about twice so long: a third of a swing [s].
-constexpr double kFootWidth = 0.035;
+// elsewhere. A foot that stands for long takes no longer to come down and to leave [s].
+constexpr double kLoose = 0.11;
+constexpr double kLongestLoose = 0.08;
+constexpr double kHeld = 1e10;         // weight of a frame in which the toe is held
 constexpr double kPelvisWidth = 0.12;  // of the pelvis, which is heavier [s]
 constexpr double kSwinging = 0.3;  // what a swinging foot counts for the pelvis, a standing one 1
 
@@ -23,19 +22,29 @@ constexpr double kSwinging = 0.3;  // what a swinging foot counts for the pelvis
 struct Wanted {
   Eigen::MatrixXd shift;        // x y [m]
   std::vector<double> weights;  // [>= 0]
+  double width;                 // of the curve: the widest [s]
 };
 
-/// First and last frame of a plant in which its toe is held.
-std::pair<int, int> heldFrames(const FootPlant& plant) {
-  const int loose = static_cast<int>(std::floor(kLoose * (plant.last - plant.first + 1)));
-  return {plant.first + loose, plant.last - loose};
+/// First and last frame of a plant in which its toe is held: to the clip's begin and end where the
+/// foot is not seen to come down or to leave.
+std::pair<int, int> heldFrames(const FootPlant& plant, int frames, double frame_time) {
+  const int loose = static_cast<int>(
+      std::floor(std::min(kLoose * (plant.last - plant.first + 1), kLongestLoose / frame_time)));
+  return {plant.first == 0 ? 0 : plant.first + loose,
+          plant.last == frames - 1 ? plant.last : plant.last - loose};
 }
 
-Wanted wantedOf(const std::vector<Eigen::Vector3d>& toe, const std::vector<FootPlant>& plants) {
+/// A frame that is held at nothing by a weight w has the width of (1 + w)^(-1/6) of the curve's.
+Wanted wantedOf(const std::vector<Eigen::Vector3d>& toe, const std::vector<FootPlant>& plants,
+                double frame_time, const std::vector<double>& widths) {
   const auto frames = static_cast<Eigen::Index>(toe.size());
-  Wanted wanted{Eigen::MatrixXd::Zero(frames, 2), std::vector<double>(toe.size(), 0.0)};
+  Wanted wanted{Eigen::MatrixXd::Zero(frames, 2), std::vector<double>(toe.size(), 0.0),
+                *std::max_element(widths.begin(), widths.end())};
+  for (size_t i = 0; i < widths.size(); ++i) {
+    wanted.weights[i] = std::pow(wanted.width / widths[i], 6) - 1.0;
+  }
   for (const FootPlant& plant : plants) {
-    const auto [first, last] = heldFrames(plant);
+    const auto [first, last] = heldFrames(plant, static_cast<int>(frames), frame_time);
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (int i = first; i <= last; ++i) sum += toe[i].head<2>();
     for (int i = first; i <= last; ++i) {
@@ -50,7 +59,7 @@ Wanted wantedOf(const std::vector<Eigen::Vector3d>& toe, const std::vector<FootP
 Eigen::MatrixXd pelvisShift(const std::array<Eigen::MatrixXd, 2>& shifts, const FootPlants& plants,
                             double frame_time) {
   const std::array<std::vector<bool>, 2> planted = {plants.planted(kLeft), plants.planted(kRight)};
-  Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(shifts[kLeft].rows(), 2);
+  Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(shifts[kLeft].rows(), 3);
   for (Eigen::Index i = 0; i < wanted.rows(); ++i) {
     const double left = planted[kLeft][i] ? 1.0 : kSwinging;
     const double right = planted[kRight][i] ? 1.0 : kSwinging;
@@ -61,23 +70,36 @@ Eigen::MatrixXd pelvisShift(const std::array<Eigen::MatrixXd, 2>& shifts, const 
 
 }  // namespace
 
-double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks) {
-  std::array<Eigen::MatrixXd, 2> shifts;
-  double farthest = 0.0;
+void shiftFeet(const std::array<Eigen::MatrixXd, 2>& shifts, const FootPlants& plants,
+               double frame_time, WalkTracks& tracks) {
   for (const Side side : {kLeft, kRight}) {
-    FootTrack& foot = tracks.feet[side];
-    const Wanted wanted = wantedOf(foot.toe, plants.plants[side]);
-    shifts[side] = leastCurve(wanted.shift, wanted.weights, frame_time, kFootWidth);
     for (int i = 0; i < plants.frames; ++i) {
-      foot.move(i, {shifts[side](i, 0), shifts[side](i, 1), 0.0});
-      farthest = std::max(farthest, shifts[side].row(i).norm());
+      tracks.feet[side].move(i, shifts[side].row(i).transpose());
     }
   }
   const Eigen::MatrixXd pelvis = pelvisShift(shifts, plants, frame_time);
   for (Eigen::Index i = 0; i < pelvis.rows(); ++i) {
-    tracks.root[i].head<2>() += pelvis.row(i).transpose();
+    tracks.root[i] += pelvis.row(i).transpose();
   }
+}
+
+double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks,
+                  const std::vector<double>& widths) {
+  assert(static_cast<int>(widths.size()) == plants.frames);
+  std::array<Eigen::MatrixXd, 2> shifts;
+  double farthest = 0.0;
+  for (const Side side : {kLeft, kRight}) {
+    const Wanted wanted = wantedOf(tracks.feet[side].toe, plants.plants[side], frame_time, widths);
+    shifts[side] = Eigen::MatrixXd::Zero(plants.frames, 3);
+    shifts[side].leftCols(2) = leastCurve(wanted.shift, wanted.weights, frame_time, wanted.width);
+    farthest = std::max(farthest, shifts[side].rowwise().norm().maxCoeff());
+  }
+  shiftFeet(shifts, plants, frame_time, tracks);
   return farthest;
+}
+
+double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks) {
+  return lockTracks(plants, frame_time, tracks, std::vector<double>(plants.frames, kFootLockWidth));
 }
 
 Clip lockFeet(const Clip& clip, const JointRoles& roles, const FootPlants& plants, FootLock* lock) {

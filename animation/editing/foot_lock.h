@@ -1,11 +1,11 @@
 /// Planted feet held where they stand: what captured feet slide is taken out of any clip.
 ///
 /// A foot is moved as a whole, along the ground, by the least smooth curve that holds its toe joint
-/// (the tip of its foot where the rig has none) while it stands; in the swing the correction of one
-/// plant goes over into that of the next. The pelvis goes half of the way with the feet, more with
-/// the one that stands, so that neither legs nor steps pay for all of it (Kovar, Schreiner &
-/// Gleicher, Footskate Cleanup, 2002, have the same aims). Heights stay, and how feet roll and
-/// turn.
+/// (the tip of its foot where the rig has none) while it stands, to the clip's begin and end where
+/// it stands there; in the swing the correction of one plant goes over into that of the next. The
+/// pelvis goes half of the way with the feet, more with the one that stands, so that neither legs
+/// nor steps pay for all of it (Kovar, Schreiner & Gleicher, Footskate Cleanup, 2002, have the same
+/// aims). Heights stay, and how feet roll and turn.
 #pragma once
 
 #include "animation/analysis/foot_plants.h"
@@ -19,6 +19,10 @@ struct FootLock {
   TrackFit fit;
 };
 
+/// Corrections come and go over about twice so long: a third of a swing. The middle of a captured
+/// swing stays as it was [s].
+inline constexpr double kFootLockWidth = 0.035;
+
 /// The clip with its feet held, on whatever ground. Costs about two forward kinematics a frame.
 /// @param plants  of this clip. @pre no joint_positions that move
 Clip lockFeet(const Clip& clip, const JointRoles& roles, const FootPlants& plants,
@@ -26,5 +30,14 @@ Clip lockFeet(const Clip& clip, const JointRoles& roles, const FootPlants& plant
 
 /// The same of tracks, which legs are to follow. @return how far a foot is moved at most [m, >= 0]
 double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks);
+/// The same of a walk whose feet are corrected over other times. @param widths  in place of
+/// kFootLockWidth, a value a frame [s, > 0]
+double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks,
+                  const std::vector<double>& widths);
+
+/// Moves feet, and the pelvis with them: half of the way, more with the one that stands.
+/// @param shifts  by Side; a row a frame, columns x y z [m, World]. @pre rows == plants.frames
+void shiftFeet(const std::array<Eigen::MatrixXd, 2>& shifts, const FootPlants& plants,
+               double frame_time, WalkTracks& tracks);
 
 }  // namespace amble

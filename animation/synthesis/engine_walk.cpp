@@ -4,6 +4,37 @@
 #include <cmath>
 
 namespace amble {
+namespace {
+
+// Who slows down while he swings a foot, as he comes to a stand, puts it down sooner: else it comes
+// to rest with the phase, over a floor that it hardly clears. The swing takes as long as it would
+// have at the speed at which it began, times the share of that speed that is left. Walks as fast as
+// those captured keep the captured timing.
+void putDownInTime(const SpeedEngine& engine, double scale, EngineWalk& walk) {
+  for (std::vector<bool>& planted : walk.planted) {
+    bool stood = false;              // a lift-off was seen
+    double swung = 0.0;              // since then [s]
+    double began = 0.0, time = 0.0;  // the speed then [m/s], and how long it swings at that [s]
+    for (size_t i = 0; i < planted.size(); ++i) {
+      if (planted[i]) {
+        stood = true;
+        swung = 0.0;
+        began = walk.speeds[i];
+        const std::array<double, 2> both = engine.support(began / scale);
+        time = (0.5 - 0.5 * (both[kLeft] + both[kRight])) / engine.frequency(began / scale);
+        continue;
+      }
+      swung += walk.clip.frame_time;
+      const bool slows = stood && walk.speeds[i] < began;
+      if (slows && engine.walkShare(walk.speeds[i] / scale) < 1.0 &&
+          swung > time * walk.speeds[i] / began) {
+        planted[i] = true;
+      }
+    }
+  }
+}
+
+}  // namespace
 
 EngineWalk engineWalk(const SpeedEngine& engine, const EngineWalkRequest& request) {
   assert(request.duration > 0.0 && request.frame_time > 0.0 && request.scale > 0.0);
@@ -38,6 +69,7 @@ EngineWalk engineWalk(const SpeedEngine& engine, const EngineWalkRequest& reques
     phase += request.frame_time * engine.frequency(between);  // eq. 5
     walk.length += request.frame_time * between * request.scale;
   }
+  putDownInTime(engine, request.scale, walk);
   return walk;
 }
 

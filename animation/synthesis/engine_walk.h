@@ -23,13 +23,16 @@ struct EngineWalk {
   Clip clip;                   ///< from the origin along x, over level ground at z = 0
   std::vector<double> speeds;  ///< a value a frame: what is walked, clamped [m/s]
   std::vector<double> phases;  ///< [cycles, from the first frame's on]
-  std::array<std::vector<bool>, 2> planted;  ///< by Side, a value a frame: by the captured timing
-  double length = 0.0;                       ///< walked along the path [m]
+  /// By Side, a value a frame: by the captured timing; a foot that swings while a walk slows down
+  /// is put down sooner.
+  std::array<std::vector<bool>, 2> planted;
+  double length = 0.0;  ///< walked along the path [m]
 };
 
 /// The phase goes on by the cadence of the speed (eq. 5), the root by the speed and by its own way
-/// within the cycle. Feet slide as far as captured swings of the legs miss the law's stride;
-/// nothing here holds them.
+/// within the cycle. Feet slide as far as captured swings of the legs miss the law's stride, and go
+/// into the floor where legs that swing are shrunk: editing/foot_lock.h and editing/sole_contact.h
+/// hold them by `planted`.
 EngineWalk engineWalk(const SpeedEngine& engine, const EngineWalkRequest& request);
 
 }  // namespace amble

@@ -103,6 +103,51 @@ TEST(FootLock, AFootThatSlidesEvenlyStandsInTheMiddleOfItsSlide) {
   }
 }
 
+/// Stands still for a while, both feet sliding; then one of them goes on.
+struct SlidingStand {
+  static constexpr int kFrames = 300, kLifts = 200;  // and is in the air for 30
+  static constexpr double kSlide = 0.0002;           // forward a frame [m]
+  Rig rig;
+  Clip clip;
+  FootPlants plants;
+
+  SlidingStand() {
+    Puppet puppet;
+    puppet.speed = 0.0;
+    const Clip walk = rig.walk(puppet);
+    clip = walk;
+    clip.poses = PoseArray(walk.skeleton.size());
+    for (int i = 0; i < kFrames; ++i) {
+      clip.poses.append(walk.poses[0]);
+      clip.poses.p_WR(i).x() += kSlide * i;
+    }
+    std::array<std::vector<bool>, 2> planted;
+    planted[kLeft].assign(kFrames, true);
+    planted[kRight] = planted[kLeft];
+    for (int i = kLifts; i < kLifts + 30; ++i) planted[kRight][i] = false;
+    plants = plantsOf(planted);
+  }
+};
+
+TEST(FootLock, AFootThatStandsToTheClipsEndsIsHeldToThem) {
+  const SlidingStand stand;
+  const FootPaths paths =
+      footPaths(lockFeet(stand.clip, stand.rig.roles, stand.plants), stand.rig.roles);
+  for (int i = 0; i < SlidingStand::kFrames; ++i) {
+    EXPECT_NEAR(paths[kLeft](i, 3), paths[kLeft](0, 3), 1e-5) << i;
+  }
+}
+
+TEST(FootLock, HoweverLongAFootStandsItIsLooseForLessThanATenthOfASecondBeforeItLeaves) {
+  const SlidingStand stand;
+  const FootPaths paths =
+      footPaths(lockFeet(stand.clip, stand.rig.roles, stand.plants), stand.rig.roles);
+  const int loose = static_cast<int>(std::ceil(0.1 / stand.clip.frame_time));
+  for (int i = 0; i < SlidingStand::kLifts - loose; ++i) {
+    EXPECT_NEAR(paths[kRight](i, 3), paths[kRight](0, 3), 1e-5) << i;
+  }
+}
+
 TEST(FootLock, FeetThatStandAreGivenBack) {
   Puppet puppet;
   const Rig rig;

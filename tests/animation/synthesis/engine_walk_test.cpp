@@ -42,6 +42,52 @@ TEST(EngineWalk, OneWhoIsTallerTakesLongerStepsAtTheSameCadenceAndScaledSpeed) {
   EXPECT_NEAR(tall.clip.poses.p_WR(7).z(), 1.2 * own.clip.poses.p_WR(7).z(), 1e-9);
 }
 
+/// Frames in which a foot swings from where it is seen to leave to where it is seen to come down.
+std::vector<std::array<int, 2>> swingsOf(const std::vector<bool>& planted) {
+  std::vector<std::array<int, 2>> swings;
+  int left = -1;
+  for (int i = 1; i < static_cast<int>(planted.size()); ++i) {
+    if (planted[i - 1] && !planted[i]) left = i;
+    if (!planted[i - 1] && planted[i] && left >= 0) swings.push_back({left, i});
+  }
+  return swings;
+}
+
+TEST(EngineWalk, FeetStandByTheCapturedTimingUnlessTheWalkSlowsDownBelowTheSlowestCapture) {
+  const SpeedEngine engine(DrawnEngine().data({0.6, 1.2, 1.8}));
+  for (const auto& [from, to] : {std::array{0.2, 0.2}, {0.0, 1.5}, {1.7, 0.7}}) {
+    EngineWalkRequest request;
+    request.speed = [from, to](double time) { return from + (to - from) * time / 5.0; };
+    const EngineWalk walk = engineWalk(engine, request);
+    for (const Side side : {kLeft, kRight}) {
+      for (int i = 0; i < walk.clip.frames(); ++i) {
+        EXPECT_EQ(walk.planted[side][i], engine.planted(walk.speeds[i], walk.phases[i], side));
+      }
+    }
+  }
+}
+
+TEST(EngineWalk, WhoComesToAStandPutsAFootDownSoonerByAsMuchAsHeIsSlower) {
+  const SpeedEngine engine(DrawnEngine().data({0.6, 1.2, 1.8}));
+  int sooner = 0;
+  for (const double begin : {0.5, 0.55, 0.6}) {
+    EngineWalkRequest request;
+    request.speed = [begin](double time) { return std::max(0.0, begin * (1.0 - time / 4.0)); };
+    const EngineWalk walk = engineWalk(engine, request);
+    for (const Side side : {kLeft, kRight}) {
+      for (const auto& [first, last] : swingsOf(walk.planted[side])) {
+        const double at = walk.speeds[first - 1];
+        const std::array<double, 2> both = engine.support(at);
+        const double usual = (0.5 - 0.5 * (both[0] + both[1])) / engine.frequency(at);
+        const double swung = (last - first) * request.frame_time;
+        EXPECT_LT(swung, usual * walk.speeds[last - 1] / at + 1.01 * request.frame_time);
+        sooner += !engine.planted(walk.speeds[last], walk.phases[last], side);
+      }
+    }
+  }
+  EXPECT_GT(sooner, 3);
+}
+
 // At a speed between the captured ones, and while it rises.
 TEST(EngineWalk, FeetSlideNoMoreThanCapturesDoAndStandAsLongAsIsSaid) {
   AMBLE_NEEDS_CAPTURES();
