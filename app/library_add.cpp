@@ -110,16 +110,16 @@ void requireMeaning(const LibraryAddArguments& options) {
 
 // Whether all else was made again: a `stand` of the person's own takes the place of a borrowed one.
 bool addOrReplace(MotionLibrary& library, const MotionRequest& request,
-                  const LibraryAddArguments& options) {
+                  const LibraryAddArguments& options, std::vector<std::string>& warnings) {
   if (!isStand(request) || !hasBorrowedStand(library)) {
-    addMotion(library, request);
+    addMotion(library, request, &warnings);
     return false;
   }
   LibraryCaptures captures;
   captures.folders.assign(options.captures.begin(), options.captures.end());
   if (captures.folders.empty()) captures.folders = {request.file.parent_path()};
   captures.read = request.read;
-  replaceStand(library, request, captures);
+  replaceStand(library, request, captures, &warnings);
   return true;
 }
 
@@ -132,7 +132,11 @@ int run(const LibraryAddArguments& options) {
   try {
     for (const std::string& clip : options.clips) {
       for (const MotionRequest& request : requestsOf(clip, how)) {
-        const bool again = addOrReplace(library, request, options);
+        std::vector<std::string> warnings;
+        const bool again = addOrReplace(library, request, options, warnings);
+        if (!request.source.mirrored) {  // whose capture is the same
+          for (const std::string& warning : warnings) say(stderr, "warning: {}\n", warning);
+        }
         sayAdded(*library.find(request.name));
         if (again) say(stderr, "  the others are made again, with this stand\n");
         ++added;

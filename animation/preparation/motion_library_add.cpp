@@ -338,8 +338,12 @@ CaptureQuality qualityOf(const WalkOfEngine& walk, double stature) {
 
 }  // namespace
 
-LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadOptions& read) {
+LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadOptions& read,
+                            std::vector<std::string>* warnings) {
   LevelCapture capture = readLevelCapture(file, read);
+  for (const std::string& warning : capture.motion.warnings) {
+    if (warnings != nullptr) warnings->push_back(file.string() + ": " + warning);
+  }
   Clip& clip = capture.motion.clip;
   addToes(clip, capture.motion.roles, file.string());
   const JointRoles& roles = capture.motion.roles;
@@ -366,7 +370,8 @@ Clip clipForLibrary(MotionLibrary& library, const LevelCapture& capture, const s
   return clip;
 }
 
-void addMotion(MotionLibrary& library, const MotionRequest& asked) {
+void addMotion(MotionLibrary& library, const MotionRequest& asked,
+               std::vector<std::string>* warnings) {
   const std::string file = asked.file.string();
   if (library.find(asked.name) != nullptr) {
     throw InputError(file, 0, "the library has a motion " + asked.name, "another name");
@@ -375,7 +380,7 @@ void addMotion(MotionLibrary& library, const MotionRequest& asked) {
   const bool is_stand = isStand(request);
   const std::optional<WalkOfEngine> engines = engineWalkOf(request);
   const LevelCapture capture =
-      engines ? engines->capture : readForLibrary(request.file, request.read);
+      engines ? engines->capture : readForLibrary(request.file, request.read, warnings);
   MotionLibrary own = onSolesOf(library, capture);
   if (engines && own.skeleton.size() == 0) {
     adoptSkeleton(own, capture, file);

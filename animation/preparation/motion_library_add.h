@@ -36,7 +36,9 @@ inline bool isStand(const MotionRequest& request) {
 
 /// A capture as libraries take it: on a level floor, with toes, feet that are flat at rest and
 /// names as BVH has them. @throws InputError naming the file
-LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadOptions& read);
+/// @param warnings  as addMotion has them
+LevelCapture readForLibrary(const std::filesystem::path& file, const MotionReadOptions& read,
+                            std::vector<std::string>* warnings = nullptr);
 
 /// Its clip on the library's skeleton. The first capture's becomes the library's; others are
 /// carried over to it. Where the library has no posture `stand`, that of the library `default` is
@@ -51,7 +53,9 @@ Clip clipForLibrary(MotionLibrary& library, const LevelCapture& capture, const s
 /// motions does not matter (library_soles.h); one that is refused leaves the library as it was.
 /// @throws InputError naming the file where the capture does not hold what is asked: no steady
 /// cycle, a turn that is called straight, no toes, a name that the library has.
-void addMotion(MotionLibrary& library, const MotionRequest& request);
+/// @param warnings  if not null, what is unsure of the capture is appended, the file's name before
+void addMotion(MotionLibrary& library, const MotionRequest& request,
+               std::vector<std::string>* warnings = nullptr);
 
 /// The captured cycles that a walk or a movement of the library is the average of, each as a series
 /// in the library's channels that leaves nothing of it out; mirrored where the motion is.

@@ -45,11 +45,12 @@ MotionRequest requestOf(const Motion& motion, const LibraryCaptures& captures) {
 }
 
 // The motion, prepared once more on the library's own skeleton.
-Motion preparedAgain(const MotionLibrary& library, MotionRequest request) {
+Motion preparedAgain(const MotionLibrary& library, MotionRequest request,
+                     std::vector<std::string>* warnings = nullptr) {
   MotionLibrary again = library;
   again.motions = {*library.find("stand")};  // what captures of other rigs are carried over by
   request.name += " again";
-  addMotion(again, request);
+  addMotion(again, request, warnings);
   standOn(library.skeleton, again);  // not on the soles of that walk alone
   return again.motions.back();
 }
@@ -167,9 +168,9 @@ bool hasBorrowedStand(const MotionLibrary& library) {
 }
 
 void replaceStand(MotionLibrary& library, const MotionRequest& request,
-                  const LibraryCaptures& captures) {
+                  const LibraryCaptures& captures, std::vector<std::string>* warnings) {
   MotionLibrary fresh = library;
-  fresh.motions = {preparedAgain(library, request)};
+  fresh.motions = {preparedAgain(library, request, warnings)};
   fresh.motions.front().name = request.name;
   for (const Motion& motion : library.motions) {
     if (motion.name != request.name) addMotion(fresh, askedFor(library, motion, captures));

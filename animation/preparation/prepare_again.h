@@ -33,7 +33,8 @@ bool hasBorrowedStand(const MotionLibrary& library);
 /// over. A library in which anything fails stays as it was.
 /// @pre hasBorrowedStand(library); request.name is `stand`
 /// @throws InputError also where a motion's capture is not there, or gives another motion
+/// @param warnings  of the request's capture, as addMotion has them
 void replaceStand(MotionLibrary& library, const MotionRequest& request,
-                  const LibraryCaptures& captures);
+                  const LibraryCaptures& captures, std::vector<std::string>* warnings = nullptr);
 
 }  // namespace amble

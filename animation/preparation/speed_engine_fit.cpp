@@ -265,9 +265,11 @@ bool showsCycle(const Clip& clip, const JointRoles& roles, const std::string& fi
          !wholeCycles(track, options, Gait::kRun).empty();
 }
 
+using Warnings = std::vector<std::string>;
+
 // A loop that is one cycle is walked on, so that whole cycles are in it.
-Seen see(const EngineCapture& from) {
-  LevelCapture capture = readForLibrary(from.file, from.read);
+Seen see(const EngineCapture& from, Warnings& warnings) {
+  LevelCapture capture = readForLibrary(from.file, from.read, &warnings);
   Clip& clip = capture.motion.clip;
   const JointRoles& roles = capture.motion.roles;
   const int frames = clip.frames();
@@ -348,8 +350,6 @@ void standOnWalks(const std::vector<Seen>& all, MotionLibrary& rig) {
   standOn(withFootDrops(rig.skeleton, rig.roles, {sum[kLeft] / walks, sum[kRight] / walks}), rig);
 }
 
-using Warnings = std::vector<std::string>;
-
 // Cycles of every capture that moves, by Gait. One without a steady cycle is left out.
 std::array<Captured, 2> takeGaits(const std::vector<Seen>& all, MotionLibrary& rig,
                                   Warnings& warnings) {
@@ -386,7 +386,7 @@ void warnOfSpeeds(const char* gait, const GaitSpace& space, Warnings& warnings) 
 EngineData fitSpeedEngine(const EngineRequest& request, std::vector<std::string>* warnings) {
   Warnings said;
   std::vector<Seen> all;
-  for (const EngineCapture& capture : request.captures) all.push_back(see(capture));
+  for (const EngineCapture& capture : request.captures) all.push_back(see(capture, said));
   MotionLibrary rig;  // the engine's skeleton and posture
   for (const Seen& seen : all) {
     if (seen.kind.largest() == MotionType::kStand) takeStand(seen, rig);

@@ -27,8 +27,9 @@ struct EngineRequest {
 /// The engine. A capture's steady cycles go to the space of their gait; one that stands gives the
 /// standing posture, without such a one it is that of the library `default`, carried over. The
 /// first capture's skeleton is the engine's; those of others are carried over to it.
-/// @param warnings  of what is not as it should be: captures of somebody else, speeds too near for
-/// lines @throws InputError naming the capture: no steady cycle, neither walk nor run nor standing
+/// @param warnings  of what is not as it should be: what is unsure of a capture, captures of
+/// somebody else, speeds too near for lines
+/// @throws InputError naming the capture: no steady cycle, neither walk nor run nor standing
 EngineData fitSpeedEngine(const EngineRequest& request,
                           std::vector<std::string>* warnings = nullptr);
 

@@ -67,6 +67,21 @@ TEST_F(CaptureOptions, OfLibraryCheck) {
   expectEach("library check", uses);
 }
 
+// A walk and its mirror image are of one file, which is warned of once.
+TEST_F(CaptureOptions, WhatIsUnsureOfACaptureIsSaidInOneLineByWhatMakesLibrariesAndEnginesOfIt) {
+  std::string text = read("in/walk.bvh");
+  const size_t frames = text.find("Frames:") + 7;
+  text.replace(frames, text.find('\n', frames) - frames, " 999999");
+  write("in/short.bvh", text);
+  for (const char* const command :
+       {"library add l.yaml in/short.bvh", "library engine build in/short.bvh -o e.yaml"}) {
+    const std::string said = good(command).err, warning = "warning: in/short.bvh: holds ";
+    const size_t at = said.find(warning);
+    ASSERT_NE(at, said.npos) << command << '\n' << said;
+    EXPECT_EQ(said.find("holds ", at + warning.size()), said.npos) << command << '\n' << said;
+  }
+}
+
 TEST_F(CaptureOptions, OfLibrary) {
   const std::string mocap = captureFolder();
   write("in/it.recipe.yaml",
