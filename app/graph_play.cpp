@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include "animation/body/joint_names.h"
 #include "animation/captures/bvh.h"
@@ -50,9 +51,35 @@ std::string feetText(const JoinReport& join) {
   return parts.empty() ? "no foot stands" : joined(parts);
 }
 
-// What each join did, and whether the graph takes its two frames for alike.
-void report(const PlayOptions& options, const ClusterGraph& graph, const JoinedClip& motion,
+std::string rootText(const JoinReport& join) {
+  return join.first == join.last ? "a cut"
+                                 : fmt::format("root at most {:.2f} of its sources", join.glide);
+}
+
+// Frames that the graph does not take for alike, and a motion whose end is still mixed: each once.
+void warnOf(const ClusterGraph& graph, const JoinedClip& motion,
             const std::vector<std::pair<int, int>>& meetings) {
+  std::set<std::pair<int, int>> told;
+  for (const auto& [leave, enter] : meetings) {
+    if (graph.states[leave] == graph.states[enter] || !told.insert({leave, enter}).second) continue;
+    say(stderr, "warning: {} stands {}, {} stands {}: feet will not fit\n", frameName(graph, leave),
+        kSupportNames[static_cast<int>(graph.states[leave])], frameName(graph, enter),
+        kSupportNames[static_cast<int>(graph.states[enter])]);
+  }
+  if (motion.joins.empty()) return;
+  const JoinReport& last = motion.joins.back();
+  if (last.last - last.meeting < last.meeting - last.first) {
+    say(stderr,
+        "warning: the motion ends within its last blend, before it is all of {}'s clip; a later "
+        "last frame or a shorter --blend lets it come to that\n",
+        frameName(graph, meetings.back().second));
+  }
+}
+
+// What each join did.
+void report(const PlayOptions& options, const ClusterGraph& graph, const PlayedGraph& played,
+            const std::vector<std::pair<int, int>>& meetings) {
+  const JoinedClip& motion = played.motion;
   std::FILE* const out = options.out.file == "-" ? stderr : stdout;
   say(out, "{}: {} frames of {:.7g} s, {}\n", options.out.file, motion.clip.frames(),
       motion.clip.frame_time, counted(static_cast<long long>(motion.joins.size()), "join"));
@@ -60,16 +87,16 @@ void report(const PlayOptions& options, const ClusterGraph& graph, const JoinedC
   for (size_t i = 0; i < std::min(kMostTold, motion.joins.size()); ++i) {
     const JoinReport& join = motion.joins[i];
     const auto& [leave, enter] = meetings[i];
-    say(out,
-        "  {} to {}  frames {} to {}, error {:.3f} m, root at most {:.2f} of its sources; {}\n",
-        frameName(graph, leave), frameName(graph, enter), join.first, join.last,
-        std::sqrt(graph.error(leave, enter)), join.glide, feetText(join));
-    if (graph.states[leave] != graph.states[enter])
-      say(stderr, "warning: {} stands {}, {} stands {}: feet will not fit\n",
-          frameName(graph, leave), kSupportNames[static_cast<int>(graph.states[leave])],
-          frameName(graph, enter), kSupportNames[static_cast<int>(graph.states[enter])]);
+    say(out, "  {} to {}  frames {} to {}, error {:.3f} m, {}; {}\n", frameName(graph, leave),
+        frameName(graph, enter), join.first, join.last, std::sqrt(graph.error(leave, enter)),
+        rootText(join), feetText(join));
   }
   if (motion.joins.size() > kMostTold) say(out, "  {} more\n", motion.joins.size() - kMostTold);
+  if (played.lock) {
+    say(out, "  then feet that stand are held, what slips too, by {:.0f} mm at most\n",
+        1000.0 * played.lock->farthest);
+  }
+  warnOf(graph, motion, meetings);
 }
 
 int playRanges(const KeptGraph& kept, const PlayOptions& options,
@@ -90,7 +117,7 @@ int playRanges(const KeptGraph& kept, const PlayOptions& options,
   }
   const PlayedGraph played = playGraph(kept, options.graph, ranges, options.how);
   writePlayed(options.out, played.motion.clip, played.roles);
-  report(options, kept.graph, played.motion, meetings);
+  report(options, kept.graph, played, meetings);
   return kExitDone;
 }
 

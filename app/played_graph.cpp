@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "animation/editing/foot_lock.h"
 #include "base/parallel.h"
 
 namespace amble {
@@ -42,9 +41,12 @@ PlayedGraph playGraph(const KeptGraph& kept, const std::string& file,
                       std::vector<NamedRange> ranges, const GraphPlaying& how) {
   const GraphClips clips = readAgain(kept, file, how.fps, ranges);
   const int blend = static_cast<int>(std::lround(how.blend / clips.frame_time));
-  PlayedGraph made{played(clips, inFrames(clips, ranges), blend), clips.roles};
-  if (how.foot_lock)
-    made.motion.clip = lockFeet(made.motion.clip, made.roles, plantsOf(made.motion.planted));
+  PlayedGraph made{played(clips, inFrames(clips, ranges), blend), clips.roles, {}};
+  if (how.foot_lock) {
+    made.lock.emplace();
+    made.motion.clip =
+        lockFeet(made.motion.clip, made.roles, plantsOf(made.motion.planted), &*made.lock);
+  }
   return made;
 }
 

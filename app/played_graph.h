@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "animation/editing/foot_lock.h"
 #include "animation/graph/transition_search.h"
 #include "app/graph_words.h"
 
@@ -19,6 +20,7 @@ struct GraphPlaying {
 struct PlayedGraph {
   JoinedClip motion;
   JointRoles roles;
+  std::optional<FootLock> lock;  ///< what it took to hold feet, where they were to be
 };
 
 /// Its clips are read again. @param file  the graph's. @throws InputError

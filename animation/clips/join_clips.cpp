@@ -157,6 +157,11 @@ void joinPlanted(std::vector<bool>& planted, const std::vector<bool>& next, cons
   planted.insert(planted.end(), next.begin() + w.after + w.frames + 1, next.end());
 }
 
+// Along the ground [m].
+double wayAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return (to - from).head<2>().norm();
+}
+
 }  // namespace
 
 JoinedClip joinedFrom(const ClipPart& part, int first) {
@@ -210,6 +215,7 @@ void joinOn(JoinedClip& joined, const ClipPart& next, const JointRoles& roles,
   if (w.frames > 0)
     holdFeet(clip, roles, joined.planted, {w.before, before, after, knees}, report.feet);
   for (FootHold& foot : report.feet) {
+    if (w.frames == 0) foot.slip = wayAlong(before[0][foot.side].toe, after[0][foot.side].toe);
     foot.first += w.before;
     foot.last += w.before;
     for (int i = foot.first; i <= foot.last; ++i) joined.planted[foot.side][i] = true;
@@ -223,6 +229,11 @@ void endAt(JoinedClip& joined, int last) {
   if (!joined.clip.joint_positions.empty())
     joined.clip.joint_positions.resize(static_cast<size_t>(last + 1) * joined.clip.skeleton.size());
   for (std::vector<bool>& side : joined.planted) side.resize(last + 1);
+  for (JoinReport& join : joined.joins) {
+    join.last = std::min(join.last, last);
+    std::erase_if(join.feet, [&](const FootHold& foot) { return foot.first > last; });
+    for (FootHold& foot : join.feet) foot.last = std::min(foot.last, last);
+  }
 }
 
 }  // namespace amble

@@ -42,7 +42,9 @@ struct JoinReport {
   /// The root's greatest speed over the mean of its sources', weighted as they are mixed [>= 0]; 0
   /// where nothing moves.
   double glide = 0.0;
-  std::vector<FootHold> feet;  ///< frames of the joined motion
+  /// Frames of the joined motion. At a cut, where nothing is mixed, feet slip from the one motion's
+  /// place to the other's within a frame.
+  std::vector<FootHold> feet;
 };
 
 struct JoinedClip {
@@ -57,7 +59,7 @@ JoinedClip joinedFrom(const ClipPart& part, int first);
 /// @pre the same joints and frame time, in the same order; frames that are there
 void joinOn(JoinedClip& joined, const ClipPart& next, const JointRoles& roles,
             const ClipJoin& join);
-/// Ends it with that frame. @pre 0 <= last < frames
+/// Ends it with that frame; joins are then said up to it. @pre 0 <= last < frames
 void endAt(JoinedClip& joined, int last);
 
 }  // namespace amble

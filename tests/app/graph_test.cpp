@@ -44,6 +44,29 @@ TEST_F(GraphCommand, ShowsWhatItHolds) {
     EXPECT_NE(told.out.find(part), std::string::npos) << part << told.out;
 }
 
+TEST_F(GraphCommand, WhatIsPlayedIsToldAsItIs) {
+  const std::string play = "graph play it.graph -o out.bvh ";
+  const auto count = [](const std::string& text, const std::string& word) {
+    int found = 0;
+    for (size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) ++found;
+    return found;
+  };
+  // A cut has no root's way between its frames; frames that do not fit are told once.
+  const std::string there_and_back = "slow:30-60,slow:45-60,slow:45-60,slow:45-90 ";
+  const Ran cut = good(play + there_and_back + "--blend 0");
+  EXPECT_EQ(count(cut.out, "a cut; "), 3) << cut.out;
+  EXPECT_EQ(count(cut.out, "root at most"), 0) << cut.out;
+  EXPECT_LE(count(cut.err, "feet will not fit"), 1) << cut.err;
+  // A last range that is shorter than half of a blend.
+  const Ran ends = good(play + "slow:30-60,slow:62-64");
+  EXPECT_NE(ends.err.find("ends within its last blend"), std::string::npos) << ends.err;
+  const Ran whole = good(play + "slow:30-60,slow:62-90");
+  EXPECT_EQ(whole.err.find("ends within its last blend"), std::string::npos) << whole.err;
+  const Ran held = good(play + there_and_back + "--footlock");
+  EXPECT_NE(held.out.find("then feet that stand are held"), std::string::npos) << held.out;
+  EXPECT_EQ(cut.out.find("are held"), std::string::npos) << cut.out;
+}
+
 TEST_F(GraphCommand, PlaysTheWayThatAQueryTells) {
   const json found = printed(kQuery + "--json");
   EXPECT_TRUE(found["ways"].contains("nearest")) << found;

@@ -129,6 +129,35 @@ TEST_F(JoinClips, BlendsAreShorterWhereAMotionBegins) {
   EXPECT_EQ(cut.clip.frames(), 120 + walk().clip.frames());
 }
 
+TEST_F(JoinClips, WhereTwoMotionsAreCutAFootSlipsAsFarAsItGoesWithinTheFrame) {
+  const PlantedClip& from = walk();
+  for (const int enter : {likest(from, 100, run()), likest(from, 120, run())}) {
+    JoinedClip joined = joinedFrom(from, 0);
+    joinOn(joined, run(), from.roles, {110, enter, 0});
+    std::vector<JointFrame> a(from.clip.skeleton.size()), b(a.size());
+    forwardKinematics(from.clip, 110, a);
+    forwardKinematics(joined.clip, 110, b);
+    ASSERT_FALSE(joined.joins[0].feet.empty());
+    for (const FootHold& foot : joined.joins[0].feet) {
+      const int toe = from.roles.legs[foot.side].toe;
+      EXPECT_NEAR(foot.slip, (b[toe].p_WJ - a[toe].p_WJ).head<2>().norm(), 1e-9);
+      EXPECT_GT(foot.slip, 0.0);
+    }
+  }
+}
+
+TEST_F(JoinClips, OfAMotionThatEndsWithinABlendNothingIsSaidBeyondItsEnd) {
+  JoinedClip joined = joinedAt(walk(), 120, run(), likest(walk(), 120, run()));
+  const int end = joined.joins[0].meeting + 2;
+  ASSERT_GT(joined.joins[0].last, end);
+  endAt(joined, end);
+  EXPECT_EQ(joined.joins[0].last, end);
+  for (const FootHold& foot : joined.joins[0].feet) {
+    EXPECT_LE(foot.first, foot.last);
+    EXPECT_LE(foot.last, end);
+  }
+}
+
 TEST_F(JoinClips, EndsWithTheFrameThatIsAsked) {
   JoinedClip joined = joinedFrom(walk(), 20);
   endAt(joined, 30);
