@@ -288,6 +288,12 @@ bool StepPlacer::natural(WalkSteps& walk, const WalkRequest& request) const {
   return walk.refused == WalkRule::kNone;
 }
 
+Eigen::AlignedBox1d StepPlacer::tooHighToSwingOver() const {
+  const double highest = swings_.cycles.most(
+      [this](const FootCycle& cycle) { return clearance_.highestCleared(cycle); });
+  return {highest, clearance_.highestSeen()};
+}
+
 // Unless that is not wanted.
 void StepPlacer::swing(WalkSteps& walk, const WalkRequest& request) const {
   if (request.is_wanted != nullptr) {

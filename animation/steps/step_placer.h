@@ -82,6 +82,9 @@ class StepPlacer {
   WalkSteps plan(const WalkRequest& request) const;
   /// Puts feet on the ground from placing to placing. @return what refused
   WalkRule standOnGround(Footsteps& steps) const;
+  /// What ends between these heights over level prints no foot of a walk swings over; what goes on
+  /// higher is a wall [m].
+  Eigen::AlignedBox1d tooHighToSwingOver() const;
 
  private:
   bool mayBeWanted(const WalkRequest& request) const;

@@ -2,7 +2,9 @@
 /// speed, a slower one's, those of turns, or those of a captured start or stop.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "animation/body/joint_roles.h"
@@ -52,6 +54,19 @@ struct SwingCycles {
     addOthers(slower, shares.slower, shares.straight);
     addOthers(turns[shares.way], shares.turning, 1.0);
     return blend;
+  }
+
+  /// The highest that a function of a cycle is, of all that walks' swings are blended of.
+  template <typename Of>
+  double most(const Of& of) const {
+    double highest = -HUGE_VAL;
+    const auto look = [&](const std::array<FootCycle, 2>& feet) {
+      for (const FootCycle& foot : feet) highest = std::max(highest, of(foot));
+    };
+    for (const auto* feet : {&walk, &first, &last}) look(*feet);
+    for (const auto* others : {&slower, &turns[0], &turns[1]})
+      for (const OtherFeet& other : *others) look(other.cycles);
+    return highest;
   }
 
   /// Where a foot is put down that is at `plans` in the plan's straight walk, where the path is.

@@ -325,4 +325,17 @@ bool SwingClearance::clear(const FootPlace& from, const FootPlace& to, Side side
   return std::isfinite(least);
 }
 
+// At the moment at which that is most, by the steepest ramps, than which none adds more. What is
+// between the prints is under the sole, or before its tip, at one of the moments that are looked
+// at: from one to the next it goes on by less than it is long.
+double SwingClearance::highestCleared(const FootBlend& cycle) const {
+  SwingShape shape;
+  shape.rise = shape.fall = *std::ranges::min_element(Search::kRamps);
+  shape.extra = highest_;
+  double highest = 0.0;
+  for (int k = 1; k < kSamples; ++k)
+    highest = std::max(highest, swingHeight(shape, cycle, static_cast<double>(k) / kSamples));
+  return highest + Search::kCoarseness - Margins::kOver;
+}
+
 }  // namespace amble

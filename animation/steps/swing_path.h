@@ -73,6 +73,12 @@ class SwingClearance {
   bool clear(const FootPlace& from, const FootPlace& to, Side side, const FootBlend& cycle,
              SwingShape& shape) const;
 
+  /// Over level prints: clear() is false of whatever ends higher over both between them, up to
+  /// highestSeen(), and of all of the captured height; at most that, for what ends nearest [m].
+  double highestCleared(const FootBlend& cycle) const;
+  /// Over the higher of two level prints: what ends higher is a wall [m].
+  double highestSeen() const { return highest_ + SwingSearch::kSeen; }
+
  private:
   struct Strip;
   struct Ramps;

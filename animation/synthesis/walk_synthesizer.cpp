@@ -258,6 +258,9 @@ double WalkSynthesizer::scale() const { return impl_->scale; }
 JointFrame WalkSynthesizer::standingHead() const { return impl_->standingHead(); }
 double WalkSynthesizer::stepLength() const { return impl_->placement.step_length; }
 double WalkSynthesizer::maxTurnRate() const { return impl_->blend.maxTurnRate(); }
+Eigen::AlignedBox1d WalkSynthesizer::tooHighToSwingOver() const {
+  return impl_->placer.tooHighToSwingOver();
+}
 double WalkSynthesizer::shortestWalk() const {
   // Two steps of half a step's length each.
   const StrideLaw& law = impl_->blend.law();

@@ -64,8 +64,11 @@ class WalkSynthesizer {
   double capturedStep() const;                   ///< step length of the captured walk, scaled [m]
   double capturedLift() const;      ///< GaitParameters::lift of the captured walk, scaled [m]
   JointFrame standingHead() const;  ///< the head's joint when standing at (0, 0, 0) on the level
-  double stepLength() const;        ///< of the straight walk at the plan's speed [m]
-  double maxTurnRate() const;       ///< fastest turn of a walk [rad/s]
+  /// What ends between these heights over level ground no foot of a walk swings over, whichever
+  /// step it is; what goes on higher is a wall [m].
+  Eigen::AlignedBox1d tooHighToSwingOver() const;
+  double stepLength() const;   ///< of the straight walk at the plan's speed [m]
+  double maxTurnRate() const;  ///< fastest turn of a walk [rad/s]
   /// How long before a stance that walks the body begins to go straight on, and after it is as its
   /// path's curve again; by trial: sooner, and the pelvis jerks [s]. Meanwhile it faces beside the
   /// path by 4/27 of that times the turn rate at most (FrameState::facing).

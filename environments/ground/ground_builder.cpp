@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "animation/steps/unevenness.h"
 #include "base/parallel.h"
 #include "environments/ground/plan_triangle.h"
 
@@ -87,9 +88,9 @@ void GroundCells::Builder::eachNeighbour(int span, const Eigen::Vector2i& other,
            [&](const Span& near) { visit_one(static_cast<int>(&near - cells.spans_.data())); });
 }
 
-// A span with those over another square to which a step leads.
-void GroundCells::Builder::join(int span, const Eigen::Vector2i& other, UnionFind& parts) const {
-  const double step = std::max(settings.limits.highestStep(), kLevel);
+// A span with those over another square to which a step no higher than that leads.
+void GroundCells::Builder::join(int span, const Eigen::Vector2i& other, double step,
+                                UnionFind& parts) const {
   eachNeighbour(span, other, step, [&](int near) {
     if (cells.spans_[near].standable) parts.join(span, near);
   });
@@ -98,7 +99,7 @@ void GroundCells::Builder::join(int span, const Eigen::Vector2i& other, UnionFin
 // Rows of tiles have spans of their own: threads join those of some rows of them each, and then
 // what is left are steps from the last squares of these to those beyond. The least span of a part
 // does not depend on the order.
-void GroundCells::Builder::joinSteps() {
+void GroundCells::Builder::joinSteps(double step, int Span::*part) {
   UnionFind parts(static_cast<int>(cells.spans_.size()));
   const int rows = cells.count_.y(), blocks = std::min(usualThreads(), cells.tile_count_.y());
   const auto rowOf = [&](int block) {
@@ -110,8 +111,8 @@ void GroundCells::Builder::joinSteps() {
     eachSpan(rowOf(block), end, [&](int span, const Eigen::Vector2i& square) {
       if (!cells.spans_[span].standable) return;
       for (int far = 1; far <= kStepReach; ++far) {
-        join(span, square + Eigen::Vector2i(far, 0), parts);
-        if (square.y() + far < end) join(span, square + Eigen::Vector2i(0, far), parts);
+        join(span, square + Eigen::Vector2i(far, 0), step, parts);
+        if (square.y() + far < end) join(span, square + Eigen::Vector2i(0, far), step, parts);
       }
     });
   });
@@ -120,11 +121,17 @@ void GroundCells::Builder::joinSteps() {
     eachSpan(std::max(0, end - kStepReach), end, [&](int span, const Eigen::Vector2i& square) {
       if (!cells.spans_[span].standable) return;
       for (int far = end - square.y(); far <= kStepReach; ++far)
-        join(span, square + Eigen::Vector2i(0, far), parts);
+        join(span, square + Eigen::Vector2i(0, far), step, parts);
     });
   }
   for (int span = 0; span < parts.size(); ++span)
-    if (cells.spans_[span].standable) cells.spans_[span].part = parts.find(span);
+    if (cells.spans_[span].standable) cells.spans_[span].*part = parts.find(span);
+}
+
+// The highest step that is taken both up and down, or is there on a slope.
+double GroundCells::Builder::stepBothWays() const {
+  return std::max({std::min(settings.limits.max_climb, settings.limits.max_drop), kLevel,
+                   Unevenness::kNatural, cells.slope_ * cells.cell_});
 }
 
 // Parts that are ground: large, or said to be.
@@ -194,6 +201,7 @@ void GroundCells::Builder::goOn() {
       eachNeighbour(from, square + way, most, [&, here = square](int other) {
         Span& span = cells.spans_[other];
         if (span.floor < 0) span.floor = cells.spans_[from].floor;
+        if (span.both < 0) span.both = cells.spans_[from].both;
         if (!std::exchange(span.ground, true)) addOpen(other, here + way, open);
       });
     }
@@ -368,11 +376,15 @@ void GroundCells::Builder::build() {
   makeTiles();
   narrow.emplace(scene, pieces, up, cells.min_, cells.cell_, cells.count_);
   fillTiles();
-  joinSteps();
+  const double step = std::max(settings.limits.highestStep(), kLevel), both = stepBothWays();
+  joinSteps(step, &Span::part);
+  if (both < step) joinSteps(both, &Span::both);
   choose();
   goOn();
   // Where all has its floor and nothing is new, ground goes on no farther than it did.
   if (choosePlaces() || hasGroundOfNoFloor()) goOn();
+  if (both >= step)
+    for (Span& span : cells.spans_) span.both = span.floor;
   measure();
 }
 

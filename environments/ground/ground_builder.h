@@ -62,13 +62,14 @@ struct GroundCells::Builder {
   void addSpans(int column, int row, GroundColumn& over, Filled& filled) const;
   static void addNarrow(double height, size_t first, Filled& filled);
   void append(const Filled& filled, int j);
-  void joinSteps();
+  void joinSteps(double step, int Span::*part);
+  double stepBothWays() const;
   bool isAsked(int column, int row) const;
   template <typename Visit>
   void eachSpan(Visit visit_one) const;
   template <typename Visit>
   void eachSpan(int begin, int end, Visit visit_one) const;
-  void join(int span, const Eigen::Vector2i& other, UnionFind& parts) const;
+  void join(int span, const Eigen::Vector2i& other, double step, UnionFind& parts) const;
   template <typename Visit>
   void eachNeighbour(int span, const Eigen::Vector2i& other, double most, Visit visit_one) const;
   void choose();

@@ -41,6 +41,7 @@ class GroundCells {
     bool ground = false;
     int part = -1;   ///< of what steps join; the first span of it. -1: not standable
     int floor = -1;  ///< of ground: its part, or that from which it goes on level; -1: none
+    int both = -1;   ///< the same as floor, of what steps lead to and back from alone
   };
 
   /// @param up  of each triangle whether it faces up, is flat enough and of an `auto` or `ground`

@@ -14,6 +14,7 @@ constexpr size_t kMostOfReport = 4000000;  // of a part that is flooded to be to
 constexpr double kStackLevels = 0.02;      // between heights at which a stack is tried [m]
 constexpr double kLevels = 0.03;           // between heights at which a ball is tried [m]
 constexpr int kFinerLevels = 4;            // so many between two of them
+constexpr double kOfEnds = 1e-6;           // rounding of where things end [m]
 constexpr int kStopEvery = 1 << 10;        // squares between looks at the clock
 
 }  // namespace
@@ -33,6 +34,7 @@ BallFlood::BallFlood(const Ball& ball, double square, const Eigen::Vector3d& fro
                      CollisionScratch& scratch)
     : ball_(ball),
       around_(around),
+      ground_(ground),
       cells_(ground.cells()),
       square_(square),
       from_(from),
@@ -95,6 +97,33 @@ int BallFlood::touchedOnUneven(const Eigen::Vector2d& p, const Eigen::AlignedBox
                         : touchedAtAll(p, std::max(low, upright), high, radius);
 }
 
+// Whether swings by way of that square are refused for what ends over it: wherever in the square a
+// sole's middle passes, they look at so much around it.
+bool BallFlood::isTooHigh(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet) const {
+  if (ball_.too_high.isEmpty()) return false;
+  const double half = (ball_.looks - std::sqrt(0.5) * square_) / std::sqrt(2.0);
+  if (half <= 0.0) return false;
+  const double low = feet.max()[0] + feet.sizes()[0] + ball_.too_high.min()[0];
+  const double high = feet.min()[0] + ball_.too_high.max()[0] - kOfEnds;
+  if (low >= high) return false;
+  const Eigen::Vector2d along(half, 0.0);
+  return ground_.risesAbove(p - along, p + along, half, low, high);
+}
+
+// A foot over things: what is solid up to where it may be, or up to what no swing goes over. Feet
+// are lifted by as much more as one print is over the other.
+int BallFlood::touchedByFoot(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet,
+                             double radius) const {
+  const double low = feet.min()[0] + ball_.height;
+  const double high = feet.max()[0] + ball_.highest + feet.sizes()[0];
+  if (isTooHigh(p, feet)) {
+    const double up_to = feet.max()[0] + feet.sizes()[0] + ball_.too_high.min()[0];
+    const int there = touchedAtAll(p, low, std::min(high, up_to), radius);
+    if (there >= 0) return there;
+  }
+  return touchedAtAll(p, low, high, radius);
+}
+
 // However high the hips are. What is between two heights that are tried is so near to one of them.
 int BallFlood::touchedByStack(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet) const {
   const std::vector<StackedBall>& stack = ball_.stack.balls;
@@ -133,9 +162,9 @@ int BallFlood::thing(const Eigen::Vector2d& p) {
   const double rise = feet.sizes()[0], radius = ball_.radius - std::sqrt(0.5) * square_;
   if (rise > ball_.most_rise) return kNothing;
   if (!ball_.stack.balls.empty()) return touchedByStack(p, feet);
+  if (ball_.isFoot()) return touchedByFoot(p, feet, radius);
   const double low = feet.min()[0] + ball_.height;
-  // Feet are lifted by as much more as one print is over the other.
-  const double high = feet.max()[0] + ball_.highest + (ball_.isFoot() ? rise : 0.0);
+  const double high = feet.max()[0] + ball_.highest;
   if (ball_.isTrunk() && rise <= SceneGround::kLevel) return touchedAtAll(p, low, high, radius);
   if (rise <= SceneGround::kLevel) return touched(p, high, feet.min()[0] + ball_.top, radius);
   return ball_.isLeg() ? touched(p, high, high, radius) : touchedOnUneven(p, feet, radius);

@@ -76,6 +76,8 @@ class BallFlood {
   int touchedAtAll(const Eigen::Vector2d& p, double low, double high, double radius) const;
   Eigen::AlignedBox1d carried(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet);
   int touchedOnUneven(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet, double radius);
+  int touchedByFoot(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet, double radius) const;
+  bool isTooHigh(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet) const;
   int touchedByStack(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet) const;
   int object(const Eigen::Vector2d& p);
   int thing(const Eigen::Vector2d& p);
@@ -93,6 +95,7 @@ class BallFlood {
 
   const Ball& ball_;
   const FloodGround& around_;
+  const SceneGround& ground_;
   const GroundCells& cells_;
   const double square_;  // side [m]
   const Eigen::Vector3d from_, to_;

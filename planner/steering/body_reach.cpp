@@ -46,9 +46,8 @@ double waistOf(double a, double b, double apart) {
 }  // namespace
 
 BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
-                     const Body& body, double stature, double highest_step, double longest_step,
-                     double highest_lift)
-    : stature_(stature), longest_step_(longest_step) {
+                     const Body& body, double stature, const Feet& feet)
+    : stature_(stature), feet_(feet) {
   if (walk.buffer.size() == 0) return;
   const std::vector<PartWay> ways = waysOfParts(walk, skeleton, body);
   for (int part = 0; part < static_cast<int>(body.parts.size()); ++part) {
@@ -72,7 +71,7 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
     } else if (own.joint == roles.legs[kLeft].leg || own.joint == roles.legs[kRight].leg) {
       // The leg, from the hip to the ankle, crosses this height once, with the thigh or the shank.
       ball.height = ball.highest = ball.top =
-          std::max(highest_step, highest_lift) + kAnkle * stature;
+          std::max(feet.highest_step, feet.highest_lift) + kAnkle * stature;
       ball.most_rise = kLowestHips * stature - ball.height;
       ball.aside = kOfLegs;
       ball.beyond = kLegsBeyond;
@@ -92,7 +91,7 @@ BodyReach::BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const J
     for (TrunkStack& stack : trunkStacks(walk, skeleton, roles, body, kStackMargin))
       addStack(std::move(stack));
   }
-  addFeet(walk, skeleton, roles, body, highest_lift);
+  addFeet(walk, skeleton, roles, body);
   addPost(roles, body);
 }
 
@@ -160,32 +159,51 @@ void BodyReach::addPost(const JointRoles& roles, const Body& body) {
   balls_.push_back(post);
 }
 
-// Of each foot the front end of one of its soles, which swings lower than the heel.
-void BodyReach::addFeet(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
-                        const Body& body, double highest_lift) {
+// At the front end of a part of a foot, between the heights at which that swings.
+BodyReach::Ball BodyReach::footBall(const StraightWalk& walk, const Skeleton& skeleton, Side side,
+                                    const BodyPart& own, int part) const {
   std::vector<JointFrame> joints(skeleton.size());
+  Eigen::AlignedBox1d heights;
+  for (int frame = 0; frame < walk.buffer.size(); ++frame) {
+    const FrameState& state = walk.buffer.states[frame];
+    forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
+    const double z = (joints[own.joint] * own.to).z() - state.position.z();
+    const double most = feet_.highest_lift * mostOfLift(state.feet[side].at - 1.0);
+    heights.extend(Eigen::AlignedBox1d(z, z + most));
+  }
+  Ball ball;
+  ball.part = part;
+  ball.radius = own.radius;
+  ball.height = heights.min()[0] - kRise;
+  ball.highest = ball.top = heights.max()[0] + kRise;
+  ball.most_rise = SceneGround::kLevel;
+  ball.aside = kOfLegs;
+  ball.beyond = kLegsBeyond;
+  return ball;
+}
+
+// Of each foot the front end of one of its soles, which swings lower than the heel; and that of its
+// instep, which is over the middle of the sole while the foot is flat.
+void BodyReach::addFeet(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
+                        const Body& body) {
   for (const Side side : {kLeft, kRight}) {
-    const auto part = std::find_if(body.parts.begin(), body.parts.end(), [&](const BodyPart& own) {
-      return own.sole == side && own.joint == roles.legs[side].foot;
-    });
-    if (part == body.parts.end()) continue;
-    Eigen::AlignedBox1d heights;
-    for (int frame = 0; frame < walk.buffer.size(); ++frame) {
-      const FrameState& state = walk.buffer.states[frame];
-      forwardKinematics(skeleton, walk.buffer.poses[frame], joints);
-      const double z = (joints[part->joint] * part->to).z() - state.position.z();
-      const double most = highest_lift * mostOfLift(state.feet[side].at - 1.0);
-      heights.extend(Eigen::AlignedBox1d(z, z + most));
+    std::vector<int> parts;
+    for (int part = 0; part < static_cast<int>(body.parts.size()); ++part) {
+      if (body.parts[part].sole == side && body.parts[part].joint == roles.legs[side].foot)
+        parts.push_back(part);
     }
-    Ball ball;
-    ball.part = static_cast<int>(part - body.parts.begin());
-    ball.radius = part->radius;
-    ball.height = heights.min()[0] - kRise;
-    ball.highest = ball.top = heights.max()[0] + kRise;
-    ball.most_rise = SceneGround::kLevel;
-    ball.aside = kOfLegs;
-    ball.beyond = kLegsBeyond;
-    balls_.push_back(ball);
+    if (parts.empty()) continue;
+    balls_.push_back(footBall(walk, skeleton, side, body.parts[parts.front()], parts.front()));
+    if (feet_.too_high.isEmpty()) continue;
+    const BodyPart& instep = body.parts[parts.back()];
+    Ball ball = footBall(walk, skeleton, side, instep, parts.back());
+    std::vector<JointFrame> joints(skeleton.size());
+    forwardKinematics(skeleton, walk.buffer.poses[0], joints);
+    const FootPlace& print = walk.buffer.states.front().feet[side].from;
+    ball.radius -= (joints[instep.joint] * instep.to - print.position).head<2>().norm();
+    ball.too_high = feet_.too_high;
+    ball.looks = feet_.half_width;
+    if (ball.radius > 0.0) balls_.push_back(ball);
   }
 }
 
@@ -207,13 +225,13 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
     const Eigen::Vector3d& from, const Eigen::Vector3d& to, const CollisionWorld& world,
     const SceneGround& ground, const std::vector<CollisionScratch*>& scratches,
     const std::function<bool()>& stopped, double beyond) const {
-  const ReachedGround reached(ground, from, longest_step_);
+  const ReachedGround reached(ground, from, feet_.longest_step);
   double high = 0.0;
   for (const Ball& ball : balls_) {
     high = std::max(high, ball.highest);
     if (!ball.carried.isEmpty()) high = std::max(high, ball.carried.max()[0]);
   }
-  const FloodGround around(ground, reached, stature_, longest_step_, high, beyond);
+  const FloodGround around(ground, reached, stature_, feet_.longest_step, high, beyond);
   const auto is_open = [&](std::span<const Ball> balls, double square) {
     return isOpenWay(from, to, postAround(balls), square, world, ground, reached, around.near_legs,
                      *scratches.front(), stopped);
@@ -252,8 +270,9 @@ std::optional<BodyReach::Barrier> BodyReach::barrier(
   if (ground.extent().sizes().prod() > kMostFinest * kFinest * kFinest) return std::nullopt;
   for (const Ball& ball : balls_) {
     // From a step beside it feet come higher over a thing. Legs and the post have been.
-    const bool is_asked =
-        ball.isFoot() || !ball.stack.balls.empty() ? ground.isLevel() : !ball.isLeg();
+    const bool is_asked = ball.isFoot() || !ball.stack.balls.empty()
+                              ? ground.isLevel() && (ball.too_high.isEmpty() || ground.isAllLevel())
+                              : !ball.isLeg();
     if (is_asked && !is_open({&ball, 1}, kFinerOpenSquare))
       fine.emplace_back(&ball, std::min(kFinest, squareOf(ball)));
   }

@@ -22,6 +22,16 @@
 /// are lifted beside their captured swing at most, at the moments at which they may be
 /// (SwingShape): what is higher from side to side shuts off.
 ///
+/// Lower things are passed over by swings only, and these look at what lies along the straight line
+/// from print to print: over level prints they are refused for whatever ends higher than the most
+/// that any captured swing is lifted to, up to where it counts as a wall (Feet::too_high). So seen
+/// from above no such line leads by way of a square where a thing ends so high within the breadth
+/// of a sole. Nor do feet stand there, or turn on the spot, where it is solid from below: the
+/// instep's front end, over the middle of a flat sole, would touch it. Where things go on higher it
+/// is that ball that is in the way, with all its lift. (A foot strays from its line by some
+/// centimetres, and by more where it turns sharply: one that did so round the end of a wall which
+/// its line leads through, over a thing beside it, would be lifted for nothing, and touch that.)
+///
 /// Where the ground around is uneven, pelvis, chest and head are carried as over any of the lines
 /// from ground to ground that pass there (GroundChords), or up to kUnevenRise higher or kUnevenDip
 /// lower: hips give way where legs are too short for a step. That bound was found by trial, of
@@ -85,12 +95,19 @@ class BodyReach {
   /// as narrow as they are [m].
   static constexpr double kFinest = 0.012;
 
+  /// How feet go [m].
+  struct Feet {
+    double highest_step = 0.0;  ///< that is climbed
+    double longest_step = 0.0;  ///< of the middles of two feet [> 0]
+    double highest_lift = 0.0;  ///< beside their captured swing, at most [> 0]
+    /// What ends between these heights over level ground they do not swing over; empty: not known.
+    Eigen::AlignedBox1d too_high = {};
+    double half_width = 0.0;  ///< of the soles that swing [>= 0]
+  };
+
   /// Of a body on a walk; knows nothing where the walk has no frames.
-  /// @param highest_step  that feet go up [m]; @param longest_step  of the middles of two feet
-  /// [m, > 0]; @param highest_lift  of feet beside their captured swing, at most [m, > 0]
   BodyReach(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
-            const Body& body, double stature, double highest_step, double longest_step,
-            double highest_lift);
+            const Body& body, double stature, const Feet& feet);
 
   /// What shuts the body off, where least is missing.
   struct Barrier {
@@ -130,6 +147,9 @@ class BodyReach {
     /// All of these, kDip lower and kRise higher than in the walk at most: shut out where one
     /// always touches a thing.
     TrunkStack stack = {};
+    /// Feet::too_high of a foot's middle, and how far to each side of it its swings look [m].
+    Eigen::AlignedBox1d too_high = {};
+    double looks = 0.0;
 
     bool isTrunk() const { return highest > height; }  ///< or a foot, or the post
     bool isLeg() const { return most_rise < HUGE_VAL; }
@@ -151,9 +171,11 @@ class BodyReach {
   void addStack(TrunkStack stack);
   void addPost(const JointRoles& roles, const Body& body);
   void addFeet(const StraightWalk& walk, const Skeleton& skeleton, const JointRoles& roles,
-               const Body& body, double highest_lift);
+               const Body& body);
+  Ball footBall(const StraightWalk& walk, const Skeleton& skeleton, Side side, const BodyPart& own,
+                int part) const;
   double stature_;
-  double longest_step_;  // [m]
+  Feet feet_;
   std::vector<Ball> balls_;
 };
 

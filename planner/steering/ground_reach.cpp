@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -58,25 +59,28 @@ class Reach {
       : ground_(ground),
         cells_(ground.cells()),
         // Walks without a climb take what is natural, whatever they are let.
-        highest_(std::max(ground.settings().limits.highestStep(), Unevenness::kNatural)),
+        climb_(std::max(ground.settings().limits.max_climb, Unevenness::kNatural)),
+        drop_(std::max(ground.settings().limits.max_drop, Unevenness::kNatural)),
         steepest_(std::tan(ground.settings().limits.max_slope)),
         reach_(longest_step + kTwoFeet + 2.0 * cells_.cell()) {}
 
   /// The ground that somebody at p stands on.
   std::optional<Spot> spotAt(const Eigen::Vector3d& p) const;
-  /// Floors that a step leads from one to another of become one set.
+  /// Floors that a step leads from one to another of, and back, become one set; where it leads one
+  /// way only that is known of the two.
   void joinFloors();
-  bool joins(const Spot& a, const Spot& b) { return setOf(a.floor) == setOf(b.floor); }
-  /// False of floors that have not been met.
-  bool isApart(const Spot& a, const Spot& b) {
-    return numbers_.contains(a.floor) && numbers_.contains(b.floor) && !joins(a, b);
-  }
+  /// Whether steps lead from set to set, from that of the first of these, or back to it.
+  enum class Way { kThere, kBack };
+  std::vector<bool> setsFrom(const Spot& spot, Way way);
+  bool has(const std::vector<bool>& sets, const Spot& spot) { return sets[setOf(spot.floor)]; }
+  bool isMet(const Spot& spot) const { return numbers_.contains(spot.floor); }
   Spot spotOf(const Eigen::Vector2i& square, const GroundCells::Span& span) const {
     // Ground that no floor goes on to is one of its own.
     const int own = -2 - (square.y() * cells_.columns() + square.x());
-    return {square, span.height, span.floor >= 0 ? span.floor : own};
+    return {square, span.height, span.both >= 0 ? span.both : own};
   }
-  /// From where the ground that `from` is on ends to where that of `to` begins.
+  /// From where the ground ends that is reached from `from` to where that begins which leads to
+  /// `to`.
   GroundGap gap(const Spot& from, const Spot& to);
 
  private:
@@ -97,21 +101,24 @@ class Reach {
   bool isInner(const Spot& spot) const;
   Feet feetOver(const Spot& spot) const;
   const Feet& feetOn(const Spot& spot);
+  bool joins(const Spot& a, const Spot& b) { return setOf(a.floor) == setOf(b.floor); }
   bool leads(const Spot& a, const Spot& b);
+  void joinSteps(const Spot& a, const Spot& b);
   int numberOf(int floor) {
     return numbers_.emplace(floor, static_cast<int>(numbers_.size())).first->second;
   }
   int setOf(int floor) { return sets_.find(numberOf(floor)); }
-  Eigen::Vector3d nearest(int set, const Eigen::Vector3d& p);
+  Eigen::Vector3d nearest(const std::vector<bool>& sets, const Eigen::Vector3d& p);
 
   const SceneGround& ground_;
   const GroundCells& cells_;
-  const double highest_;   // step [m]
-  const double steepest_;  // tangent
+  const double climb_, drop_;  // highest steps up and down [m]
+  const double steepest_;      // tangent
   double reach_;
   std::map<std::pair<int, double>, Feet> feet_;  // by square and height
   std::map<int, int> numbers_;                   // of floors, as they were met
   UnionFind sets_{0};                            // of these numbers
+  std::set<std::pair<int, int>> one_way_;        // from number to number
   std::vector<Spot> edges_;    // where ground ends, or something is over or under it
   std::vector<Block> blocks_;  // kBlock squares by as many, x fastest
   int block_columns_ = 0;
@@ -148,7 +155,7 @@ Feet Reach::feetOver(const Spot& spot) const {
     const auto within = heightsWithin(corners, box);
     if (!within) return;
     const double off = std::max(within->low - spot.height, spot.height - within->high);
-    if (off > highest_ + kUnderSole) return;
+    if (off > std::max(climb_, drop_) + kUnderSole) return;
     level = level && std::abs(upwardness(corners)) > 1.0 - Unevenness::kVertical;
     flat = flat && within->low >= spot.height - kFlat && within->high <= spot.height + kFlat;
     if (off <= kOfSpot) levels.extend(Eigen::AlignedBox1d(within->low, within->high));
@@ -164,20 +171,51 @@ const Feet& Reach::feetOn(const Spot& spot) {
   return known->second;
 }
 
-// A step between a and b, either way: its height is what the mean of the slopes under both feet
-// does not explain (stepHeight of steps/foot_state.h), each as steep as ground may be unless it is
-// flat there.
+// A step from a to b: its height is what the mean of the slopes under both feet does not explain
+// (stepHeight of steps/foot_state.h), each as steep as ground may be unless it is flat there.
 bool Reach::leads(const Spot& a, const Spot& b) {
   const double way = cells_.cell() * (b.square - a.square).cast<double>().norm();
   if (way > reach_) return false;
-  const double rise = std::abs(b.height - a.height) - highest_;
-  if (rise <= 0.0) return true;
+  const double up = b.height - a.height, off = std::max(up - climb_, -up - drop_);
+  if (off <= 0.0) return true;
   // Each foot may be anywhere over its square.
   const double farthest = way + 3.0 * cells_.cell();
-  if (rise > 2.0 * kOfSpot + steepest_ * farthest) return false;
+  if (off > 2.0 * kOfSpot + steepest_ * farthest) return false;
   const Feet &from = feetOn(a), &to = feetOn(b);
-  return from.heights.exteriorDistance(to.heights) - highest_ <=
+  return std::max(to.heights.min()[0] - from.heights.max()[0] - climb_,
+                  from.heights.min()[0] - to.heights.max()[0] - drop_) <=
          0.5 * (from.steepest + to.steepest) * farthest + kRounding;
+}
+
+// What is known of their floors, and what steps between the two add.
+void Reach::joinSteps(const Spot& a, const Spot& b) {
+  const std::pair there(numberOf(a.floor), numberOf(b.floor)), back(there.second, there.first);
+  const bool leads_there = one_way_.contains(there) || leads(a, b);
+  const bool leads_back = one_way_.contains(back) || leads(b, a);
+  if (leads_there && leads_back)
+    sets_.join(there.first, there.second);
+  else if (leads_there || leads_back)
+    one_way_.insert(leads_there ? there : back);
+}
+
+std::vector<bool> Reach::setsFrom(const Spot& spot, Way way) {
+  std::map<int, std::vector<int>> next;  // of sets
+  for (const auto& [from, to] : one_way_) {
+    const int a = sets_.find(from), b = sets_.find(to);
+    next[way == Way::kThere ? a : b].push_back(way == Way::kThere ? b : a);
+  }
+  std::vector<int> open = {setOf(spot.floor)};
+  std::vector<bool> reached(numbers_.size(), false);
+  reached[open.back()] = true;
+  while (!open.empty()) {
+    const int set = open.back();
+    open.pop_back();
+    for (const int other : next[set]) {
+      if (!reached[other]) open.push_back(other);
+      reached[other] = true;
+    }
+  }
+  return reached;
 }
 
 // Whether the same floor goes on all around, with nothing over or under it: what is reached from
@@ -230,7 +268,7 @@ bool Reach::mayJoin(const Spot& spot, const Block& block) {
   if (!block.floor || (!block.several && setOf(*block.floor) == setOf(spot.floor))) return false;
   const double off = std::max(block.low - spot.height, spot.height - block.high);
   const double most = steepest_ * (reach_ + 3.0 * cells_.cell());
-  return off <= highest_ + 2.0 * kOfSpot + most;
+  return off <= std::max(climb_, drop_) + 2.0 * kOfSpot + most;
 }
 
 void Reach::joinAround(const Spot& spot) {
@@ -246,8 +284,7 @@ void Reach::joinAround(const Spot& spot) {
         for (int x = std::max(low.x(), kBlock * column);
              x <= std::min(high.x(), kBlock * column + kBlock - 1); ++x) {
           eachOver({x, y}, [&](const Spot& other) {
-            if (other.floor != spot.floor && !joins(spot, other) && leads(spot, other))
-              sets_.join(numberOf(spot.floor), numberOf(other.floor));
+            if (other.floor != spot.floor && !joins(spot, other)) joinSteps(spot, other);
           });
         }
       }
@@ -255,11 +292,11 @@ void Reach::joinAround(const Spot& spot) {
   }
 }
 
-Eigen::Vector3d Reach::nearest(int set, const Eigen::Vector3d& p) {
+Eigen::Vector3d Reach::nearest(const std::vector<bool>& sets, const Eigen::Vector3d& p) {
   Eigen::Vector3d best = p;
   double least = HUGE_VAL;
   for (const Spot& spot : edges_) {
-    if (setOf(spot.floor) != set) continue;
+    if (!has(sets, spot)) continue;
     const double distance = (middle(spot) - p).squaredNorm();
     if (distance >= least) continue;
     least = distance;
@@ -269,10 +306,11 @@ Eigen::Vector3d Reach::nearest(int set, const Eigen::Vector3d& p) {
 }
 
 GroundGap Reach::gap(const Spot& from, const Spot& to) {
+  const std::vector<bool> reached = setsFrom(from, Way::kThere), lead = setsFrom(to, Way::kBack);
   GroundGap gap{middle(from), middle(to)};
   for (int i = 0; i < kSweepsOfNearest; ++i) {
-    gap.near = nearest(setOf(from.floor), gap.far);
-    gap.far = nearest(setOf(to.floor), gap.near);
+    gap.near = nearest(reached, gap.far);
+    gap.far = nearest(lead, gap.near);
   }
   return gap;
 }
@@ -286,7 +324,8 @@ std::optional<GroundGap> findGap(const SceneGround& ground, const Eigen::Vector3
   const auto begin = reach.spotAt(from), end = reach.spotAt(to);
   if (!begin || !end || begin->floor == end->floor) return std::nullopt;
   reach.joinFloors();
-  if (reach.joins(*begin, *end)) return std::nullopt;
+  if (!reach.isMet(*begin) || !reach.isMet(*end)) return std::nullopt;
+  if (reach.has(reach.setsFrom(*begin, Reach::Way::kThere), *end)) return std::nullopt;
   return reach.gap(*begin, *end);
 }
 
@@ -298,8 +337,11 @@ ReachedGround::ReachedGround(const SceneGround& ground, const Eigen::Vector3d& f
   const auto spot = reach->spotAt(from);
   if (!spot) return;
   reach->joinFloors();
-  is_apart_ = [reach, from = *spot](int column, int row, const GroundCells::Span& span) {
-    return reach->isApart(from, reach->spotOf({column, row}, span));
+  if (!reach->isMet(*spot)) return;
+  is_apart_ = [reach, reached = reach->setsFrom(*spot, Reach::Way::kThere)](
+                  int column, int row, const GroundCells::Span& span) {
+    const Spot there = reach->spotOf({column, row}, span);
+    return reach->isMet(there) && !reach->has(reached, there);
   };
 }
 

@@ -1,8 +1,10 @@
 /// Whether ground leads from one place to another: a proof of "no" that is there before any search.
 ///
 /// Asked of the squares of GroundCells. Feet are put down on ground in turn, no farther apart than
-/// the longest step and no higher than the highest, so from a square of ground only those squares
-/// are reached that lie so near. All doubts are decided for the walker: a square counts whether or
+/// the longest step, no higher than is climbed and no lower than is stepped down, so from a square
+/// of ground only those squares are reached that lie so near. Ground that steps lead over both ways
+/// is one floor; where a step between two is taken one way only, as down a kerb by who climbs less,
+/// that way alone leads. All doubts are decided for the walker: a square counts whether or
 /// not a foot has room there, distances are widened by the squares' size, and heights by what the
 /// steepest slope explains, wherever ground is not flat. What is narrower than a square and not
 /// said to be ground is none (GroundCells). So "no ground leads there" is certain, and "it leads

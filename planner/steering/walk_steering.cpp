@@ -108,10 +108,12 @@ WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWo
       ground_(ground),
       comfort_(comfort),
       core_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature()),
-      reach_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature(),
-             ground.settings().limits.highestStep(),
-             StrideLaw::kLongestStep * synthesizer.capturedStep(),
-             StepPlacer::kHighestLift * synthesizer.scale()) {
+      reach_(
+          walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature(),
+          {ground.settings().limits.highestStep(),
+           StrideLaw::kLongestStep * synthesizer.capturedStep(),
+           StepPlacer::kHighestLift * synthesizer.scale(), synthesizer.tooHighToSwingOver(),
+           std::min(synthesizer.feet()[kLeft].half_width, synthesizer.feet()[kRight].half_width)}) {
   const Eigen::AlignedBox1d breadth = walkingBreadth(walk, synthesizer.skeleton(), world.body());
   if (breadth.isEmpty()) return;
   half_breadth_ = std::max(-breadth.min()[0], breadth.max()[0]);

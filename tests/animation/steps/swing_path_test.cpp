@@ -12,6 +12,7 @@
 #include "animation/synthesis/foot_controller.h"
 #include "animation/synthesis/gait_blend.h"
 #include "base/rotation.h"
+#include "base/sample_stream.h"
 
 namespace amble {
 namespace {
@@ -111,6 +112,34 @@ TEST(SwingPath, TheLiftThatIsAskedForIsTheLiftThatComes) {
     EXPECT_NEAR(swingLift(swing, c.cycle, c.foot), f * captured, 1e-6);
   }
   EXPECT_NEAR(liftFactor(captured, swing, c.cycle, c.foot), 1.0, 1e-6);
+}
+
+// Wherever it lies between the prints, however long the swing is.
+TEST(SwingPath, NoSwingClearsWhatIsHigherThanTheHighestThatIsCleared) {
+  const Character& c = character();
+  const FlatGround flat;
+  SampleStream stream(17, 0);
+  int cleared = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double length = stream.uniform(0.3, 1.8), thick = stream.uniform(0.0, 0.3);
+    const double from = stream.uniform(0.0, length - std::min(thick, 0.2));
+    for (const Side side : {kLeft, kRight}) {
+      for (const FootCycle* cycle :
+           {&c.blend.feet().walk[side], &c.blend.feet().first[side], &c.blend.feet().last[side]}) {
+        const double highest = SwingClearance(flat, c.feet, kHighest).highestCleared(*cycle);
+        const auto clears_at = [&](double high) {
+          const BeamGround ground(from, from + thick, high);
+          SwingShape shape;
+          return SwingClearance(ground, c.feet, kHighest)
+              .clear(placeAt(0.0), placeAt(length), side, *cycle, shape);
+        };
+        ASSERT_FALSE(clears_at(highest + 1e-6)) << length << ", " << from << ", " << thick;
+        ASSERT_FALSE(clears_at(stream.uniform(highest, kHighest + SwingSearch::kSeen)));
+        cleared += clears_at(highest - 0.005);
+      }
+    }
+  }
+  EXPECT_GT(cleared, 50);
 }
 
 TEST(SwingPath, FeetClearEveryNosingUpAndDown) {

@@ -66,14 +66,14 @@ struct Crowded {
   CollisionScratchPtr scratch = world.makeScratch();
   ReachedGround reached{ground, {0.6, 2.0, 0.0}, 1.0};
   NearGround near{ground, reached, 1.0, BodyReach::kLegsBeyond};
-  BodyReach reach{straightWalk(home.synthesizer, home.ground),
-                  home.synthesizer.skeleton(),
-                  home.synthesizer.roles(),
-                  home.body,
-                  home.synthesizer.stature(),
-                  ground.settings().limits.highestStep(),
-                  1.0,
-                  StepPlacer::kHighestLift};
+  BodyReach reach{
+      straightWalk(home.synthesizer, home.ground),
+      home.synthesizer.skeleton(),
+      home.synthesizer.roles(),
+      home.body,
+      home.synthesizer.stature(),
+      {ground.settings().limits.highestStep(), 1.0, StepPlacer::kHighestLift,
+       home.synthesizer.tooHighToSwingOver(), home.synthesizer.feet()[kLeft].half_width}};
 };
 
 TEST(BodyReachLaws, WhatIsShutOffIsSoBothWays) {

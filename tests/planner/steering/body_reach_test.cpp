@@ -221,13 +221,13 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
     logs.push_back(boxObject("log", {0.12, 4.0, highest - 0.01}, {x, 2, 0.5 * (highest - 0.01)}));
   const FurnishedRoom room(roomWith(logs));
   const BodyReach reach(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
-                        room.synthesizer.roles(), room.body, room.synthesizer.stature(), highest,
-                        kLongestStep, StepPlacer::kHighestLift);
+                        room.synthesizer.roles(), room.body, room.synthesizer.stature(),
+                        {highest, kLongestStep, StepPlacer::kHighestLift});
   Body who_stoops = room.body;
   who_stoops.upright = 0.0;
   const BodyReach stooping(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
                            room.synthesizer.roles(), who_stoops, room.synthesizer.stature(),
-                           highest, kLongestStep, StepPlacer::kHighestLift);
+                           {highest, kLongestStep, StepPlacer::kHighestLift});
   const auto head = std::ranges::find(stooping.balls(), room.body.head, &BodyReach::Ball::part);
   ASSERT_NE(head, stooping.balls().end());
   EXPECT_TRUE(std::ranges::all_of(
@@ -353,8 +353,8 @@ TEST(BodyReach, NoWalkOverStepsWasShutOffAndTheirPosesHoldTheBalls) {
     const double highest = room.ground.settings().limits.highestStep();
     const double stature = room.synthesizer.stature();
     const BodyReach reach(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
-                          room.synthesizer.roles(), room.body, stature, highest, kLongestStep,
-                          StepPlacer::kHighestLift);
+                          room.synthesizer.roles(), room.body, stature,
+                          {highest, kLongestStep, StepPlacer::kHighestLift});
     const GroundRange range(room.ground, ReachedGround(room.ground, {0.0, 0.0, 50.0}, kLongestStep),
                             0.5 * stature);
     const auto scratch = steering.makeScratch();

@@ -116,10 +116,10 @@ TEST(GroundChords, EveryPoseOverUnevenGroundIsCarriedBetweenThem) {
     const WalkSteering steering(room.synthesizer, room.world, room.ground);
     const double stature = room.synthesizer.stature();
     const double longest = StrideLaw::kLongestStep * room.synthesizer.capturedStep();
-    const BodyReach reach(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
-                          room.synthesizer.roles(), room.body, stature,
-                          room.ground.settings().limits.highestStep(), longest,
-                          StepPlacer::kHighestLift);
+    const BodyReach reach(
+        straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
+        room.synthesizer.roles(), room.body, stature,
+        {room.ground.settings().limits.highestStep(), longest, StepPlacer::kHighestLift});
     const ReachedGround all(room.ground, {0.0, 0.0, 50.0}, longest);
     const GroundChords chords(room.ground, all, longest);
     const GroundRange range(room.ground, all, kFeetAside * stature);

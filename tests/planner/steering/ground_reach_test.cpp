@@ -7,7 +7,6 @@
 
 #include "base/rotation.h"
 #include "base/sample_stream.h"
-#include "base/union_find.h"
 #include "tests/environments/test_scenes.h"
 
 namespace amble {
@@ -182,22 +181,74 @@ TEST(GroundReach, ALongerStepNeverFindsAGapThatAShorterDoesNot) {
   EXPECT_FALSE(found);
 }
 
-// Platforms on a grid, near or far from their neighbours, a step or more higher: by all pairs of
-// them, some of which are joined by way of others only.
-TEST(GroundReach, OfPlatformsThoseAreJoinedThatAChainOfStepsLeadsBetween) {
-  constexpr int kRow = 4, kCount = kRow * kRow;
-  constexpr double kSide = 2.2;
-  std::mt19937 random(3);
-  const auto draw = [&](int count) { return static_cast<int>(random() % count); };
-  int joined = 0, by_others = 0, apart = 0;
-  for (int scene_number = 0; scene_number < 8; ++scene_number) {
+// What is climbed at most, and what is stepped down [m].
+GroundLimits limitsOf(double climb, double drop) {
+  GroundLimits limits;
+  limits.max_climb = climb;
+  limits.max_drop = drop;
+  return limits;
+}
+
+TEST(GroundReach, AKerbThatIsNotClimbedIsAGapOneWay) {
+  for (const double high : {0.08, 0.15, 0.24}) {
+    const Scene scene = sceneOf({platform("road", -4, 0, 0), platform("pavement", 0, 4, high)});
+    const Eigen::Vector3d road(-2, 0, 0), pavement(2, 0, high);
+    GroundSettings settings;
+    settings.limits = limitsOf(0.02, 0.25);
+    const SceneGround climbs_little(scene, settings);
+    const auto up = findGap(climbs_little, road, pavement, kStep);
+    ASSERT_TRUE(up.has_value()) << high;
+    EXPECT_NEAR(up->rise(), high, 1e-6);
+    EXPECT_FALSE(findGap(climbs_little, pavement, road, kStep).has_value()) << high;
+    settings.limits = limitsOf(0.25, 0.02);
+    const SceneGround drops_little(scene, settings);
+    EXPECT_FALSE(findGap(drops_little, road, pavement, kStep).has_value()) << high;
+    EXPECT_TRUE(findGap(drops_little, pavement, road, kStep).has_value()) << high;
+  }
+}
+
+TEST(GroundReach, AThresholdIsWalkedOverWhateverIsClimbed) {
+  GroundSettings settings;
+  settings.limits = limitsOf(0.0, 0.25);
+  const Scene scene = sceneOf({platform("west", -4, 0, 0), platform("east", 0, 4, 0.055)});
+  const SceneGround ground(scene, settings);
+  EXPECT_FALSE(findGap(ground, {-2, 0, 0}, {2, 0, 0.055}, kStep).has_value());
+}
+
+// A ramp beside the kerb, and another kerb that is stepped down on the way back to the road.
+TEST(GroundReach, ARampLeadsUpToAKerbThatIsNotClimbed) {
+  constexpr double kTop = 0.2, kRun = 2.0;
+  const double tilt = std::atan2(kTop, kRun);
+  SceneObject ramp =
+      makeObject("ramp", Box{{std::hypot(kTop, kRun), 1, 0.002}}, {-0.5 * kRun, 3, 0.5 * kTop});
+  ramp.X_WO.linear() = expRotation({0, -tilt, 0}).toRotationMatrix();
+  GroundSettings settings;
+  settings.limits = limitsOf(0.02, 0.25);
+  for (const bool has_ramp : {false, true}) {
+    std::vector<SceneObject> objects = {
+        makeObject("road", Box{{4, 8, 0.1}}, {-2, 1, -0.05}),
+        makeObject("pavement", Box{{4, 8, 0.1}}, {2, 1, kTop - 0.05})};
+    if (has_ramp) objects.push_back(ramp);
+    const Scene scene = sceneOf(objects);
+    const SceneGround ground(scene, settings);
+    EXPECT_EQ(findGap(ground, {-3, 0, 0}, {2, 0, kTop}, kStep).has_value(), !has_ramp);
+  }
+}
+
+// Platforms on a grid, near or far from their neighbours, a step or more higher, which may be taken
+// up or down only: by all pairs of them, some of which are joined by way of others only.
+class PlatformGrid {
+ public:
+  static constexpr int kRow = 4, kCount = kRow * kRow;
+
+  explicit PlatformGrid(std::mt19937& random) {
+    constexpr double kSide = 2.2;
+    const auto draw = [&](int count) { return static_cast<int>(random() % count); };
     std::array<std::array<double, kRow>, 2> low;  // of each column and row
     for (auto& line : low) {
       line[0] = 0.0;
       for (int i = 1; i < kRow; ++i) line[i] = line[i - 1] + kSide + (draw(3) < 2 ? 0.3 : 2.0);
     }
-    std::vector<SceneObject> objects;
-    std::vector<Eigen::AlignedBox3d> tops;
     for (int i = 0; i < kCount; ++i) {
       const double z = std::array{0.0, 0.15, 1.5, 1.65}[draw(4)];
       const Eigen::Vector3d corner(low[0][i % kRow], low[1][i / kRow], z);
@@ -205,34 +256,57 @@ TEST(GroundReach, OfPlatformsThoseAreJoinedThatAChainOfStepsLeadsBetween) {
       objects.push_back(makeObject("platform " + std::to_string(i), Box{{kSide, kSide, 0.1}},
                                    tops[i].center() - Eigen::Vector3d(0, 0, 0.05)));
     }
-    const auto isStep = [&](int a, int b) {
-      const double rise = std::abs(tops[a].min().z() - tops[b].min().z());
-      const double far = std::sqrt(tops[a].squaredExteriorDistance(tops[b]) - rise * rise);
-      return far < kStep && rise < 0.2;
-    };
-    UnionFind chains(kCount);
+  }
+
+  bool isStep(int from, int to, const GroundLimits& limits) const {
+    const double rise = tops[to].min().z() - tops[from].min().z();
+    const double far = std::sqrt(tops[from].squaredExteriorDistance(tops[to]) - rise * rise);
+    return far < kStep && rise < limits.max_climb && -rise < limits.max_drop;
+  }
+  /// Which are reached from each, by chains of steps.
+  std::vector<std::vector<bool>> chains(const GroundLimits& limits) const {
+    std::vector<std::vector<bool>> all(kCount, std::vector<bool>(kCount, false));
     for (int a = 0; a < kCount; ++a)
-      for (int b = 0; b < a; ++b)
-        if (isStep(a, b)) chains.join(a, b);
-    const Scene scene = sceneOf(objects);
-    const SceneGround ground(scene);
+      for (int b = 0; b < kCount; ++b) all[a][b] = a == b || isStep(a, b, limits);
+    for (int k = 0; k < kCount; ++k)
+      for (int a = 0; a < kCount; ++a)
+        for (int b = 0; b < kCount; ++b) all[a][b] = all[a][b] || (all[a][k] && all[k][b]);
+    return all;
+  }
+
+  std::vector<SceneObject> objects;
+  std::vector<Eigen::AlignedBox3d> tops;
+};
+
+TEST(GroundReach, OfPlatformsThoseAreReachedThatAChainOfStepsLeadsTo) {
+  std::mt19937 random(3);
+  int joined = 0, by_others = 0, apart = 0, one_way = 0;
+  for (int scene_number = 0; scene_number < 12; ++scene_number) {
+    const PlatformGrid grid(random);
+    GroundSettings settings;
+    settings.limits =
+        limitsOf(scene_number % 3 == 1 ? 0.1 : 0.2, scene_number % 3 == 2 ? 0.1 : 0.2);
+    const auto chains = grid.chains(settings.limits);
+    const Scene scene = sceneOf(grid.objects);
+    const SceneGround ground(scene, settings);
     const GroundCells& cells = ground.cells();
-    for (int a = 0; a < kCount; ++a) {
-      const auto reached = ReachedGround(ground, tops[a].center(), kStep).heights();
-      for (int b = 0; b < kCount; ++b) {
+    for (int a = 0; a < PlatformGrid::kCount; ++a) {
+      const auto reached = ReachedGround(ground, grid.tops[a].center(), kStep).heights();
+      for (int b = 0; b < PlatformGrid::kCount; ++b) {
         if (a == b) continue;
-        const bool chained = chains.find(a) == chains.find(b);
-        const Eigen::Vector2i at = cells.squareAt(tops[b].center().head<2>());
-        EXPECT_EQ(reached[at.y() * cells.columns() + at.x()].isEmpty(), !chained)
+        const Eigen::Vector2i at = cells.squareAt(grid.tops[b].center().head<2>());
+        EXPECT_EQ(reached[at.y() * cells.columns() + at.x()].isEmpty(), !chains[a][b])
             << scene_number << ": " << a << " to " << b;
-        (chained ? joined : apart) += 1;
-        by_others += chained && !isStep(a, b);
+        (chains[a][b] ? joined : apart) += 1;
+        by_others += chains[a][b] && !grid.isStep(a, b, settings.limits);
+        one_way += chains[a][b] && !chains[b][a];
       }
     }
   }
   EXPECT_GT(joined, 100);
   EXPECT_GT(by_others, 50);
   EXPECT_GT(apart, 100);
+  EXPECT_GT(one_way, 50);
 }
 
 }  // namespace

@@ -66,7 +66,37 @@ TEST(LiftedFeet, ALogHigherThanFeetAreLiftedShutsOffBeyondTheEdgesAndBetweenWall
     EXPECT_FALSE(LogFloor({logAcross(0.1, high, -1, 5)}).shutOff(kBeforeLog, kBehindLog)) << high;
 }
 
-// The front ends of soles in all poses of a walk, between the heights of their balls.
+// Lower than that, as no foot of a walk swings over it.
+TEST(LiftedFeet, ALogThatEndsHigherThanAnySwingLeadsShutsOff) {
+  const LogFloor open({logAcross(0.1, 0.2, 1, 3)});
+  const Eigen::AlignedBox1d too_high = open.room.synthesizer.tooHighToSwingOver();
+  ASSERT_LT(too_high.min()[0], 0.29);
+  ASSERT_GT(too_high.max()[0], 0.34);
+  for (const double thick : {0.03, 0.1, 0.4}) {
+    for (double high = too_high.min()[0] + 0.01; high < too_high.max()[0]; high += 0.02) {
+      for (const LogFloor& floor : {LogFloor({logAcross(thick, high, -1, 5)}),
+                                    LogFloor(betweenWalls(logAcross(thick, high, 0, 4)))}) {
+        const auto failure = floor.shutOff(kBeforeLog, kBehindLog);
+        ASSERT_TRUE(failure.has_value()) << high << ", " << thick << " m thick";
+        ASSERT_GE(failure->object, 0) << high;
+        EXPECT_EQ(floor.room.scene.objects[failure->object].name, "log") << high;
+      }
+    }
+    const double low = too_high.min()[0] - 0.005;
+    EXPECT_FALSE(LogFloor({logAcross(thick, low, -1, 5)}).shutOff(kBeforeLog, kBehindLog));
+  }
+  EXPECT_FALSE(open.shutOff(kBeforeLog, kBehindLog));
+}
+
+// Feet go under what hangs as high.
+TEST(LiftedFeet, ABarAtTheHeightOfALogDoesNotShutFeetOff) {
+  SceneObject bar = logAcross(0.1, 0.05, -1, 5);
+  bar.X_WO.translation().z() = 0.28;
+  const auto failure = LogFloor({bar}).shutOff(kBeforeLog, kBehindLog);
+  EXPECT_FALSE(failure.has_value());
+}
+
+// The front ends of soles and insteps in all poses of a walk, between the heights of their balls.
 void expectBallsHeld(const LogFloor& floor, const BodyReach& reach, const WalkEdge& walk) {
   const Body& body = floor.room.body;
   std::vector<JointFrame> joints(floor.room.synthesizer.skeleton().size());
@@ -106,8 +136,9 @@ TEST(LiftedFeet, NoLogThatIsSteppedOverIsSaidToShutOff) {
     const LogFloor floor(walled ? betweenWalls(log) : std::vector{log}, stream.uniform(0.5, 1.6));
     const WalkSynthesizer& walker = floor.room.synthesizer;
     const BodyReach reach(straightWalk(walker, floor.room.ground), walker.skeleton(),
-                          walker.roles(), floor.room.body, walker.stature(), 0.25, 1.0,
-                          StepPlacer::kHighestLift);
+                          walker.roles(), floor.room.body, walker.stature(),
+                          {0.25, 1.0, StepPlacer::kHighestLift, walker.tooHighToSwingOver(),
+                           walker.feet()[kLeft].half_width});
     shut += floor.shutOff(kBeforeLog, kBehindLog).has_value();
     for (int k = 0; k < 8; ++k) {
       Waypoint from = besideLog(stream, 1.0, 2.6), to = besideLog(stream, 3.4, 5.0);
