@@ -21,6 +21,18 @@ std::vector<double> widthsOf(const SpeedEngine& engine, const EngineWalk& walk, 
   return widths;
 }
 
+/// A foot that stands at the clip's begin or end has stood, and stands on.
+FootPlants plantsOfWalk(const EngineWalk& walk) {
+  FootPlants plants = plantsOf(walk.planted);
+  for (std::vector<FootPlant>& of_foot : plants.plants) {
+    for (FootPlant& plant : of_foot) {
+      if (plant.first == 0) plant.strike = -plants.frames;
+      if (plant.last == plants.frames - 1) plant.lift_off = 2.0 * plants.frames;
+    }
+  }
+  return plants;
+}
+
 /// Where the feet of a clip are on the floor and held.
 Clip held(const EngineData& data, double scale, const Clip& clip, const FootPlants& plants,
           const std::vector<double>& widths, FootLock& took) {
@@ -43,7 +55,7 @@ EngineWalk lockedEngineWalk(const SpeedEngine& engine, const EngineRamp& ramp, F
   request.scale = ramp.scale;
   EngineWalk walk = engineWalk(engine, request);
   FootLock took;
-  walk.clip = held(engine.data(), ramp.scale, walk.clip, plantsOf(walk.planted),
+  walk.clip = held(engine.data(), ramp.scale, walk.clip, plantsOfWalk(walk),
                    widthsOf(engine, walk, ramp.scale), took);
   if (lock != nullptr) *lock = took;
   return walk;

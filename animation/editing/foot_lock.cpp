@@ -16,6 +16,8 @@ constexpr double kLoose = 0.11;
 constexpr double kLongestLoose = 0.08;
 constexpr double kHeld = 1e10;         // weight of a frame in which the toe is held
 constexpr double kPelvisWidth = 0.12;  // of the pelvis, which is heavier [s]
+// Weight of what the pelvis is to go up or down; the curve's width grows by its sixth root [1].
+constexpr double kUpright = 100.0;
 constexpr double kSwinging = 0.3;  // what a swinging foot counts for the pelvis, a standing one 1
 
 /// Where a toe shall be moved to, and how firmly, at each frame.
@@ -25,13 +27,14 @@ struct Wanted {
   double width;                 // of the curve: the widest [s]
 };
 
-/// First and last frame of a plant in which its toe is held: to the clip's begin and end where the
-/// foot is not seen to come down or to leave.
+/// First and last frame of a plant in which its toe is held: all of those at the clip's begin and
+/// end where the foot comes down or leaves outside of it.
 std::pair<int, int> heldFrames(const FootPlant& plant, int frames, double frame_time) {
   const int loose = static_cast<int>(
       std::floor(std::min(kLoose * (plant.last - plant.first + 1), kLongestLoose / frame_time)));
-  return {plant.first == 0 ? 0 : plant.first + loose,
-          plant.last == frames - 1 ? plant.last : plant.last - loose};
+  const bool stood = plant.first == 0 && plant.strike < -1.0 - loose;
+  const bool stands_on = plant.last == frames - 1 && plant.lift_off > frames + loose;
+  return {stood ? plant.first : plant.first + loose, stands_on ? plant.last : plant.last - loose};
 }
 
 /// A frame that is held at nothing by a weight w has the width of (1 + w)^(-1/6) of the curve's.
@@ -55,7 +58,8 @@ Wanted wantedOf(const std::vector<Eigen::Vector3d>& toe, const std::vector<FootP
   return wanted;
 }
 
-/// Between the feet, nearer to the one that stands.
+/// Between the feet, nearer to the one that stands: along the ground half of the way, for the least
+/// curve weighs no more what is wanted than nothing; up and down all of it, that legs stay as bent.
 Eigen::MatrixXd pelvisShift(const std::array<Eigen::MatrixXd, 2>& shifts, const FootPlants& plants,
                             double frame_time) {
   const std::array<std::vector<bool>, 2> planted = {plants.planted(kLeft), plants.planted(kRight)};
@@ -65,7 +69,12 @@ Eigen::MatrixXd pelvisShift(const std::array<Eigen::MatrixXd, 2>& shifts, const 
     const double right = planted[kRight][i] ? 1.0 : kSwinging;
     wanted.row(i) = (left * shifts[kLeft].row(i) + right * shifts[kRight].row(i)) / (left + right);
   }
-  return leastCurve(wanted, std::vector<double>(wanted.rows(), 1.0), frame_time, kPelvisWidth);
+  Eigen::MatrixXd pelvis(wanted.rows(), 3);
+  pelvis.leftCols(2) = leastCurve(wanted.leftCols(2), std::vector<double>(wanted.rows(), 1.0),
+                                  frame_time, kPelvisWidth);
+  pelvis.col(2) = leastCurve(wanted.col(2), std::vector<double>(wanted.rows(), kUpright),
+                             frame_time, kPelvisWidth * std::pow(kUpright, 1.0 / 6.0));
+  return pelvis;
 }
 
 }  // namespace

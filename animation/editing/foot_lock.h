@@ -2,10 +2,10 @@
 ///
 /// A foot is moved as a whole, along the ground, by the least smooth curve that holds its toe joint
 /// (the tip of its foot where the rig has none) while it stands, to the clip's begin and end where
-/// it stands there; in the swing the correction of one plant goes over into that of the next. The
-/// pelvis goes half of the way with the feet, more with the one that stands, so that neither legs
-/// nor steps pay for all of it (Kovar, Schreiner & Gleicher, Footskate Cleanup, 2002, have the same
-/// aims). Heights stay, and how feet roll and turn.
+/// its foot comes down or leaves outside of it; in the swing the correction of one plant goes over
+/// into that of the next. The pelvis goes half of the way with the feet, more with the one that
+/// stands, so that neither legs nor steps pay for all of it (Kovar, Schreiner & Gleicher, Footskate
+/// Cleanup, 2002, have the same aims). Heights stay, and how feet roll and turn.
 #pragma once
 
 #include "animation/analysis/foot_plants.h"
@@ -35,7 +35,8 @@ double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& track
 double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks,
                   const std::vector<double>& widths);
 
-/// Moves feet, and the pelvis with them: half of the way, more with the one that stands.
+/// Moves feet, and the pelvis with them, more with the one that stands: along the ground half of
+/// the way, up and down all of it.
 /// @param shifts  by Side; a row a frame, columns x y z [m, World]. @pre rows == plants.frames
 void shiftFeet(const std::array<Eigen::MatrixXd, 2>& shifts, const FootPlants& plants,
                double frame_time, WalkTracks& tracks);

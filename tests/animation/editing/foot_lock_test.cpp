@@ -126,10 +126,14 @@ struct SlidingStand {
     planted[kRight] = planted[kLeft];
     for (int i = kLifts; i < kLifts + 30; ++i) planted[kRight][i] = false;
     plants = plantsOf(planted);
+    for (std::vector<FootPlant>& of_foot : plants.plants) {  // before the clip and after it, too
+      of_foot.front().strike = -kFrames;
+      of_foot.back().lift_off = 2.0 * kFrames;
+    }
   }
 };
 
-TEST(FootLock, AFootThatStandsToTheClipsEndsIsHeldToThem) {
+TEST(FootLock, AFootThatStandsOnBeyondTheClipIsHeldToItsEnds) {
   const SlidingStand stand;
   const FootPaths paths =
       footPaths(lockFeet(stand.clip, stand.rig.roles, stand.plants), stand.rig.roles);

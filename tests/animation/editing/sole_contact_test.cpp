@@ -66,7 +66,7 @@ TEST(SoleContact, ASoleThatStandsIsOnTheFloorAndNoneIsInIt) {
       for (int i = 0; i < on.frames(); ++i) {
         const double lowest = walk.soles.lowest(on, i, side);
         EXPECT_GT(lowest, -1e-3) << height << " " << i;
-        EXPECT_LT(lowest, plants.planted(side, i) ? 0.004 : 1.0) << height << " " << i;
+        EXPECT_LT(lowest, plants.planted(side, i) ? 0.005 : 1.0) << height << " " << i;
       }
     }
   }
@@ -89,7 +89,7 @@ TEST(SoleContact, ToesThatPointIntoTheFloorAreBentUpAndTheirFeetHardlyMoved) {
   std::vector<JointFrame> a(on.skeleton.size()), b(on.skeleton.size());
   for (const FootPlant& plant : plants.plants[kLeft]) {
     const int middle = (plant.first + plant.last) / 2;
-    EXPECT_LT(Eigen::AngleAxisd(on.poses.rotations(middle)[toe]).angle(), 0.2);
+    EXPECT_LT(Eigen::AngleAxisd(on.poses.rotations(middle)[toe]).angle(), 0.6 * down);
     forwardKinematics(on, middle, a);
     forwardKinematics(without, middle, b);
     EXPECT_NEAR(a[foot].p_WJ.z(), b[foot].p_WJ.z(), 0.003);
