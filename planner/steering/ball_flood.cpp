@@ -98,16 +98,22 @@ int BallFlood::touchedOnUneven(const Eigen::Vector2d& p, const Eigen::AlignedBox
 }
 
 // Whether swings by way of that square are refused for what ends over it: wherever in the square a
-// sole's middle passes, they look at so much around it.
+// sole's middle passes, they look at so much around it, and see of each triangle the highest that
+// is in the strip they look at. So one that does not go on higher anywhere is seen.
 bool BallFlood::isTooHigh(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet) const {
-  if (ball_.too_high.isEmpty()) return false;
   const double half = (ball_.looks - std::sqrt(0.5) * square_) / std::sqrt(2.0);
   if (half <= 0.0) return false;
   const double low = feet.max()[0] + feet.sizes()[0] + ball_.too_high.min()[0];
   const double high = feet.min()[0] + ball_.too_high.max()[0] - kOfEnds;
-  if (low >= high) return false;
-  const Eigen::Vector2d along(half, 0.0);
-  return ground_.risesAbove(p - along, p + along, half, low, high);
+  const Eigen::AlignedBox2d box(p.array() - half, p.array() + half);
+  bool found = false;
+  ground_.all().visitBox(box, [&](int t) {
+    const Triangle3& thing = ground_.all().triangles()[t];
+    if (found || std::max({thing[0].z(), thing[1].z(), thing[2].z()}) > high) return;
+    const auto within = heightsWithin(thing, box);
+    found = within && within->high > low;
+  });
+  return found;
 }
 
 // A foot over things: what is solid up to where it may be, or up to what no swing goes over. Feet
@@ -116,10 +122,10 @@ int BallFlood::touchedByFoot(const Eigen::Vector2d& p, const Eigen::AlignedBox1d
                              double radius) const {
   const double low = feet.min()[0] + ball_.height;
   const double high = feet.max()[0] + ball_.highest + feet.sizes()[0];
-  if (isTooHigh(p, feet)) {
+  if (!ball_.too_high.isEmpty()) {
     const double up_to = feet.max()[0] + feet.sizes()[0] + ball_.too_high.min()[0];
     const int there = touchedAtAll(p, low, std::min(high, up_to), radius);
-    if (there >= 0) return there;
+    if (there < 0 || isTooHigh(p, feet)) return there;
   }
   return touchedAtAll(p, low, high, radius);
 }

@@ -281,7 +281,7 @@ class PlatformGrid {
 TEST(GroundReach, OfPlatformsThoseAreReachedThatAChainOfStepsLeadsTo) {
   std::mt19937 random(3);
   int joined = 0, by_others = 0, apart = 0, one_way = 0;
-  for (int scene_number = 0; scene_number < 12; ++scene_number) {
+  for (int scene_number = 0; scene_number < 6; ++scene_number) {
     const PlatformGrid grid(random);
     GroundSettings settings;
     settings.limits =

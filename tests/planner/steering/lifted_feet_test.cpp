@@ -72,8 +72,8 @@ TEST(LiftedFeet, ALogThatEndsHigherThanAnySwingLeadsShutsOff) {
   const Eigen::AlignedBox1d too_high = open.room.synthesizer.tooHighToSwingOver();
   ASSERT_LT(too_high.min()[0], 0.29);
   ASSERT_GT(too_high.max()[0], 0.34);
-  for (const double thick : {0.03, 0.1, 0.4}) {
-    for (double high = too_high.min()[0] + 0.01; high < too_high.max()[0]; high += 0.02) {
+  for (const double thick : {0.03, 0.4}) {
+    for (double high = too_high.min()[0] + 0.01; high < too_high.max()[0]; high += 0.03) {
       for (const LogFloor& floor : {LogFloor({logAcross(thick, high, -1, 5)}),
                                     LogFloor(betweenWalls(logAcross(thick, high, 0, 4)))}) {
         const auto failure = floor.shutOff(kBeforeLog, kBehindLog);
