@@ -42,13 +42,17 @@ std::vector<LoftGroup> loftsNear(const std::vector<LoftGroup>& groups, const Vec
                                  double radius, double nearest) {
   std::vector<LoftGroup> some;
   for (const LoftGroup& group : groups) {
-    LoftGroup part{{}, group.blend, group.floor};
+    std::vector<Loft> lofts;
     for (const Loft& loft : group.lofts) {
       const double blend = std::max(loft.blend, group.blend);
       if (distanceTo(loft, at).distance < nearest + 4.0 * radius + 2.0 * blend)
-        part.lofts.push_back(loft);
+        lofts.push_back(loft);
     }
-    if (!part.lofts.empty()) some.push_back(std::move(part));
+    if (lofts.empty()) continue;
+    LoftGroup& part = some.emplace_back();
+    part.lofts = std::move(lofts);
+    part.blend = group.blend;
+    part.floor = group.floor;
   }
   return some;
 }
