@@ -12,7 +12,7 @@ namespace {
 // Of a plant, at both ends, in which the toe comes down and leaves, at up to 1 m/s, and is not
 // held: QUALITY.md judges from 15 % on, and whoever finds plants himself finds their ends
 // elsewhere. A foot that stands for long takes no longer to come down and to leave [s].
-constexpr double kLoose = 0.11;
+constexpr double kLoose = 0.12;
 constexpr double kLongestLoose = 0.08;
 constexpr double kHeld = 1e10;         // weight of a frame in which the toe is held
 constexpr double kPelvisWidth = 0.12;  // of the pelvis, which is heavier [s]
@@ -31,7 +31,7 @@ struct Wanted {
 /// end where the foot comes down or leaves outside of it.
 std::pair<int, int> heldFrames(const FootPlant& plant, int frames, double frame_time) {
   const int loose = static_cast<int>(
-      std::floor(std::min(kLoose * (plant.last - plant.first + 1), kLongestLoose / frame_time)));
+      std::floor(std::min(kLoose * (plant.last - plant.first), kLongestLoose / frame_time)));
   const bool stood = plant.first == 0 && plant.strike < -1.0 - loose;
   const bool stands_on = plant.last == frames - 1 && plant.lift_off > frames + loose;
   return {stood ? plant.first : plant.first + loose, stands_on ? plant.last : plant.last - loose};
