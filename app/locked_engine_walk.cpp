@@ -11,6 +11,8 @@ namespace {
 // walk that is slower than captured shrinks, and its feet stand for longer than the shrunken legs
 // have them: half a step is to be corrected, which would jerk within a third of a swing [s].
 constexpr double kSlowWidth = 0.15;
+// Of those long plants, at both ends, while the foot comes down and leaves [s].
+constexpr double kLongestLoose = 0.08;
 
 std::vector<double> widthsOf(const SpeedEngine& engine, const EngineWalk& walk, double scale) {
   std::vector<double> widths;
@@ -39,7 +41,8 @@ Clip held(const EngineData& data, double scale, const Clip& clip, const FootPlan
   WalkTracks tracks = tracksOf(clip, data.roles);
   const auto feet = makeFootShapes(clip.skeleton, data.roles, data.stature * scale);
   took.farthest = restOnFloor(clip, data.roles, feet, plants, tracks);
-  took.farthest = std::max(took.farthest, lockTracks(plants, clip.frame_time, tracks, widths));
+  took.farthest =
+      std::max(took.farthest, lockTracks(plants, clip.frame_time, tracks, widths, kLongestLoose));
   return followTracks(clip, data.roles, tracks, &took.fit);
 }
 

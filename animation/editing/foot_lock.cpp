@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "animation/editing/least_curve.h"
 
@@ -11,9 +12,8 @@ namespace {
 
 // Of a plant, at both ends, in which the toe comes down and leaves, at up to 1 m/s, and is not
 // held: QUALITY.md judges from 15 % on, and whoever finds plants himself finds their ends
-// elsewhere. A foot that stands for long takes no longer to come down and to leave [s].
+// elsewhere.
 constexpr double kLoose = 0.12;
-constexpr double kLongestLoose = 0.08;
 constexpr double kHeld = 1e10;         // weight of a frame in which the toe is held
 constexpr double kPelvisWidth = 0.12;  // of the pelvis, which is heavier [s]
 // Weight of what the pelvis is to go up or down; the curve's width grows by its sixth root [1].
@@ -29,9 +29,9 @@ struct Wanted {
 
 /// First and last frame of a plant in which its toe is held: all of those at the clip's begin and
 /// end where the foot comes down or leaves outside of it.
-std::pair<int, int> heldFrames(const FootPlant& plant, int frames, double frame_time) {
-  const int loose = static_cast<int>(
-      std::floor(std::min(kLoose * (plant.last - plant.first), kLongestLoose / frame_time)));
+std::pair<int, int> heldFrames(const FootPlant& plant, int frames, double longest_loose) {
+  const int loose =
+      static_cast<int>(std::floor(std::min(kLoose * (plant.last - plant.first), longest_loose)));
   const bool stood = plant.first == 0 && plant.strike < -1.0 - loose;
   const bool stands_on = plant.last == frames - 1 && plant.lift_off > frames + loose;
   return {stood ? plant.first : plant.first + loose, stands_on ? plant.last : plant.last - loose};
@@ -39,7 +39,7 @@ std::pair<int, int> heldFrames(const FootPlant& plant, int frames, double frame_
 
 /// A frame that is held at nothing by a weight w has the width of (1 + w)^(-1/6) of the curve's.
 Wanted wantedOf(const std::vector<Eigen::Vector3d>& toe, const std::vector<FootPlant>& plants,
-                double frame_time, const std::vector<double>& widths) {
+                double longest_loose, const std::vector<double>& widths) {
   const auto frames = static_cast<Eigen::Index>(toe.size());
   Wanted wanted{Eigen::MatrixXd::Zero(frames, 2), std::vector<double>(toe.size(), 0.0),
                 *std::max_element(widths.begin(), widths.end())};
@@ -47,7 +47,7 @@ Wanted wantedOf(const std::vector<Eigen::Vector3d>& toe, const std::vector<FootP
     wanted.weights[i] = std::pow(wanted.width / widths[i], 6) - 1.0;
   }
   for (const FootPlant& plant : plants) {
-    const auto [first, last] = heldFrames(plant, static_cast<int>(frames), frame_time);
+    const auto [first, last] = heldFrames(plant, static_cast<int>(frames), longest_loose);
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (int i = first; i <= last; ++i) sum += toe[i].head<2>();
     for (int i = first; i <= last; ++i) {
@@ -93,12 +93,13 @@ void shiftFeet(const std::array<Eigen::MatrixXd, 2>& shifts, const FootPlants& p
 }
 
 double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks,
-                  const std::vector<double>& widths) {
+                  const std::vector<double>& widths, double longest_loose) {
   assert(static_cast<int>(widths.size()) == plants.frames);
   std::array<Eigen::MatrixXd, 2> shifts;
   double farthest = 0.0;
   for (const Side side : {kLeft, kRight}) {
-    const Wanted wanted = wantedOf(tracks.feet[side].toe, plants.plants[side], frame_time, widths);
+    const Wanted wanted =
+        wantedOf(tracks.feet[side].toe, plants.plants[side], longest_loose / frame_time, widths);
     shifts[side] = Eigen::MatrixXd::Zero(plants.frames, 3);
     shifts[side].leftCols(2) = leastCurve(wanted.shift, wanted.weights, frame_time, wanted.width);
     farthest = std::max(farthest, shifts[side].rowwise().norm().maxCoeff());
@@ -108,7 +109,8 @@ double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& track
 }
 
 double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks) {
-  return lockTracks(plants, frame_time, tracks, std::vector<double>(plants.frames, kFootLockWidth));
+  return lockTracks(plants, frame_time, tracks, std::vector<double>(plants.frames, kFootLockWidth),
+                    std::numeric_limits<double>::infinity());
 }
 
 Clip lockFeet(const Clip& clip, const JointRoles& roles, const FootPlants& plants, FootLock* lock) {

@@ -32,8 +32,9 @@ Clip lockFeet(const Clip& clip, const JointRoles& roles, const FootPlants& plant
 double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks);
 /// The same of a walk whose feet are corrected over other times. @param widths  in place of
 /// kFootLockWidth, a value a frame [s, > 0]
+/// @param longest_loose  a foot that stands for long is held but for that at both ends [s, >= 0]
 double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks,
-                  const std::vector<double>& widths);
+                  const std::vector<double>& widths, double longest_loose);
 
 /// Moves feet, and the pelvis with them, more with the one that stands: along the ground half of
 /// the way, up and down all of it.

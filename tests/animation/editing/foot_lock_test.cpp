@@ -142,16 +142,6 @@ TEST(FootLock, AFootThatStandsOnBeyondTheClipIsHeldToItsEnds) {
   }
 }
 
-TEST(FootLock, HoweverLongAFootStandsItIsLooseForLessThanATenthOfASecondBeforeItLeaves) {
-  const SlidingStand stand;
-  const FootPaths paths =
-      footPaths(lockFeet(stand.clip, stand.rig.roles, stand.plants), stand.rig.roles);
-  const int loose = static_cast<int>(std::ceil(0.1 / stand.clip.frame_time));
-  for (int i = 0; i < SlidingStand::kLifts - loose; ++i) {
-    EXPECT_NEAR(paths[kRight](i, 3), paths[kRight](0, 3), 1e-5) << i;
-  }
-}
-
 TEST(FootLock, FeetThatStandAreGivenBack) {
   Puppet puppet;
   const Rig rig;
