@@ -231,8 +231,9 @@ WalkSteps StepPlacer::plan(const WalkRequest& request) const {
     }
   }
   if (walk.refused != WalkRule::kNone || walk.unwanted || outlook) return walk;
-  // Where no slower pace is captured than the plan's, no step is that of one.
-  const bool slowest = swings_.cycles.departures.slower.empty();
+  // Who starts or stops is slower than the plan, where no slower pace is captured, too.
+  const bool rests = walk.from.standing || walk.end.standing;
+  const bool slowest = rests && swings_.cycles.departures.slower.empty();
   if (limits.pace || limits.stride || walk.timing || slowest || isSlower(walk))
     walk.feet->setSupports(halfSupports(walk, s_));
   walk.level = isLevel(walk);
