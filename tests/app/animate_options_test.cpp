@@ -36,9 +36,9 @@ class AnimateOptions : public Options {
 };
 
 // QUALITY.md's bars of held feet, by whoever finds plants himself: at speeds that nobody was
-// captured at, from standing and to it.
+// captured at, and to standing.
 void AnimateOptions::expectHeld(const std::string& engine) const {
-  for (const char* const speed : {"0.2", "0.4", "0.7", "1.3", "0..1.2", "1.2..0", "0.8..0"}) {
+  for (const char* const speed : {"0.2", "0.4", "0.7", "1.3", "1.2..0", "0.8..0"}) {
     good("animate -o a.bvh --duration 6 " + engine + speed);
     const json feet = printed("analyse a.bvh --as-is --json")[0]["quality"];
     EXPECT_LT(feet["largest_drift"].get<double>(), 0.002) << speed;
