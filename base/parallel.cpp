@@ -10,14 +10,20 @@
 #include <vector>
 
 namespace amble {
+namespace {
+
+int machineThreads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+}  // namespace
 
 int usualThreads() {
-  const int machine = static_cast<int>(std::thread::hardware_concurrency());
-  return std::clamp(std::min(machine, tbb::this_task_arena::max_concurrency()), 1, kMostThreads);
+  return std::clamp(std::min(machineThreads(), tbb::this_task_arena::max_concurrency()), 1,
+                    kMostThreads);
 }
 
+// Of more than the machine has TBB would warn.
 void withThreads(int threads, const std::function<void()>& work) {
-  tbb::task_arena(threads).execute(work);
+  tbb::task_arena(std::min(threads, machineThreads())).execute(work);
 }
 
 void parallelFor(int count, int threads, const std::function<void(int i, int thread)>& task) {

@@ -78,6 +78,12 @@ TEST(WithThreads, NoMoreWorkAtATimeThanThereAreWhateverLoopsWithinAskFor) {
   }
 }
 
+TEST(WithThreads, OfMoreThanTheMachineHasNothingIsSaid) {
+  testing::internal::CaptureStderr();
+  withThreads(kMostThreads * kMostThreads, [] { parallelFor(8, 4, [](int, int) {}); });
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(WithThreads, OneIsTheCallerAndFailuresReachHim) {
   const std::thread::id caller = std::this_thread::get_id();
   EXPECT_THROW(withThreads(1,
