@@ -15,7 +15,7 @@ LIVING_ROOM = run.ROOT / "scenarios" / "living-room.yaml"
 NOT_CLAIMED = """\
 - Figures of other machines, of scenes above a million triangles, of more than two threads.
 - That FCL, OMPL, Recast, Assimp or Eigen could not be used faster: each is set up as its manual has it, and compiled as Debian
-  does or with the flags named above.
+  does or, what is headers of FCL and Eigen, with -O3.
 - FCL is asked at frames only, and of what has ground not about soles; ours also proves what lies between frames. Both are
   given the same walks, which touch nothing: where things are touched both end sooner.
 - Recast answers another question: where a cylinder's axis may be. It says nothing of a body that turns, steps over, or swings

@@ -223,8 +223,10 @@ std::vector<bool> Reach::setsFrom(const Spot& spot, Way way) {
 bool Reach::isInner(const Spot& spot) const {
   for (int j = -1; j <= 1; ++j) {
     for (int i = -1; i <= 1; ++i) {
-      const auto spans = cells_.spans(spot.square.x() + i, spot.square.y() + j);
-      if (spans.size() != 1 || !spans.front().ground || spans.front().floor != spot.floor)
+      const Eigen::Vector2i square = spot.square + Eigen::Vector2i(i, j);
+      const auto spans = cells_.spans(square.x(), square.y());
+      if (spans.size() != 1 || !spans.front().ground ||
+          spotOf(square, spans.front()).floor != spot.floor)
         return false;
     }
   }
