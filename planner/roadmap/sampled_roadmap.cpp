@@ -351,7 +351,10 @@ std::optional<bool> SampledRoadmap::askNarrow(const WayGuide::Narrow& narrow, in
   TriedCrossing crossing = tryCrossing(steering_, narrow, limits, scratches);
   for (TriedWalk& walk : crossing.tried) insertTried(std::move(walk), scratches);
   if (roadmap_.reachableFrom(from)[to]) return true;
-  const bool is_refused = crossing.outcome == TriedCrossing::Outcome::kRefused ||
+  // What lies right across is the same at other places where the ground is: there steps may lead
+  // up.
+  const bool tells_of_all = !narrow.blocked || steering_.layers() == 0;
+  const bool is_refused = (crossing.outcome == TriedCrossing::Outcome::kRefused && tells_of_all) ||
                           (narrow.blocked && narrow.on_steps && crossing.tried.empty() &&
                            isRefusedOverPassages(narrow.at));
   const int share = is_refused ? kShareOfRefused : 1;

@@ -12,9 +12,10 @@
 /// place of the widest way. Walks straight through that are asked first, a few hundred, that begin
 /// and end at different distances: arms swing alike only so. Then max_failures uniform samples are
 /// drawn around it before others, whether they add guards or not, a quarter of them where those
-/// walks were refused; and where not even the guide finds a way through it there are no others. On
-/// stairs nobody stands to begin such walks: there it is those over the passages by that place,
-/// where something is right in the way, with no more room beside it.
+/// walks were refused, unless something lies right across that steps may lead up to elsewhere; and
+/// where not even the guide finds a way through it there are no others. On stairs nobody stands to
+/// begin such walks: there it is those over the passages by that place, where something is right in
+/// the way, with no more room beside it.
 ///
 /// Large maps are looked at from the near to the far: start and goal are asked about first, then
 /// the passages and samples of a region around both, which widens when most of it is covered. Where

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMostSquares = 1e8;       // of a flood; larger ones are not begun
 constexpr size_t kMostOfReport = 4000000;  // of a part that is flooded to be told of only
-constexpr double kStackLevels = 0.02;      // between heights at which a stack is tried [m]
+constexpr double kStackLevels = 0.01;      // between heights at which a stack is tried [m]
 constexpr double kLevels = 0.03;           // between heights at which a ball is tried [m]
 constexpr int kFinerLevels = 4;            // so many between two of them
 constexpr double kOfEnds = 1e-6;           // rounding of where things end [m]

@@ -70,6 +70,7 @@
 #include <span>
 #include <vector>
 
+#include "animation/steps/leg_reach.h"
 #include "environments/collision/collision_world.h"
 #include "planner/steering/open_way.h"
 #include "planner/steering/straight_walk.h"
@@ -79,7 +80,9 @@ namespace amble {
 
 class BodyReach {
  public:
-  static constexpr double kRise = 0.02, kDip = 0.12;              ///< [m]
+  /// Than in the straight walk; over level ground hips give way by HipDip::kDeepest and kMore at
+  /// most [m].
+  static constexpr double kRise = 0.02, kDip = HipDip::kDeepest + HipDip::kMore + 0.01;
   static constexpr double kUnevenRise = 0.03, kUnevenDip = 0.17;  ///< the same over chords [m]
   static constexpr double kBeyond = 0.25, kLegsBeyond = 0.12;     ///< open edges [m]
   /// Of stature: a post at the body's middle, between these heights, and its radius.

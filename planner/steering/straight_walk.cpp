@@ -1,9 +1,11 @@
 #include "planner/steering/straight_walk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "base/rotation.h"
 
@@ -17,6 +19,7 @@ constexpr double kSlice = 0.02;  // of a path, in which breadths are told apart 
 constexpr double kNeverQuite = 0.01;
 constexpr double kBesideEnds = 0.5;  // of a walk: there it is no walk yet [m]
 constexpr int kOnAxis = 4;           // parts of a capsule's axis, at whose ends it is looked at
+constexpr std::array<double, 4> kTurns = {0.5 * kPi, -0.5 * kPi, kPi, -kPi};
 
 // Lifts differ by so much from step to step without anything to step over [m].
 constexpr double kNoLift = 0.01;
@@ -61,7 +64,13 @@ StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround&
             return step.lift > synthesizer.capturedLift() + kNoLift;
           });
         });
-    if (made.refused == WalkRule::kNone && !made.unwanted && isLevel(walk.buffer)) return walk;
+    if (made.refused != WalkRule::kNone || made.unwanted || !isLevel(walk.buffer)) continue;
+    for (const double angle : kTurns) {
+      AnimationBuffer turn;
+      if (synthesizer.turnOnSpot(from, angle, turn).refused == WalkRule::kNone)
+        walk.turns.push_back(std::move(turn));
+    }
+    return walk;
   }
   return {};
 }

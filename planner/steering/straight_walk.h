@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <vector>
 
 #include "animation/synthesis/walk_synthesizer.h"
 #include "environments/body/body.h"
@@ -12,6 +13,9 @@ namespace amble {
 struct StraightWalk {
   RootPath path;
   AnimationBuffer buffer;
+  /// On the spot, where it begins, by a quarter and half a circle each way: those that feet find
+  /// places for there.
+  std::vector<AnimationBuffer> turns = {};
 };
 
 /// Long enough for strides at full speed [m].

@@ -1,8 +1,9 @@
 /// Balls of the trunk and the head, one over the other, that go up and down together.
 ///
 /// Walking, a trunk hardly bends: seen from the abdomen pelvis and chest stay where they are, and
-/// so do chest and head seen from the neck, but for some centimetres that their balls are taken as
-/// smaller by. What is between two balls however high the hips are is touched by one of them.
+/// so do chest, neck and head seen from the neck's lower end, but for some centimetres that their
+/// balls are taken as smaller by. What is between two balls however high the hips are is touched by
+/// one of them.
 #pragma once
 
 #include <vector>
@@ -12,9 +13,10 @@
 namespace amble {
 
 struct StackedBall {
-  double height = 0.0;  ///< over the ground, in the mean of the poses [m]
-  double radius = 0.0;  ///< of what is in the body there, straight over the middle part [m, > 0]
-  int part = -1;        ///< of the body
+  double height = 0.0;  ///< over the ground, midway between the poses' [m]
+  double radius =
+      0.0;        ///< of what is in the body there, straight over what they are seen from [m, > 0]
+  int part = -1;  ///< of the body
 };
 struct TrunkStack {
   std::vector<StackedBall> balls;  ///< from below; none: there is no stack
@@ -22,8 +24,9 @@ struct TrunkStack {
   double dip = 0.0, rise = 0.0;
 };
 
-/// About the abdomen, and about the neck, of a body on a walk; fewer balls, or no stack, where the
-/// body lacks parts. @param margin  that other poses may have them farther from there [m, >= 0]
+/// About the middle of the abdomen, and about the neck's lower end, of a body on a walk; fewer
+/// balls, or no stack, where the body lacks parts. @param margin  that other poses may have them
+/// farther from there [m, >= 0]
 std::vector<TrunkStack> trunkStacks(const StraightWalk& walk, const Skeleton& skeleton,
                                     const JointRoles& roles, const Body& body, double margin);
 

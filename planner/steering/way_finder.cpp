@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <queue>
+#include <tuple>
 #include <utility>
 
 #include "base/bucket_queue.h"
@@ -31,6 +32,7 @@ constexpr double kAcross = 0.3;        // to each side of a narrow place, for th
 constexpr int kPlacesEvery = 1 << 12;  // places between looks at the clock
 constexpr double kStep = 0.05;         // higher from place to place is no slope [m]
 constexpr double kRounding = 1e-5;     // of rooms [m]
+constexpr double kSameRoom = 1e-3;     // [m]
 constexpr float kBucket = 0.002f;      // of costs that are about as high [m]
 constexpr double kRoomInSight = 0.04;  // beside a straight line, where there is as much [m]
 
@@ -233,22 +235,33 @@ std::optional<std::vector<Stance>> WayFinder::next() {
   return stances;
 }
 
-// From end to end by the widest way: of all places that are reached the roomiest goes on first.
+// From end to end by the widest way: of all places that are reached the roomiest goes on first, of
+// those with the same room the nearest by the way. So what is in the way from side to side is
+// crossed where one comes to it, and not beside a wall.
 std::vector<int> WayFinder::widest() const {
   if (from_ < 0 || to_ < 0) return {};
+  struct Open {
+    long room;     // [kSameRoom]
+    float length;  // from the begin [m]
+    int place;
+    bool operator<(const Open& other) const {  // whether the other goes on first
+      return std::tie(room, other.length, place) < std::tie(other.room, length, other.place);
+    }
+  };
   std::vector<int> before(map_->size(), -1);
-  std::priority_queue<std::pair<float, int>> open;
-  open.emplace(0.0f, from_);
+  std::priority_queue<Open> open;
+  open.push({0, 0.0f, from_});
   before[from_] = from_;
   for (long long i = 0; !open.empty() && before[to_] < 0; ++i) {
     if (i % kPlacesEvery == 0 && stopped_()) return {};
-    const int place = open.top().second;
+    const Open here = open.top();
     open.pop();
     for (const auto& [dx, dy] : kAround) {
-      const int other = map_->beside(place, dx, dy);
+      const int other = map_->beside(here.place, dx, dy);
       if (other < 0 || before[other] >= 0) continue;
-      before[other] = place;
-      open.emplace(static_cast<float>(map_->spare(other)), other);
+      before[other] = here.place;
+      open.push({std::lround(map_->spare(other) / kSameRoom),
+                 here.length + static_cast<float>(map_->cell() * std::hypot(dx, dy)), other});
     }
   }
   std::vector<int> way;

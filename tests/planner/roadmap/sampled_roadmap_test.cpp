@@ -190,6 +190,32 @@ TEST(SampledRoadmap, ANarrowPlaceBesideWhichNobodyStandsIsSearchedInFull) {
   EXPECT_GE(roadmap.samples(), 20);
 }
 
+/// The same, where steps may lead up.
+class UnevenRooms : public GuidedRooms {
+ public:
+  int layers() const override { return 1; }
+};
+
+// Samples about a place in a thin wall, straight through which all walks are refused.
+template <typename Rooms>
+long long samplesAboutThinWall(bool blocked) {
+  Rooms steering;
+  steering.boxes = {box(29.95, -1, 30.05, 61)};
+  steering.narrow = WayGuide::Narrow{{30, 30, 0}, 0.0, false, blocked};
+  VisibilityRoadmap roadmap({steering, box(0, 0, 60, 60)});
+  const int from = roadmap.insert(standing(5, 30), true, true),
+            to = roadmap.insert(standing(55, 30), true, true);
+  EXPECT_FALSE(roadmap.connect(from, to, limitsOf(1, 20)));
+  return roadmap.samples();
+}
+
+TEST(SampledRoadmap, WhatLiesRightAcrossIsSearchedLessOnlyWhereNoStepsLeadUp) {
+  EXPECT_LE(samplesAboutThinWall<GuidedRooms>(true), 10);  // of 40
+  EXPECT_LE(samplesAboutThinWall<GuidedRooms>(false), 10);
+  EXPECT_LE(samplesAboutThinWall<UnevenRooms>(false), 10);  // there is one place only
+  EXPECT_GE(samplesAboutThinWall<UnevenRooms>(true), 20);
+}
+
 /// The same, and passages.
 class StairRooms : public GuidedRooms {
  public:

@@ -156,14 +156,16 @@ TEST(BodyReach, ABarFromSideToSideShutsOffAtAnyHeight) {
 struct Pose {
   const std::vector<Eigen::Vector3d>&from, &to;
   Eigen::Vector3d middle(int part) const { return 0.5 * (from[part] + to[part]); }
+  double fromAxis(size_t part, const Eigen::Vector3d& p) const {
+    const Eigen::Vector3d axis = to[part] - from[part];
+    const double along = (p - from[part]).dot(axis) / std::max(axis.squaredNorm(), 1e-12);
+    return (p - from[part] - std::clamp(along, 0.0, 1.0) * axis).norm();
+  }
 };
 
 bool isInBody(const Eigen::Vector3d& p, const Pose& pose, const Body& body) {
   for (size_t i = 0; i < body.parts.size(); ++i) {
-    const Eigen::Vector3d axis = pose.to[i] - pose.from[i];
-    const double along = (p - pose.from[i]).dot(axis) / std::max(axis.squaredNorm(), 1e-12);
-    const Eigen::Vector3d nearest = pose.from[i] + std::clamp(along, 0.0, 1.0) * axis;
-    if ((p - nearest).norm() <= body.parts[i].radius) return true;
+    if (pose.fromAxis(i, p) <= body.parts[i].radius) return true;
   }
   return false;
 }
@@ -199,18 +201,22 @@ void expectHeld(const BodyReach::Ball& ball, const Pose& pose, const Body& body,
 
 // All balls of a stack, as low or high as its middle part is.
 void expectHeld(const TrunkStack& stack, const Pose& pose, const Body& body) {
-  const auto middle = std::ranges::find_if(stack.balls, [&](const StackedBall& own) {
+  const auto is_middle = [&](const StackedBall& own) {
     return body.parts[own.part].name == "abdomen" || body.parts[own.part].name == "neck";
-  });
-  ASSERT_NE(middle, stack.balls.end());
-  const Eigen::Vector3d at = pose.middle(middle->part);
+  };
+  // About what the others are seen from is more of its part than elsewhere.
+  const auto middle = std::ranges::max_element(
+      stack.balls, {}, [&](const StackedBall& own) { return is_middle(own) ? own.radius : 0.0; });
+  ASSERT_TRUE(is_middle(*middle));
+  const Eigen::Vector3d at =
+      body.parts[middle->part].name == "neck" ? pose.from[middle->part] : pose.middle(middle->part);
   const double lifted = at.z() - middle->height;
   ASSERT_GT(lifted, -(stack.dip + BodyReach::kDip));
   ASSERT_LT(lifted, stack.rise + BodyReach::kRise);
   for (const StackedBall& own : stack.balls) {
     const Eigen::Vector3d ball(at.x(), at.y(), own.height + lifted);
     const BodyPart& part = body.parts[own.part];
-    ASSERT_LE((ball - pose.middle(own.part)).norm() + own.radius, part.radius) << part.name;
+    ASSERT_LE(pose.fromAxis(own.part, ball) + own.radius, part.radius) << part.name;
   }
 }
 
@@ -279,6 +285,44 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
   }
   EXPECT_GE(reach.balls().size(), 10u);
   EXPECT_GT(lifted, highest);  // somebody stepped over a log
+}
+
+// Who turns on the spot bends otherwise than who walks straight on, and hips of tall people who
+// walk fast give way the most.
+TEST(BodyReach, PosesOfTallAndShortSlowAndFastHoldTheStacks) {
+  for (const double height : {1.2, 2.0}) {
+    for (const double speed : {0.4, 1.8}) {
+      CharacterSettings settings;
+      settings.height = height, settings.speed = speed;
+      std::vector<SceneObject> logs;
+      for (const double x : {2.0, 4.0})
+        logs.push_back(boxObject("log", {0.1, 4.0, 0.2}, {x, 2, 0.1}));
+      const FurnishedRoom room(roomWith(logs), settings);
+      const std::vector<TrunkStack> stacks =
+          trunkStacks(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
+                      room.synthesizer.roles(), room.body, 0.01);
+      ASSERT_EQ(stacks.size(), 2u);
+      const WalkSteering steering(room.synthesizer, room.world, room.ground);
+      const auto scratch = steering.makeScratch();
+      SampleStream stream(7, 0);
+      AnimationBuffer buffer;
+      std::vector<JointFrame> joints(room.synthesizer.skeleton().size());
+      std::vector<Eigen::Vector3d> a(room.body.parts.size()), b(room.body.parts.size());
+      int walks = 0;
+      for (int i = 0; i < 150; ++i) {
+        const auto result = steering.steer(anywhere(stream), anywhere(stream), *scratch);
+        if (!result.edge) continue;
+        ++walks;
+        steering.animate(*result.edge, buffer);
+        for (int frame = 0; frame < buffer.size(); ++frame) {
+          forwardKinematics(room.synthesizer.skeleton(), buffer.poses[frame], joints);
+          placeBody(room.body, joints, a, b);
+          for (const TrunkStack& stack : stacks) expectHeld(stack, {a, b}, room.body);
+        }
+      }
+      EXPECT_GT(walks, 10) << height << " " << speed;
+    }
+  }
 }
 
 // Of a floor without walls: a wall that leaves a strip along its edge is walked by, leaning out.

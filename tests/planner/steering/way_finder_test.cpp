@@ -143,6 +143,17 @@ TEST(WayFinder, BlockedIsAPlaceOnlyWhereNoneHasRoomBesideWhatIsInTheWay) {
   }
 }
 
+TEST(WayFinder, WhatLiesRightAcrossIsCrossedWhereOneComesToIt) {
+  const Room room({});
+  for (const double y : {-2.0, -0.5, 1.3}) {
+    const auto across = room.from({-3, y, 0}, {3, y, 0}).narrowest();
+    ASSERT_TRUE(across.has_value());
+    EXPECT_NEAR(across->at.x(), 0.0, 0.3);
+    EXPECT_NEAR(across->at.y(), y, 0.1);
+    EXPECT_NEAR(across->heading, 0.0, 1e-6);
+  }
+}
+
 TEST(WayFinder, UnderABeamAcrossStairsAPlaceIsBlockedOnSteps) {
   std::vector<SceneObject> objects = stairs(8, 0.17, 0.29);
   objects.push_back(makeObject("floor", Box{{3, 2, 0.1}}, {-1.5, 0, -0.05}));
