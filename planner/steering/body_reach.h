@@ -35,7 +35,7 @@
 /// Where the ground around is uneven, pelvis, chest and head are carried as over any of the lines
 /// from ground to ground that pass there (GroundChords), or up to kUnevenRise higher or kUnevenDip
 /// lower: hips give way where legs are too short for a step. That bound was found by trial, of
-/// bodies of 1.2 to 2 m at 0.6 to 1.6 m/s over stairs, kerbs, ramps and slabs: they dip by 0.16 m
+/// bodies of 1.1 to 2.1 m at 0.4 to 2 m/s over stairs, kerbs, ramps and slabs: they dip by 0.166 m
 /// at most. What is over an upright head begins at most there, and ends no lower than over the
 /// lowest ground around. Ground in several layers the flood says nothing of.
 ///
@@ -83,7 +83,7 @@ class BodyReach {
   /// Than in the straight walk; over level ground hips give way by HipDip::kDeepest and kMore at
   /// most [m].
   static constexpr double kRise = 0.02, kDip = HipDip::kDeepest + HipDip::kMore + 0.01;
-  static constexpr double kUnevenRise = 0.03, kUnevenDip = 0.17;  ///< the same over chords [m]
+  static constexpr double kUnevenRise = 0.03, kUnevenDip = 0.18;  ///< the same over chords [m]
   static constexpr double kBeyond = 0.25, kLegsBeyond = 0.12;     ///< open edges [m]
   /// Of stature: a post at the body's middle, between these heights, and its radius.
   static constexpr double kPostLow = 0.1, kPostHigh = 0.5, kPostRadius = 0.03;
