@@ -71,6 +71,22 @@ TEST(StepMeasure, LiftIsThatOfTheSolesLowestPoint) {
   EXPECT_NEAR(measureStep(prints).lift, 0.06, 1e-12);
 }
 
+// However the frames fall on a swing's course.
+TEST(StepMeasure, LiftIsTheSameBetweenFrames) {
+  for (double begin = 0.0; begin < 0.2; begin += 0.03) {
+    StepPrints prints = stepOf(0.0, 0.0, 0.0);
+    SoleEnds sole = prints.swing.front();
+    const double heel = sole.heel.z(), ball = sole.ball.z();
+    prints.swing.clear();
+    for (double t = begin; t < 1.0; t += 0.2) {
+      const double height = 0.1 * (1.0 - 4.0 * (t - 0.5) * (t - 0.5));
+      sole.heel.z() = heel + height, sole.ball.z() = ball + height;
+      prints.swing.push_back(sole);
+    }
+    EXPECT_NEAR(measureStep(prints).lift, 0.1, 1e-12) << begin;
+  }
+}
+
 TEST(StepMeasure, ASwingThatWasNotSeenHasNoLift) {
   StepPrints prints = stepOf(0.0, 0.1, 0.05);
   prints.swing.clear();
