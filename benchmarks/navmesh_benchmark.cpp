@@ -54,9 +54,8 @@ const Asked& asked(const std::string& name) {
   made.request.limits.seed = scenario.planner.seed;
   made.request.limits.max_failures = scenario.planner.max_failures;
   const GroundLimits& limits = scenario.character.limits;
-  const Eigen::AlignedBox1d breadth =
-      walkingBreadth(straightWalk(problem.synthesizer, problem.ground),
-                     problem.synthesizer.skeleton(), problem.body);
+  const Eigen::AlignedBox1d breadth = walkingBreadth(straightWalk(problem.synthesizer),
+                                                     problem.synthesizer.skeleton(), problem.body);
   made.agent = {std::max(-breadth.min()[0], breadth.max()[0]), problem.synthesizer.stature(),
                 limits.max_climb, limits.max_slope};
   return made;

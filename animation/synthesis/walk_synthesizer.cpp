@@ -40,8 +40,10 @@ void checkSettings(const CharacterSettings& s) {
 }  // namespace
 
 struct WalkSynthesizer::Impl {
-  Impl(const MotionLibrary& library, const Ground& ground, const CharacterSettings& the_settings)
-      : settings(the_settings),
+  Impl(const MotionLibrary& the_library, const Ground& ground,
+       const CharacterSettings& the_settings)
+      : library(the_library),
+        settings(the_settings),
         scale((the_settings.height > 0.0 ? the_settings.height : library.stature) /
               library.stature),
         stature(library.stature * scale),
@@ -220,6 +222,7 @@ struct WalkSynthesizer::Impl {
     return {WalkRule::kNone, steps, leading};
   }
 
+  const MotionLibrary& library;
   CharacterSettings settings;
   double scale, stature;
   Skeleton skeleton;
@@ -246,6 +249,10 @@ WalkSynthesizer::WalkSynthesizer(const MotionLibrary& library, const Ground& gro
 }
 
 WalkSynthesizer::~WalkSynthesizer() = default;
+
+std::unique_ptr<WalkSynthesizer> WalkSynthesizer::on(const Ground& ground) const {
+  return std::make_unique<WalkSynthesizer>(impl_->library, ground, impl_->settings);
+}
 
 const CharacterSettings& WalkSynthesizer::settings() const { return impl_->settings; }
 const Skeleton& WalkSynthesizer::skeleton() const { return impl_->skeleton; }

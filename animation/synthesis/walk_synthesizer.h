@@ -48,11 +48,12 @@ struct WalkResult {
 /// from call to call.
 class WalkSynthesizer {
  public:
-  /// @pre ground and, where there are actions, library outlive the synthesizer. @throws
-  /// std::invalid_argument for settings out of range and for an action that findAction does not
-  /// find.
+  /// @pre ground and library outlive the synthesizer. @throws std::invalid_argument for settings
+  /// out of range and for an action that findAction does not find.
   WalkSynthesizer(const MotionLibrary& library, const Ground& ground,
                   const CharacterSettings& settings);
+  /// The same walker on other ground. Cost: some tenths of a millisecond. @pre as above
+  std::unique_ptr<WalkSynthesizer> on(const Ground& ground) const;
   ~WalkSynthesizer();
 
   const CharacterSettings& settings() const;

@@ -20,7 +20,7 @@ constexpr double kThinnestCylinder = 0.3;
 
 CylinderSteering::Settings cylinderOf(const PlanRequest& request) {
   const WalkSynthesizer& synthesizer = *request.synthesizer;
-  const StraightWalk walk = straightWalk(synthesizer, *request.ground);
+  const StraightWalk walk = straightWalk(synthesizer);
   const double radius = boundingRadius(walk, synthesizer.skeleton(), request.world->body());
   return {std::max(radius, kThinnestCylinder), synthesizer.stature(), synthesizer.settings().speed};
 }

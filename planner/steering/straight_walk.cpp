@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <span>
+#include <memory>
 #include <utility>
 
+#include "animation/ground/ground.h"
 #include "base/rotation.h"
 
 namespace amble {
 namespace {
 
-constexpr int kPlaces = 7;       // a side of the ground's extent
-constexpr int kDirections = 8;   // from each
 constexpr double kSlice = 0.02;  // of a path, in which breadths are told apart [m]
 // How nearly steps fall into a short gap as suits best, of those that a search tries; by trial [m].
 constexpr double kNeverQuite = 0.01;
@@ -21,58 +19,24 @@ constexpr double kBesideEnds = 0.5;  // of a walk: there it is no walk yet [m]
 constexpr int kOnAxis = 4;           // parts of a capsule's axis, at whose ends it is looked at
 constexpr std::array<double, 4> kTurns = {0.5 * kPi, -0.5 * kPi, kPi, -kPi};
 
-// Lifts differ by so much from step to step without anything to step over [m].
-constexpr double kNoLift = 0.01;
-
-bool isLevel(const AnimationBuffer& buffer) {
-  Eigen::AlignedBox1d heights;
-  for (const FrameState& state : buffer.states)
-    heights.extend(Eigen::AlignedBox1d::VectorType(state.position.z()));
-  return heights.sizes()[0] <= SceneGround::kLevel;
-}
-
 }  // namespace
 
-StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround& ground,
-                          double length) {
-  const Eigen::AlignedBox2d extent = ground.extent();
+StraightWalk straightWalk(const WalkSynthesizer& synthesizer, double length) {
+  const FlatGround level;
+  const std::unique_ptr<WalkSynthesizer> walker = synthesizer.on(level);
+  const Stance from;
+  Stance to;
+  to.position.x() = length;
   StraightWalk walk;
-  if (extent.isEmpty()) return walk;
-  // On level ground with nothing to step over: legs that are lifted over furniture measure nothing.
-  for (int i = 0; i < kPlaces * kPlaces * kDirections; ++i) {
-    const int place = i / kDirections;
-    const Eigen::Vector2d share((place % kPlaces + 0.5) / kPlaces,
-                                (place / kPlaces + 0.5) / kPlaces);
-    Stance from;
-    const double lowest = ground.heights().min()[0];
-    from.position << extent.min() + share.cwiseProduct(extent.sizes()), lowest;
-    if (!ground.isLevel()) {
-      const auto under = ground.stand(from.position.x(), from.position.y(), lowest,
-                                      std::numeric_limits<double>::infinity());
-      if (!under) continue;
-      from.position.z() = under->height;
-    }
-    from.heading = 2.0 * kPi * (i % kDirections) / kDirections;
-    Stance to = from;
-    to.position += length * Eigen::Vector3d(std::cos(from.heading), std::sin(from.heading), 0.0);
-    walk.path = RootPath({makeBezier(from.position.head<2>(), from.heading, to.position.head<2>(),
-                                     to.heading, 1.0 / 3.0)});
-    const WalkResult made = synthesizer.walk(
-        from, to, walk.path, true, walk.buffer, {},
-        [&](int, Side, std::span<const GaitParameters> gait) {
-          return std::none_of(gait.begin(), gait.end(), [&](const GaitParameters& step) {
-            return step.lift > synthesizer.capturedLift() + kNoLift;
-          });
-        });
-    if (made.refused != WalkRule::kNone || made.unwanted || !isLevel(walk.buffer)) continue;
-    for (const double angle : kTurns) {
-      AnimationBuffer turn;
-      if (synthesizer.turnOnSpot(from, angle, turn).refused == WalkRule::kNone)
-        walk.turns.push_back(std::move(turn));
-    }
-    return walk;
+  walk.path =
+      RootPath({makeBezier(from.position.head<2>(), 0.0, to.position.head<2>(), 0.0, 1.0 / 3.0)});
+  if (walker->walk(from, to, walk.path, true, walk.buffer).refused != WalkRule::kNone) return {};
+  for (const double angle : kTurns) {
+    AnimationBuffer turn;
+    if (walker->turnOnSpot(from, angle, turn).refused == WalkRule::kNone)
+      walk.turns.push_back(std::move(turn));
   }
-  return {};
+  return walk;
 }
 
 Eigen::AlignedBox1d walkingBreadth(const StraightWalk& walk, const Skeleton& skeleton,

@@ -6,25 +6,23 @@
 
 #include "animation/synthesis/walk_synthesizer.h"
 #include "environments/body/body.h"
-#include "environments/ground/scene_ground.h"
 
 namespace amble {
 
 struct StraightWalk {
   RootPath path;
   AnimationBuffer buffer;
-  /// On the spot, where it begins, by a quarter and half a circle each way: those that feet find
-  /// places for there.
+  /// On the spot, where it begins, by a quarter and half a circle each way.
   std::vector<AnimationBuffer> turns = {};
 };
 
 /// Long enough for strides at full speed [m].
 inline constexpr double kMeasuredWalk = 3.0;
 
-/// From standing to standing over `length` [m], somewhere on level ground with nothing to step over
-/// (contacts are not asked about); without frames where there is no ground for one.
-StraightWalk straightWalk(const WalkSynthesizer& synthesizer, const SceneGround& ground,
-                          double length = kMeasuredWalk);
+/// From standing to standing over `length` [m], on level ground without end: what a body is
+/// measured by is the same in every scene. Without frames where there is no such walk
+/// (shortestWalk).
+StraightWalk straightWalk(const WalkSynthesizer& synthesizer, double length = kMeasuredWalk);
 
 /// How far the body reaches to the left of the path, right negative, over the walk, of what of it
 /// is at some heights over the ground; empty without frames, or where nothing of it is [m].

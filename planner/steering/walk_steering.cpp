@@ -99,7 +99,7 @@ ClearanceMap::Breadth breadthByHeight(const StraightWalk& walk, const WalkSynthe
 
 WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
                            const SceneGround& ground, double comfort)
-    : WalkSteering(synthesizer, world, ground, comfort, straightWalk(synthesizer, ground)) {}
+    : WalkSteering(synthesizer, world, ground, comfort, straightWalk(synthesizer)) {}
 
 WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
                            const SceneGround& ground, double comfort, const StraightWalk& walk)

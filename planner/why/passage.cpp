@@ -46,7 +46,7 @@ double leastOf(double low, double high, F f) {
 
 PassageProbe::PassageProbe(const PlanRequest& request)
     : request_(request),
-      walk_(straightWalk(*request.synthesizer, *request.ground)),
+      walk_(straightWalk(*request.synthesizer)),
       stature_(request.synthesizer->stature()),
       highest_(request.ground->settings().limits.highestStep()),
       scratch_(request.world->makeScratch()) {
@@ -142,7 +142,7 @@ double PassageProbe::neededFor(double depth) const {
   double needed = passableBreadth(walk_, synthesizer.skeleton(), body, depth);
   if (depth < kDeep) return needed;
   for (const double length : kOtherWalks) {
-    const StraightWalk other = straightWalk(synthesizer, *request_.ground, length);
+    const StraightWalk other = straightWalk(synthesizer, length);
     if (other.buffer.size() > 0)
       needed = std::min(needed, passableBreadth(other, synthesizer.skeleton(), body, depth));
   }

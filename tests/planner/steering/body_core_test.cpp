@@ -13,7 +13,7 @@ namespace {
 class BodyCoreTest : public testing::Test {
  protected:
   static BodyCore coreOf(const FurnishedRoom& room) {
-    return {straightWalk(room.synthesizer, room.ground, 3.0), room.synthesizer.skeleton(),
+    return {straightWalk(room.synthesizer, 3.0), room.synthesizer.skeleton(),
             room.synthesizer.roles(), room.body, room.synthesizer.stature()};
   }
   static RootPath line(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -102,7 +102,7 @@ Scene slattedScene() {
 
 TEST_F(BodyCoreTest, IsMeasuredWhereNothingIsSteppedOver) {
   const FurnishedRoom slatted(slattedScene());
-  const StraightWalk walk = straightWalk(slatted.synthesizer, slatted.ground, 3.0);
+  const StraightWalk walk = straightWalk(slatted.synthesizer, 3.0);
   ASSERT_GT(walk.buffer.size(), 0);
   for (const Footprint& print : walk.buffer.footprints)
     EXPECT_LE(print.gait.lift, slatted.synthesizer.capturedLift() + 0.011);

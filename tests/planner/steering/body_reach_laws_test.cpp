@@ -67,7 +67,7 @@ struct Crowded {
   ReachedGround reached{ground, {0.6, 2.0, 0.0}, 1.0};
   NearGround near{ground, reached, 1.0, BodyReach::kLegsBeyond};
   BodyReach reach{
-      straightWalk(home.synthesizer, home.ground),
+      straightWalk(home.synthesizer),
       home.synthesizer.skeleton(),
       home.synthesizer.roles(),
       home.body,

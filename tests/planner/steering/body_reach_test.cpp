@@ -226,12 +226,12 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
   for (const double x : {2.0, 4.0})
     logs.push_back(boxObject("log", {0.12, 4.0, highest - 0.01}, {x, 2, 0.5 * (highest - 0.01)}));
   const FurnishedRoom room(roomWith(logs));
-  const BodyReach reach(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
+  const BodyReach reach(straightWalk(room.synthesizer), room.synthesizer.skeleton(),
                         room.synthesizer.roles(), room.body, room.synthesizer.stature(),
                         {highest, kLongestStep, StepPlacer::kHighestLift});
   Body who_stoops = room.body;
   who_stoops.upright = 0.0;
-  const BodyReach stooping(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
+  const BodyReach stooping(straightWalk(room.synthesizer), room.synthesizer.skeleton(),
                            room.synthesizer.roles(), who_stoops, room.synthesizer.stature(),
                            {highest, kLongestStep, StepPlacer::kHighestLift});
   const auto head = std::ranges::find(stooping.balls(), room.body.head, &BodyReach::Ball::part);
@@ -299,7 +299,7 @@ TEST(BodyReach, PosesOfTallAndShortSlowAndFastHoldTheStacks) {
         logs.push_back(boxObject("log", {0.1, 4.0, 0.2}, {x, 2, 0.1}));
       const FurnishedRoom room(roomWith(logs), settings);
       const std::vector<TrunkStack> stacks =
-          trunkStacks(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
+          trunkStacks(straightWalk(room.synthesizer), room.synthesizer.skeleton(),
                       room.synthesizer.roles(), room.body, 0.01);
       ASSERT_EQ(stacks.size(), 2u);
       const WalkSteering steering(room.synthesizer, room.world, room.ground);
@@ -396,7 +396,7 @@ TEST(BodyReach, NoWalkOverStepsWasShutOffAndTheirPosesHoldTheBalls) {
     const WalkSteering steering(room.synthesizer, room.world, room.ground);
     const double highest = room.ground.settings().limits.highestStep();
     const double stature = room.synthesizer.stature();
-    const BodyReach reach(straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
+    const BodyReach reach(straightWalk(room.synthesizer), room.synthesizer.skeleton(),
                           room.synthesizer.roles(), room.body, stature,
                           {highest, kLongestStep, StepPlacer::kHighestLift});
     const GroundRange range(room.ground, ReachedGround(room.ground, {0.0, 0.0, 50.0}, kLongestStep),

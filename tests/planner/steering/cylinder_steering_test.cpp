@@ -48,7 +48,7 @@ TEST_F(CylinderSteeringTest, WhatIsBetweenTwoPlacesIsMet) {
 }
 
 TEST_F(CylinderSteeringTest, HoldsTheWholeBodyOfAWalk) {
-  const StraightWalk walk = straightWalk(room.synthesizer, room.ground, 3.0);
+  const StraightWalk walk = straightWalk(room.synthesizer, 3.0);
   const double radius = boundingRadius(walk, room.synthesizer.skeleton(), room.body);
   EXPECT_GT(radius, 0.3);  // arms swing and feet step beyond the shoulders
   EXPECT_LT(radius, 0.8);

@@ -117,8 +117,8 @@ TEST(GroundChords, EveryPoseOverUnevenGroundIsCarriedBetweenThem) {
     const double stature = room.synthesizer.stature();
     const double longest = StrideLaw::kLongestStep * room.synthesizer.capturedStep();
     const BodyReach reach(
-        straightWalk(room.synthesizer, room.ground), room.synthesizer.skeleton(),
-        room.synthesizer.roles(), room.body, stature,
+        straightWalk(room.synthesizer), room.synthesizer.skeleton(), room.synthesizer.roles(),
+        room.body, stature,
         {room.ground.settings().limits.highestStep(), longest, StepPlacer::kHighestLift});
     const ReachedGround all(room.ground, {0.0, 0.0, 50.0}, longest);
     const GroundChords chords(room.ground, all, longest);

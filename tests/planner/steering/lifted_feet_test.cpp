@@ -135,8 +135,8 @@ TEST(LiftedFeet, NoLogThatIsSteppedOverIsSaidToShutOff) {
     const bool walled = south <= 0.0 && stream.uniform() < 0.3;
     const LogFloor floor(walled ? betweenWalls(log) : std::vector{log}, stream.uniform(0.5, 1.6));
     const WalkSynthesizer& walker = floor.room.synthesizer;
-    const BodyReach reach(straightWalk(walker, floor.room.ground), walker.skeleton(),
-                          walker.roles(), floor.room.body, walker.stature(),
+    const BodyReach reach(straightWalk(walker), walker.skeleton(), walker.roles(), floor.room.body,
+                          walker.stature(),
                           {0.25, 1.0, StepPlacer::kHighestLift, walker.tooHighToSwingOver(),
                            walker.feet()[kLeft].half_width});
     shut += floor.shutOff(kBeforeLog, kBehindLog).has_value();

@@ -129,7 +129,7 @@ TEST_F(WalkSteeringTest, EdgesBeginAndEndInTheirStances) {
 }
 
 TEST_F(WalkSteeringTest, WhatTheCoreRefusesTheBodyRefuses) {
-  const BodyCore core(straightWalk(room.synthesizer, room.ground, 3.0), room.synthesizer.skeleton(),
+  const BodyCore core(straightWalk(room.synthesizer, 3.0), room.synthesizer.skeleton(),
                       room.synthesizer.roles(), room.body, room.synthesizer.stature());
   const CollisionScratchPtr collision = room.world.makeScratch();
   SampleStream stream(3, 0);
