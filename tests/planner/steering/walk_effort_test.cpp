@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "base/rotation.h"
+
 namespace amble {
 namespace {
 
@@ -43,6 +47,31 @@ TEST(WalkEffort, OfStepsAddsUpAndGrowsWithEachMetre) {
     const double now = effortOf(walkOfSteps({{0.5, 0.05, climb}}), 0.05, 1.2);
     EXPECT_GT(now, before);
     before = now;
+  }
+}
+
+// Hips on a wave between two heights, of that period.
+AnimationBuffer walkOnWave(double height, double period, double frame_time) {
+  AnimationBuffer walk;
+  walk.frame_time = frame_time;
+  const int frames = static_cast<int>(2.0 / frame_time) + 1;
+  walk.poses.resize(frames);
+  walk.states.resize(frames);
+  for (int i = 0; i < frames; ++i)
+    walk.poses.p_WR(i) = {0.0, 0.0,
+                          0.9 + 0.5 * height * std::cos(2.0 * kPi * i * frame_time / period)};
+  return walk;
+}
+
+TEST(WalkEffort, HipsThatSwayCostNothingAndThatJoltCostTheMoreTheHarder) {
+  EXPECT_EQ(effortOf(walkOnWave(0.04, 0.5, 1.0 / 60.0), 0.05, 1.2), 0.0);  // as people's do
+  double before = 0.0;
+  for (const double height : {0.04, 0.06, 0.1}) {
+    const double cost = effortOf(walkOnWave(height, 0.15, 1.0 / 120.0), 0.05, 1.2);
+    EXPECT_GT(cost, before) << height;
+    // Frames are no part of it.
+    EXPECT_NEAR(effortOf(walkOnWave(height, 0.15, 1.0 / 240.0), 0.05, 1.2), cost, 0.05 * cost);
+    before = cost;
   }
 }
 
