@@ -194,7 +194,7 @@ void addAnimate(CLI::App& app, Command& chosen) {
   auto* engine = command
                      ->add_option("--engine", options->engine,
                                   "Walk or run straight ahead with a speed engine instead (amble "
-                                  "library engine build): no starts and stops")
+                                  "library engine build): starts and stops are ramps from and to 0")
                      ->type_name("FILE");
   for (const char* option :
        {"--turn", "--stride", "--lift", "--incline", "--stairs", "--action", "--library"}) {

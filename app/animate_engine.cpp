@@ -63,8 +63,8 @@ int animateEngine(const EngineAnimation& options) {
   say(options.out.file == "-" ? stderr : stdout,
       "{}: {:.2f} s, {} frames, {:.1f} cycles, {:.2f} m; feet that stand are held, by {:.0f} mm at "
       "most\n",
-      options.out.file, walk.clip.duration(), walk.clip.frames(), walk.phases.back(), walk.length,
-      1000.0 * lock.farthest);
+      options.out.file, walk.clip.duration(), walk.clip.frames(),
+      walk.phases.back() - walk.phases.front(), walk.length, 1000.0 * lock.farthest);
   return kExitDone;
 }
 

@@ -37,12 +37,11 @@ FootPlants plantsOfWalk(const EngineWalk& walk) {
 
 /// Where the feet of a clip are on the floor and held.
 Clip held(const EngineData& data, double scale, const Clip& clip, const FootPlants& plants,
-          const std::vector<double>& widths, FootLock& took) {
+          const LockOptions& options, FootLock& took) {
   WalkTracks tracks = tracksOf(clip, data.roles);
   const auto feet = makeFootShapes(clip.skeleton, data.roles, data.stature * scale);
   took.farthest = restOnFloor(clip, data.roles, feet, plants, tracks);
-  took.farthest =
-      std::max(took.farthest, lockTracks(plants, clip.frame_time, tracks, widths, kLongestLoose));
+  took.farthest = std::max(took.farthest, lockTracks(plants, clip.frame_time, options, tracks));
   return followTracks(clip, data.roles, tracks, &took.fit);
 }
 
@@ -56,10 +55,12 @@ EngineWalk lockedEngineWalk(const SpeedEngine& engine, const EngineRamp& ramp, F
   request.duration = ramp.duration;
   request.frame_time = ramp.frame_time;
   request.scale = ramp.scale;
+  request.phase = phaseToStand(engine, request);
   EngineWalk walk = engineWalk(engine, request);
+  const LockOptions options{widthsOf(engine, walk, ramp.scale), kLongestLoose,
+                            isStanding(walk.speeds.front()), isStanding(walk.speeds.back())};
   FootLock took;
-  walk.clip = held(engine.data(), ramp.scale, walk.clip, plantsOfWalk(walk),
-                   widthsOf(engine, walk, ramp.scale), took);
+  walk.clip = held(engine.data(), ramp.scale, walk.clip, plantsOfWalk(walk), options, took);
   if (lock != nullptr) *lock = took;
   return walk;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "animation/editing/least_curve.h"
 
@@ -14,8 +13,9 @@ namespace {
 // held: QUALITY.md judges from 15 % on, and whoever finds plants himself finds their ends
 // elsewhere.
 constexpr double kLoose = 0.12;
-constexpr double kHeld = 1e10;         // weight of a frame in which the toe is held
-constexpr double kPelvisWidth = 0.12;  // of the pelvis, which is heavier [s]
+constexpr double kStandingLoose = 0.25;  // of that, of feet that stand still at the clip's end [1]
+constexpr double kHeld = 1e10;           // weight of a frame in which the toe is held
+constexpr double kPelvisWidth = 0.12;    // of the pelvis, which is heavier [s]
 // Weight of what the pelvis is to go up or down; the curve's width grows by its sixth root [1].
 constexpr double kUpright = 100.0;
 constexpr double kSwinging = 0.3;  // what a swinging foot counts for the pelvis, a standing one 1
@@ -37,22 +37,32 @@ std::pair<int, int> heldFrames(const FootPlant& plant, int frames, double longes
   return {stood ? plant.first : plant.first + loose, stands_on ? plant.last : plant.last - loose};
 }
 
+/// Which frame says where a foot stands: that in which who walks stands still. -1: the mean.
+int printFrame(const FootPlant& plant, int frames, const LockOptions& options) {
+  if (options.stands_at_begin && plant.first == 0) return 0;
+  if (options.stands_at_end && plant.last == frames - 1) return frames - 1;
+  return -1;
+}
+
 /// A frame that is held at nothing by a weight w has the width of (1 + w)^(-1/6) of the curve's.
 Wanted wantedOf(const std::vector<Eigen::Vector3d>& toe, const std::vector<FootPlant>& plants,
-                double longest_loose, const std::vector<double>& widths) {
-  const auto frames = static_cast<Eigen::Index>(toe.size());
+                double frame_time, const LockOptions& options) {
+  const int frames = static_cast<int>(toe.size());
   Wanted wanted{Eigen::MatrixXd::Zero(frames, 2), std::vector<double>(toe.size(), 0.0),
-                *std::max_element(widths.begin(), widths.end())};
-  for (size_t i = 0; i < widths.size(); ++i) {
-    wanted.weights[i] = std::pow(wanted.width / widths[i], 6) - 1.0;
+                *std::max_element(options.widths.begin(), options.widths.end())};
+  for (int i = 0; i < frames; ++i) {
+    wanted.weights[i] = std::pow(wanted.width / options.widths[i], 6) - 1.0;
   }
   for (const FootPlant& plant : plants) {
-    const auto [first, last] = heldFrames(plant, static_cast<int>(frames), longest_loose);
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (int i = first; i <= last; ++i) sum += toe[i].head<2>();
+    const int print = printFrame(plant, frames, options);
+    const double loose = options.longest_loose / frame_time * (print < 0 ? 1.0 : kStandingLoose);
+    const auto [first, last] = heldFrames(plant, frames, loose);
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();
+    for (int i = first; i <= last; ++i) at += toe[i].head<2>() / (last - first + 1);
+    if (print >= 0) at = toe[print].head<2>();
     for (int i = first; i <= last; ++i) {
       wanted.weights[i] = kHeld;
-      wanted.shift.row(i) = (sum / (last - first + 1) - toe[i].head<2>()).transpose();
+      wanted.shift.row(i) = (at - toe[i].head<2>()).transpose();
     }
   }
   return wanted;
@@ -92,14 +102,13 @@ void shiftFeet(const std::array<Eigen::MatrixXd, 2>& shifts, const FootPlants& p
   }
 }
 
-double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks,
-                  const std::vector<double>& widths, double longest_loose) {
-  assert(static_cast<int>(widths.size()) == plants.frames);
+double lockTracks(const FootPlants& plants, double frame_time, const LockOptions& options,
+                  WalkTracks& tracks) {
+  assert(static_cast<int>(options.widths.size()) == plants.frames);
   std::array<Eigen::MatrixXd, 2> shifts;
   double farthest = 0.0;
   for (const Side side : {kLeft, kRight}) {
-    const Wanted wanted =
-        wantedOf(tracks.feet[side].toe, plants.plants[side], longest_loose / frame_time, widths);
+    const Wanted wanted = wantedOf(tracks.feet[side].toe, plants.plants[side], frame_time, options);
     shifts[side] = Eigen::MatrixXd::Zero(plants.frames, 3);
     shifts[side].leftCols(2) = leastCurve(wanted.shift, wanted.weights, frame_time, wanted.width);
     farthest = std::max(farthest, shifts[side].rowwise().norm().maxCoeff());
@@ -109,8 +118,9 @@ double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& track
 }
 
 double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks) {
-  return lockTracks(plants, frame_time, tracks, std::vector<double>(plants.frames, kFootLockWidth),
-                    std::numeric_limits<double>::infinity());
+  LockOptions options;
+  options.widths.assign(plants.frames, kFootLockWidth);
+  return lockTracks(plants, frame_time, options, tracks);
 }
 
 Clip lockFeet(const Clip& clip, const JointRoles& roles, const FootPlants& plants, FootLock* lock) {

@@ -8,6 +8,9 @@
 /// Cleanup, 2002, have the same aims). Heights stay, and how feet roll and turn.
 #pragma once
 
+#include <limits>
+#include <vector>
+
 #include "animation/analysis/foot_plants.h"
 #include "animation/editing/walk_tracks.h"
 
@@ -30,11 +33,20 @@ Clip lockFeet(const Clip& clip, const JointRoles& roles, const FootPlants& plant
 
 /// The same of tracks, which legs are to follow. @return how far a foot is moved at most [m, >= 0]
 double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks);
-/// The same of a walk whose feet are corrected over other times. @param widths  in place of
-/// kFootLockWidth, a value a frame [s, > 0]
-/// @param longest_loose  a foot that stands for long is held but for that at both ends [s, >= 0]
-double lockTracks(const FootPlants& plants, double frame_time, WalkTracks& tracks,
-                  const std::vector<double>& widths, double longest_loose);
+/// How feet are held that are made and not captured.
+struct LockOptions {
+  /// In place of kFootLockWidth, a value a frame [s, > 0]
+  std::vector<double> widths;
+  /// A foot that stands for long is held but for that at both ends [s, >= 0].
+  double longest_loose = std::numeric_limits<double>::infinity();
+  /// Whether who walks stands still in the first, in the last frame: feet that stand then are held
+  /// where they are there, else in the mean of where they are while they stand; and through more of
+  /// their coming down and leaving, for they do not roll.
+  bool stands_at_begin = false, stands_at_end = false;
+};
+/// The same of such a walk.
+double lockTracks(const FootPlants& plants, double frame_time, const LockOptions& options,
+                  WalkTracks& tracks);
 
 /// Moves feet, and the pelvis with them, more with the one that stands: along the ground half of
 /// the way, up and down all of it.

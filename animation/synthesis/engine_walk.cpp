@@ -1,49 +1,113 @@
 #include "animation/synthesis/engine_walk.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/ease.h"
 
 namespace amble {
 namespace {
 
-// Who slows down while he swings a foot, as he comes to a stand, puts it down sooner: else it comes
-// to rest with the phase, over a floor that it hardly clears. The swing takes as long as it would
-// have at the speed at which it began, times the share of that speed that is left. Walks as fast as
-// those captured keep the captured timing.
-void putDownInTime(const SpeedEngine& engine, double scale, EngineWalk& walk) {
-  for (std::vector<bool>& planted : walk.planted) {
-    bool stood = false;              // a lift-off was seen
-    double swung = 0.0;              // since then [s]
-    double began = 0.0, time = 0.0;  // the speed then [m/s], and how long it swings at that [s]
-    for (size_t i = 0; i < planted.size(); ++i) {
-      if (planted[i]) {
-        stood = true;
-        swung = 0.0;
-        began = walk.speeds[i];
-        const std::array<double, 2> both = engine.support(began / scale);
-        time = (0.5 - 0.5 * (both[kLeft] + both[kRight])) / engine.frequency(began / scale);
-        continue;
-      }
-      swung += walk.clip.frame_time;
-      const bool slows = stood && walk.speeds[i] < began;
-      if (slows && engine.walkShare(walk.speeds[i] / scale) < 1.0 &&
-          swung > time * walk.speeds[i] / began) {
-        planted[i] = true;
-      }
+// From where one foot passes the other to a stand. Less, and hips come back by up to 17 mm; more,
+// and the last step gets longer, for feet stand where hips come to rest [cycles]. By trial.
+constexpr double kAfterPassing = 0.2;
+// The foot that comes down to stand begins to lie flat so long before, and does so within this [s].
+constexpr double kLaysBefore = 0.1, kLays = 0.3;
+constexpr double kStill = 1e-6;  // slower is standing [m/s]
+
+/// Its frames are 0 to this one [>= 1].
+int lastFrame(const EngineWalkRequest& request) {
+  return std::max(1, static_cast<int>(std::lround(request.duration / request.frame_time)));
+}
+
+/// What the captured person does at that time [m/s]: by eq. 3 a walker so much larger does at
+/// `scale` times the speed what the captured person does.
+double speedAt(const SpeedEngine& engine, const EngineWalkRequest& request, double time) {
+  return engine.clamped(request.speed(time) / request.scale);
+}
+
+/// Between frame i and the next.
+double speedAfter(const SpeedEngine& engine, const EngineWalkRequest& request, int i) {
+  return speedAt(engine, request, (i + 0.5) * request.frame_time);
+}
+
+/// The frames of the last swing that begins and comes down, or goes on to the end: its side, and
+/// the first of them; nothing where none begins.
+std::optional<std::pair<Side, size_t>> lastSwing(const EngineWalk& walk) {
+  std::optional<std::pair<Side, size_t>> last;
+  for (const Side side : {kLeft, kRight}) {
+    const std::vector<bool>& planted = walk.planted[side];
+    for (size_t i = 1; i < planted.size(); ++i) {
+      if (planted[i - 1] && !planted[i] && (!last || i > last->second)) last = {side, i};
     }
   }
+  return last;
+}
+
+/// A foot that comes down at `lands` to stand lies down at once as it is to stand: the phase goes
+/// on to where it would strike by its heel, toes up.
+void layFlat(const LegJoints& leg, int lands, Clip& clip) {
+  std::vector<JointFrame> joints(clip.skeleton.size());
+  const int last = clip.frames() - 1;
+  forwardKinematics(clip, last, joints);
+  const Eigen::Quaterniond q_WStands = joints[leg.foot].q_WJ;
+  for (int i = 0; i < last; ++i) {
+    const double share = smoothstep(((i - lands) * clip.frame_time + kLaysBefore) / kLays);
+    if (share == 0.0) continue;
+    forwardKinematics(clip, i, joints);
+    const std::span<Eigen::Quaterniond> q = clip.poses.rotations(i);
+    const Eigen::Quaterniond q_WShank = joints[clip.skeleton.joint(leg.foot).parent].q_WJ;
+    q[leg.foot] = q_WShank.conjugate() * joints[leg.foot].q_WJ.slerp(share, q_WStands);
+    if (leg.toe >= 0) q[leg.toe] = q[leg.toe].slerp(share, clip.poses[last].rotations[leg.toe]);
+  }
+}
+
+// Who comes to a stand puts the foot that he swings down beside the other sooner than walks do:
+// else it comes to rest with the phase, over a floor that it hardly clears. The swing takes as long
+// as it would have at the speed at which it began, times the share of that speed that is left.
+void putDownToStand(const SpeedEngine& engine, double scale, EngineWalk& walk) {
+  const std::optional<std::pair<Side, size_t>> swing = lastSwing(walk);
+  if (!swing || !isStanding(walk.speeds.back())) return;
+  const auto [side, first] = *swing;
+  const double began = walk.speeds[first - 1];
+  const std::array<double, 2> both = engine.support(began / scale);
+  const double time = (0.5 - 0.5 * (both[kLeft] + both[kRight])) / engine.frequency(began / scale);
+  size_t lands = first;
+  const auto swung = [&] { return static_cast<double>(lands - first + 1) * walk.clip.frame_time; };
+  while (lands < walk.speeds.size() && !walk.planted[side][lands] &&
+         swung() <= time * walk.speeds[lands] / began) {
+    ++lands;
+  }
+  std::fill(walk.planted[side].begin() + static_cast<std::ptrdiff_t>(lands),
+            walk.planted[side].end(), true);
+  layFlat(engine.data().roles.legs[side], static_cast<int>(lands), walk.clip);
 }
 
 }  // namespace
 
+bool isStanding(double speed) { return speed <= kStill; }
+
+double phaseToStand(const SpeedEngine& engine, const EngineWalkRequest& request) {
+  const auto standsAt = [&](int i) {
+    return isStanding(speedAt(engine, request, i * request.frame_time));
+  };
+  int last = lastFrame(request);
+  if (!standsAt(last)) return 0.0;
+  while (last > 0 && standsAt(last - 1)) --last;
+  double gone = 0.0;
+  for (int i = 0; i < last; ++i) {
+    gone += request.frame_time * engine.frequency(speedAfter(engine, request, i));
+  }
+  const double first = 0.25 + kAfterPassing - gone;
+  return first - std::floor(first);
+}
+
 EngineWalk engineWalk(const SpeedEngine& engine, const EngineWalkRequest& request) {
   assert(request.duration > 0.0 && request.frame_time > 0.0 && request.scale > 0.0);
-  // eq. 3: a walker so much larger does at `scale` times the speed what the captured person does.
-  const auto speedAt = [&](double time) {
-    return engine.clamped(request.speed(time) / request.scale);
-  };
-  const int last =
-      std::max(1, static_cast<int>(std::lround(request.duration / request.frame_time)));
+  const int last = lastFrame(request);
   EngineWalk walk;
   walk.clip = {"walk",
                engine.data().skeleton.scaled(request.scale),
@@ -54,7 +118,7 @@ EngineWalk engineWalk(const SpeedEngine& engine, const EngineWalkRequest& reques
   pose.rotations.resize(engine.joints());
   double phase = request.phase;
   for (int i = 0; i <= last; ++i) {
-    const double time = i * request.frame_time, speed = speedAt(time);
+    const double speed = speedAt(engine, request, i * request.frame_time);
     engine.poseAt(speed, phase, pose);
     pose.p_WR *= request.scale;
     pose.p_WR.x() += walk.length;
@@ -65,11 +129,11 @@ EngineWalk engineWalk(const SpeedEngine& engine, const EngineWalkRequest& reques
       walk.planted[side].push_back(engine.planted(speed, phase, side));
     }
     if (i == last) break;
-    const double between = speedAt(time + 0.5 * request.frame_time);
+    const double between = speedAfter(engine, request, i);
     phase += request.frame_time * engine.frequency(between);  // eq. 5
     walk.length += request.frame_time * between * request.scale;
   }
-  putDownInTime(engine, request.scale, walk);
+  putDownToStand(engine, request.scale, walk);
   return walk;
 }
 

@@ -23,11 +23,19 @@ struct EngineWalk {
   Clip clip;                   ///< from the origin along x, over level ground at z = 0
   std::vector<double> speeds;  ///< a value a frame: what is walked, clamped [m/s]
   std::vector<double> phases;  ///< [cycles, from the first frame's on]
-  /// By Side, a value a frame: by the captured timing; a foot that swings while a walk slows down
-  /// is put down sooner.
+  /// By Side, a value a frame: by the captured timing; the last foot that swings before a stand is
+  /// put down sooner.
   std::array<std::vector<bool>, 2> planted;
   double length = 0.0;  ///< walked along the path [m]
 };
+
+/// The phase of the first frame with which a walk that ends at a stand does so a fifth of a cycle
+/// after one foot has passed the other: there his legs stand as in standing, and the last swing has
+/// come down. 0 for other walks [cycles].
+double phaseToStand(const SpeedEngine& engine, const EngineWalkRequest& request);
+
+/// Whether who walks so fast stands.
+bool isStanding(double speed);
 
 /// The phase goes on by the cadence of the speed (eq. 5), the root by the speed and by its own way
 /// within the cycle. Feet slide as far as captured swings of the legs miss the law's stride, and go

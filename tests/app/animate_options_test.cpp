@@ -33,6 +33,7 @@ class AnimateOptions : public Options {
   Uses ofTheClip() const;
   void expectEngineWalks() const;
   void expectHeld(const std::string& engine) const;
+  void expectStops(const std::string& engine) const;
 };
 
 // QUALITY.md's bars of held feet, by whoever finds plants himself: at speeds that nobody was
@@ -44,6 +45,29 @@ void AnimateOptions::expectHeld(const std::string& engine) const {
     EXPECT_LT(feet["largest_drift"].get<double>(), 0.002) << speed;
     EXPECT_LT(feet["toe_skate"].get<double>(), 0.010) << speed;
     EXPECT_LT(feet["penetration"].get<double>(), 0.005) << speed;
+  }
+}
+
+// Who comes to a stand puts his last foot beside the other, as he stands before he walks; his hips
+// do not go back.
+void AnimateOptions::expectStops(const std::string& engine) const {
+  const Clip start = clipOf(engine + "0..1");
+  std::vector<JointFrame> stands(start.skeleton.size()), stops = stands;
+  forwardKinematics(start, 0, stands);
+  for (const char* const speed : {"0.4..0", "1..0", "1.5..0"}) {
+    const Clip stop = clipOf(engine + speed);
+    double farthest = stop.poses.p_WR(0).x();
+    for (int i = 0; i < stop.frames(); ++i) {
+      farthest = std::max(farthest, stop.poses.p_WR(i).x());
+      EXPECT_GT(stop.poses.p_WR(i).x(), farthest - 0.005) << speed << ", frame " << i;
+    }
+    forwardKinematics(stop, stop.frames() - 1, stops);
+    for (int j = 0; j < stop.skeleton.size(); ++j) {
+      const std::string& name = stop.skeleton.joint(j).name;
+      if (name.find("Leg") != std::string::npos) continue;  // of legs that are nearly straight
+      const Eigen::Vector3d from_root = stands[j].p_WJ - stands[0].p_WJ;
+      EXPECT_LT((stops[j].p_WJ - stops[0].p_WJ - from_root).norm(), 0.01) << speed << ", " << name;
+    }
   }
 }
 
@@ -63,6 +87,7 @@ void AnimateOptions::expectEngineWalks() const {
   };
   EXPECT_GT(way(3 * second), 1.5 * way(0));
   expectHeld(engine);
+  expectStops(engine);
   EXPECT_NE(good("animate -o a.bvh --duration 2 " + engine + "3").err.find(" is taken"),
             std::string::npos);
   good("animate -o a.glb --duration 2 " + engine + "1");

@@ -142,6 +142,36 @@ TEST(FootLock, AFootThatStandsOnBeyondTheClipIsHeldToItsEnds) {
   }
 }
 
+// And not in the mean of where it slides: there the legs stand as they do in standing.
+TEST(FootLock, WhoStandsAtAnEndIsHeldWhereHeStandsThere) {
+  const SlidingStand stand;
+  const WalkTracks slid = tracksOf(stand.clip, stand.rig.roles);
+  for (const bool at_begin : {true, false}) {
+    LockOptions options;
+    options.widths.assign(SlidingStand::kFrames, kFootLockWidth);
+    options.longest_loose = 0.08;
+    options.stands_at_begin = at_begin;
+    options.stands_at_end = !at_begin;
+    WalkTracks held = slid;
+    lockTracks(stand.plants, stand.clip.frame_time, options, held);
+    const int end = at_begin ? 0 : SlidingStand::kFrames - 1;
+    const auto toe = [&](const WalkTracks& tracks, Side side, int i) {
+      return tracks.feet[side].toe[i];
+    };
+    for (int i = 0; i < SlidingStand::kFrames; ++i) {
+      EXPECT_NEAR(toe(held, kLeft, i).x(), toe(slid, kLeft, end).x(), 1e-5) << i;
+    }
+    EXPECT_NEAR(toe(held, kRight, end).x(), toe(slid, kRight, end).x(), 1e-5);
+    // The foot that lifts stands at the other end in the mean of that plant, to the frames that are
+    // not held.
+    const auto& of_right = stand.plants.plants[kRight];
+    const FootPlant& other_plant = at_begin ? of_right.back() : of_right.front();
+    const int middle = (other_plant.first + other_plant.last) / 2;
+    EXPECT_NEAR(toe(held, kRight, middle).x(), toe(slid, kRight, middle).x(),
+                5.0 * SlidingStand::kSlide);
+  }
+}
+
 TEST(FootLock, FeetThatStandAreGivenBack) {
   Puppet puppet;
   const Rig rig;

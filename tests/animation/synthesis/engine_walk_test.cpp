@@ -53,39 +53,99 @@ std::vector<std::array<int, 2>> swingsOf(const std::vector<bool>& planted) {
   return swings;
 }
 
-TEST(EngineWalk, FeetStandByTheCapturedTimingUnlessTheWalkSlowsDownBelowTheSlowestCapture) {
+/// From `from` to a stand in `duration`, begun as phaseToStand has it; he stands for so long.
+EngineWalkRequest toAStand(const SpeedEngine& engine, double from, double duration,
+                           double stands = 0.0) {
+  EngineWalkRequest request;
+  request.duration = duration + stands;
+  request.speed = [from, duration](double time) {
+    return std::max(0.0, from * (1.0 - time / duration));
+  };
+  request.phase = phaseToStand(engine, request);
+  return request;
+}
+
+TEST(EngineWalk, FeetStandByTheCapturedTimingButForTheLastSwingBeforeAStand) {
   const SpeedEngine engine(DrawnEngine().data({0.6, 1.2, 1.8}));
-  for (const auto& [from, to] : {std::array{0.2, 0.2}, {0.0, 1.5}, {1.7, 0.7}}) {
+  for (const auto& [from, to] :
+       {std::array{0.2, 0.2}, {0.0, 1.5}, {1.7, 0.7}, {0.5, 0.1}, {1.2, 0.0}, {0.4, 0.0}}) {
     EngineWalkRequest request;
     request.speed = [from, to](double time) { return from + (to - from) * time / 5.0; };
     const EngineWalk walk = engineWalk(engine, request);
+    int last_swing = to > 0.0 ? walk.clip.frames() : 0;
     for (const Side side : {kLeft, kRight}) {
-      for (int i = 0; i < walk.clip.frames(); ++i) {
+      for (const auto& swing : swingsOf(walk.planted[side])) {
+        if (to == 0.0) last_swing = std::max(last_swing, swing[0]);
+      }
+    }
+    for (const Side side : {kLeft, kRight}) {
+      for (int i = 0; i < last_swing; ++i) {
         EXPECT_EQ(walk.planted[side][i], engine.planted(walk.speeds[i], walk.phases[i], side));
       }
     }
   }
 }
 
-TEST(EngineWalk, WhoComesToAStandPutsAFootDownSoonerByAsMuchAsHeIsSlower) {
+TEST(EngineWalk, WhoComesToAStandPutsHisLastFootDownSoonerByAsMuchAsHeIsSlower) {
   const SpeedEngine engine(DrawnEngine().data({0.6, 1.2, 1.8}));
-  int sooner = 0;
-  for (const double begin : {0.5, 0.55, 0.6}) {
-    EngineWalkRequest request;
-    request.speed = [begin](double time) { return std::max(0.0, begin * (1.0 - time / 4.0)); };
-    const EngineWalk walk = engineWalk(engine, request);
-    for (const Side side : {kLeft, kRight}) {
-      for (const auto& [first, last] : swingsOf(walk.planted[side])) {
-        const double at = walk.speeds[first - 1];
-        const std::array<double, 2> both = engine.support(at);
-        const double usual = (0.5 - 0.5 * (both[0] + both[1])) / engine.frequency(at);
-        const double swung = (last - first) * request.frame_time;
-        EXPECT_LT(swung, usual * walk.speeds[last - 1] / at + 1.01 * request.frame_time);
-        sooner += !engine.planted(walk.speeds[last], walk.phases[last], side);
+  for (const auto& [from, duration] :
+       {std::array{0.4, 2.0}, {0.8, 2.0}, {0.8, 5.0}, {1.2, 3.0}, {1.7, 2.0}, {1.7, 9.0}}) {
+    const EngineWalk walk = engineWalk(engine, toAStand(engine, from, duration));
+    const double frame_time = walk.clip.frame_time;
+    std::array<int, 2> last = {0, 0};
+    Side side = kLeft;
+    for (const Side swings : {kLeft, kRight}) {
+      EXPECT_TRUE(walk.planted[swings].back());
+      for (const auto& swing : swingsOf(walk.planted[swings])) {
+        if (swing[0] > last[0]) last = swing, side = swings;
+      }
+    }
+    ASSERT_GT(last[0], 0);
+    const double at = walk.speeds[last[0] - 1];
+    const std::array<double, 2> both = engine.support(at);
+    const double usual = (0.5 - 0.5 * (both[0] + both[1])) / engine.frequency(at);
+    EXPECT_LT((last[1] - last[0]) * frame_time,
+              usual * walk.speeds[last[1] - 1] / at + 1.01 * frame_time);
+    // It comes down after it passed the other foot, before a stand.
+    const double passed = walk.phases[last[1]] - (side == kLeft ? 0.75 : 0.25);
+    EXPECT_GT(walk.phases.back() - walk.phases[last[1]], 0.02);
+    EXPECT_LT(std::abs(passed - std::round(passed)), 0.2);
+  }
+}
+
+TEST(EngineWalk, AStandComesAFifthOfACycleAfterOneFootPassedTheOther) {
+  const SpeedEngine engine(DrawnEngine().data({0.6, 1.2, 1.8}));
+  for (const double from : {0.3, 0.9, 1.8}) {
+    for (const double duration : {2.0, 3.3, 7.0}) {
+      for (const double stands : {0.0, 1.0}) {
+        const EngineWalk walk = engineWalk(engine, toAStand(engine, from, duration, stands));
+        const auto stop = std::find_if(walk.speeds.begin(), walk.speeds.end(), isStanding);
+        const double passed = walk.phases[stop - walk.speeds.begin()] - 0.2 - 0.25;
+        EXPECT_NEAR(passed, std::round(2.0 * passed) / 2.0, 1e-9);
       }
     }
   }
-  EXPECT_GT(sooner, 3);
+  EXPECT_EQ(phaseToStand(engine, steady(1.0)), 0.0);
+}
+
+TEST(EngineWalk, TheLastFootLiesAsItStandsSoonAfterItCameDown) {
+  const DrawnEngine drawn;
+  const SpeedEngine engine(drawn.data({0.6, 1.2, 1.8}));
+  for (const double from : {0.5, 1.4}) {
+    const EngineWalk walk = engineWalk(engine, toAStand(engine, from, 3.0));
+    std::array<int, 2> down = {0, 0};
+    for (const Side side : {kLeft, kRight}) {
+      for (const auto& swing : swingsOf(walk.planted[side])) down[side] = swing[1];
+    }
+    const Side side = down[kLeft] > down[kRight] ? kLeft : kRight;
+    const int foot = drawn.rig.roles.legs[side].foot;
+    std::vector<JointFrame> at(drawn.rig.skeleton.size()), end = at;
+    forwardKinematics(walk.clip, walk.clip.frames() - 1, end);
+    for (int i = down[side] + 15; i < walk.clip.frames(); ++i) {
+      forwardKinematics(walk.clip, i, at);
+      EXPECT_LT(at[foot].q_WJ.angularDistance(end[foot].q_WJ), 1e-6);
+    }
+  }
 }
 
 // At a speed between the captured ones, and while it rises.
