@@ -1,6 +1,7 @@
 #include "app/locked_engine_walk.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "animation/editing/sole_contact.h"
 
@@ -49,11 +50,12 @@ Clip held(const EngineData& data, double scale, const Clip& clip, const FootPlan
 
 EngineWalk lockedEngineWalk(const SpeedEngine& engine, const EngineRamp& ramp, FootLock* lock) {
   EngineWalkRequest request;
-  request.speed = [&](double time) {
-    return ramp.speed.at(std::clamp(time / ramp.duration, 0.0, 1.0));
-  };
-  request.duration = ramp.duration;
+  // Of whole frames, that the last has the speed to which the ramp leads: who stops stands in it.
   request.frame_time = ramp.frame_time;
+  request.duration = std::max(1.0, std::round(ramp.duration / ramp.frame_time)) * ramp.frame_time;
+  request.speed = [&](double time) {
+    return ramp.speed.at(std::clamp(time / request.duration, 0.0, 1.0));
+  };
   request.scale = ramp.scale;
   request.phase = phaseToStand(engine, request);
   EngineWalk walk = engineWalk(engine, request);

@@ -65,12 +65,15 @@ void layFlat(const LegJoints& leg, int lands, Clip& clip) {
   }
 }
 
-// Who comes to a stand puts the foot that he swings down beside the other sooner than walks do:
-// else it comes to rest with the phase, over a floor that it hardly clears. The swing takes as long
-// as it would have at the speed at which it began, times the share of that speed that is left.
-void putDownToStand(const SpeedEngine& engine, double scale, EngineWalk& walk) {
+// Who slows down below the captured speeds puts the foot that he swings last down sooner than walks
+// do: else it comes to rest with the phase, over a floor that it hardly clears. The swing takes as
+// long as it would have at the speed at which it began, times the share of that speed that is left.
+void putDownLast(const SpeedEngine& engine, double scale, EngineWalk& walk) {
   const std::optional<std::pair<Side, size_t>> swing = lastSwing(walk);
-  if (!swing || !isStanding(walk.speeds.back())) return;
+  const double ends = walk.speeds.back();
+  if (!swing || ends >= walk.speeds[swing->second - 1] || engine.walkShare(ends / scale) >= 1.0) {
+    return;
+  }
   const auto [side, first] = *swing;
   const double began = walk.speeds[first - 1];
   const std::array<double, 2> both = engine.support(began / scale);
@@ -83,7 +86,7 @@ void putDownToStand(const SpeedEngine& engine, double scale, EngineWalk& walk) {
   }
   std::fill(walk.planted[side].begin() + static_cast<std::ptrdiff_t>(lands),
             walk.planted[side].end(), true);
-  layFlat(engine.data().roles.legs[side], static_cast<int>(lands), walk.clip);
+  if (isStanding(ends)) layFlat(engine.data().roles.legs[side], static_cast<int>(lands), walk.clip);
 }
 
 }  // namespace
@@ -133,7 +136,7 @@ EngineWalk engineWalk(const SpeedEngine& engine, const EngineWalkRequest& reques
     phase += request.frame_time * engine.frequency(between);  // eq. 5
     walk.length += request.frame_time * between * request.scale;
   }
-  putDownToStand(engine, request.scale, walk);
+  putDownLast(engine, request.scale, walk);
   return walk;
 }
 
