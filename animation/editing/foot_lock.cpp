@@ -13,9 +13,11 @@ namespace {
 // held: QUALITY.md judges from 15 % on, and whoever finds plants himself finds their ends
 // elsewhere.
 constexpr double kLoose = 0.12;
-constexpr double kStandingLoose = 0.25;  // of that, of feet that stand still at the clip's end [1]
-constexpr double kHeld = 1e10;           // weight of a frame in which the toe is held
-constexpr double kPelvisWidth = 0.12;    // of the pelvis, which is heavier [s]
+// Of that, of a foot that comes down to stand still [1]; one that stood is held until it leaves: it
+// starts slowly.
+constexpr double kStandingLoose = 0.25;
+constexpr double kHeld = 1e10;         // weight of a frame in which the toe is held
+constexpr double kPelvisWidth = 0.12;  // of the pelvis, which is heavier [s]
 // Weight of what the pelvis is to go up or down; the curve's width grows by its sixth root [1].
 constexpr double kUpright = 100.0;
 constexpr double kSwinging = 0.3;  // what a swinging foot counts for the pelvis, a standing one 1
@@ -55,10 +57,12 @@ Wanted wantedOf(const std::vector<Eigen::Vector3d>& toe, const std::vector<FootP
   }
   for (const FootPlant& plant : plants) {
     const int print = printFrame(plant, frames, options);
-    const double loose = options.longest_loose / frame_time * (print < 0 ? 1.0 : kStandingLoose);
-    const auto [first, last] = heldFrames(plant, frames, loose);
+    const double share = print < 0 ? 1.0 : print == 0 ? 0.0 : kStandingLoose;
+    const auto [first, last] =
+        heldFrames(plant, frames, share == 0.0 ? 0.0 : share * options.longest_loose / frame_time);
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
-    for (int i = first; i <= last; ++i) at += toe[i].head<2>() / (last - first + 1);
+    for (int i = first; i <= last; ++i) at += toe[i].head<2>();
+    at /= last - first + 1;
     if (print >= 0) at = toe[print].head<2>();
     for (int i = first; i <= last; ++i) {
       wanted.weights[i] = kHeld;

@@ -40,8 +40,8 @@ struct LockOptions {
   /// A foot that stands for long is held but for that at both ends [s, >= 0].
   double longest_loose = std::numeric_limits<double>::infinity();
   /// Whether who walks stands still in the first, in the last frame: feet that stand then are held
-  /// where they are there, else in the mean of where they are while they stand; and through more of
-  /// their coming down and leaving, for they do not roll.
+  /// where they are there, else in the mean of where they are while they stand; and until they
+  /// leave or sooner after they come down, for they do so slowly.
   bool stands_at_begin = false, stands_at_end = false;
 };
 /// The same of such a walk.
