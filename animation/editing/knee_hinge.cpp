@@ -10,9 +10,12 @@ namespace amble {
 namespace {
 
 constexpr double kSaysPlane = 0.34;  // sine of a flexion, 20 degrees, from which on planes count
-// A knee that was captured bent back is bent forward once the leg is shorter by so much [m]: over
-// less it would snap, over more the ankle would stay off its place for longer.
+// A knee that was captured bent back by kBentBack is bent forward once the leg is shorter by so
+// much [m]: over less it would snap, over more the ankle would stay off its place for longer. One
+// that was bent back less, over as much less: else it would snap as the capture's knee passes
+// straight.
 constexpr double kForwardOver = 0.003;
+constexpr double kBentBack = 4.0 * kDegree;  // by trial: 2 leave ankles off by 1 mm
 
 /// How the distance of hip and ankle depends on the knee's turn by `angle` about the hinge:
 ///   thigh . shank = fixed + swing cos(flexion), flexion = captured + angle.
@@ -31,7 +34,8 @@ double flexionFor(const KneeCurve& curve, double cosine, double shorter) {
   const double cosine_of_flexion = (cosine - curve.fixed) / std::max(curve.swing, 1e-9);
   const double forward = std::acos(std::clamp(cosine_of_flexion, -1.0, 1.0));
   if (curve.captured >= 0.0) return forward;
-  const double share = std::clamp(shorter / kForwardOver, 0.0, 1.0);
+  const double over = kForwardOver * std::min(1.0, -curve.captured / kBentBack);
+  const double share = shorter < over ? std::max(0.0, shorter / over) : 1.0;
   return (2.0 * share - 1.0) * forward;
 }
 

@@ -80,6 +80,23 @@ TEST(KneeHinge, AKneeThatWasBentBackComesForwardWithoutAJump) {
   EXPECT_GT(last, 0.3);
 }
 
+TEST(KneeHinge, ALegThatIsShortenedAsItsKneePassesStraightDoesNotSnap) {
+  for (const double shorter : {0.0005, 0.002, 0.006}) {
+    double last = 0.0;
+    for (double captured = -0.12; captured < 0.06; captured += 1e-4) {
+      const CapturedLeg before = leg(captured);
+      const Eigen::Vector3d way = before.ankle - before.hip;
+      const Eigen::Vector3d ankle = before.hip + (1.0 - shorter / way.norm()) * way;
+      const double flexion =
+          flexionOf(changed(before, changeLeg(before, before.hip, ankle), before.hip));
+      if (captured > -0.12) {
+        EXPECT_LT(std::abs(flexion - last), 0.002) << captured;
+      }
+      last = flexion;
+    }
+  }
+}
+
 TEST(KneeHinge, ALegThatIsTooShortSaysByHowMuch) {
   const CapturedLeg before = leg(0.3);
   const Eigen::Vector3d ankle = before.hip + Eigen::Vector3d(0.0, 0.0, -0.95);
