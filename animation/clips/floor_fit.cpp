@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -14,7 +15,7 @@ namespace amble {
 namespace {
 
 // Weight that holds the tilt towards level, as so many metres of spread squared: less than 0.2 m
-// across says nothing.
+// across says nothing. Rms, from which on a direction's tilt is not ignored.
 constexpr double kLevelSpread = 0.2;
 
 // A capture's floor is not tilted by more [rad].
@@ -41,13 +42,28 @@ std::vector<Eigen::Vector3d> standingAnkles(const FootPaths& paths,
   return standing;
 }
 
-}  // namespace
-
-FloorFit fitFloor(const Clip& clip, const JointRoles& roles) {
-  return fitFloor(footPaths(clip, roles), legLengths(clip, roles), clip.frame_time);
+/// The slope of a plane through the samples, by their moments about their mean, where these spread.
+Eigen::Vector2d slopeWhereSpread(const Eigen::Matrix2d& moments, const Eigen::Vector2d& rise,
+                                 double samples) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(moments);
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+  for (int k = 0; k < 2; ++k) {
+    const double squares = axes.eigenvalues()[k];
+    if (squares < kLevelSpread * kLevelSpread * samples) continue;
+    const Eigen::Vector2d axis = axes.eigenvectors().col(k);
+    slope += axis * axis.dot(rise) / squares;
+  }
+  return slope;
 }
 
-FloorFit fitFloor(const FootPaths& paths, const std::array<double, 2>& legs, double frame_time) {
+}  // namespace
+
+FloorFit fitFloor(const Clip& clip, const JointRoles& roles, TiltAcross across) {
+  return fitFloor(footPaths(clip, roles), legLengths(clip, roles), clip.frame_time, across);
+}
+
+FloorFit fitFloor(const FootPaths& paths, const std::array<double, 2>& legs, double frame_time,
+                  TiltAcross across) {
   FloorFit fit;
   const std::vector<Eigen::Vector3d> standing = standingAnkles(paths, legs, frame_time, fit.plants);
   fit.samples = static_cast<int>(standing.size());
@@ -59,15 +75,20 @@ FloorFit fitFloor(const FootPaths& paths, const std::array<double, 2>& legs, dou
   }
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto& p : standing) mean += p / static_cast<double>(standing.size());
-  Eigen::Matrix2d moments = Eigen::Matrix2d::Identity() * kLevelSpread * kLevelSpread * 0.25 *
-                            static_cast<double>(standing.size());
+  const auto samples = static_cast<double>(standing.size());
+  Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
+  if (across == TiltAcross::kHeld) {
+    moments = Eigen::Matrix2d::Identity() * kLevelSpread * kLevelSpread * 0.25 * samples;
+  }
   Eigen::Vector2d rise = Eigen::Vector2d::Zero();
   for (const auto& p : standing) {
     const Eigen::Vector2d d = (p - mean).head<2>();
     moments += d * d.transpose();
     rise += d * (p.z() - mean.z());
   }
-  const Eigen::Vector2d slope = moments.ldlt().solve(rise);
+  const Eigen::Vector2d slope = across == TiltAcross::kHeld
+                                    ? Eigen::Vector2d(moments.ldlt().solve(rise))
+                                    : slopeWhereSpread(moments, rise, samples);
   fit.normal = Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
   fit.height = fit.normal.dot(mean);
   fit.ankle_mean = mean.z();

@@ -30,12 +30,21 @@ std::string doubtOf(const FloorFit& floor);
 /// The level plane through the same ankles.
 FloorFit levelPlane(const FloorFit& floor);
 
+/// What is made of tilt in a direction in which feet do not spread: a straight walk says little of
+/// the tilt across it, where a foot that stands higher than the other looks like a floor's slope.
+enum class TiltAcross {
+  kHeld,  ///< it is held towards level, the less they spread the more: each fit leaves some
+  /// Up to an rms spread of 0.2 m there is none, beyond it is all taken: what was levelled by such
+  /// a fit is level by the next.
+  kIgnored
+};
+
 /// Least squares over frames in which a foot stands (ankle and toe slower than 0.3 leg lengths a
-/// second). The tilt is held towards level where the feet do not spread: a straight walk says
-/// nothing of the tilt across it. No samples: the level plane of the lowest ankle.
-FloorFit fitFloor(const Clip& clip, const JointRoles& roles);
+/// second). No samples: the level plane of the lowest ankle.
+FloorFit fitFloor(const Clip& clip, const JointRoles& roles, TiltAcross across = TiltAcross::kHeld);
 /// The same of paths that are there already: leg lengths [m], frame time [s].
-FloorFit fitFloor(const FootPaths& paths, const std::array<double, 2>& legs, double frame_time);
+FloorFit fitFloor(const FootPaths& paths, const std::array<double, 2>& legs, double frame_time,
+                  TiltAcross across = TiltAcross::kHeld);
 
 /// The clip turned so that the floor is level, and lifted so that standing ankles are
 /// `ankle_height` above z = 0 [m].

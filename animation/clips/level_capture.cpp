@@ -12,8 +12,9 @@ namespace {
 constexpr double kAnkleOfStature = 0.039;  // for rigs without a toe: Drillis & Contini (1966)
 
 /// The clip on its floor, which is fitted to what is `seen` of it.
-Clip onFloor(const Clip& clip, const Clip& seen, const JointRoles& roles, FloorFit* floor) {
-  const FloorFit fit = fitFloor(seen, roles);
+Clip onFloor(const Clip& clip, const Clip& seen, const JointRoles& roles, TiltAcross across,
+             FloorFit* floor) {
+  const FloorFit fit = fitFloor(seen, roles, across);
   if (floor != nullptr) *floor = fit;
   const double stature = statureOf(clip.skeleton, roles);
   const bool toes = roles.legs[kLeft].toe >= 0 && roles.legs[kRight].toe >= 0;
@@ -25,14 +26,14 @@ Clip onFloor(const Clip& clip, const Clip& seen, const JointRoles& roles, FloorF
 }  // namespace
 
 Clip levelled(const Clip& clip, const JointRoles& roles, FloorFit* floor) {
-  if (jointJitter(clip) <= kNoisy) return onFloor(clip, clip, roles, floor);
+  if (jointJitter(clip) <= kNoisy) return onFloor(clip, clip, roles, TiltAcross::kHeld, floor);
   const Clip steady = steadied(clip);
-  return onFloor(steady, steady, roles, floor);
+  return onFloor(steady, steady, roles, TiltAcross::kHeld, floor);
 }
 
 Clip levelledAsCaptured(const Clip& clip, const JointRoles& roles, FloorFit* floor) {
   const bool noisy = jointJitter(clip) > kNoisy;
-  return onFloor(clip, noisy ? steadied(clip) : clip, roles, floor);
+  return onFloor(clip, noisy ? steadied(clip) : clip, roles, TiltAcross::kIgnored, floor);
 }
 
 LevelCapture readLevelCapture(const std::filesystem::path& file, const MotionReadOptions& options) {

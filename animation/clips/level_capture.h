@@ -21,7 +21,8 @@ LevelCapture readLevelCapture(const std::filesystem::path& file,
 /// A clip, level on its fitted floor, or where that is in doubt (floor_fit.h) only lifted onto it;
 /// a noisy one (capture_checks.h) is steadied before. @param floor  if not null, what was fitted
 Clip levelled(const Clip& clip, const JointRoles& roles, FloorFit* floor = nullptr);
-/// The same, but only turned and lifted as a whole: noise stays.
+/// The same, but only turned and lifted as a whole: noise stays, and tilt across the way of who
+/// walks straight on (TiltAcross::kIgnored), so that what is level already stays where it is.
 Clip levelledAsCaptured(const Clip& clip, const JointRoles& roles, FloorFit* floor = nullptr);
 
 }  // namespace amble
