@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "animation/editing/walk_path.h"
 #include "base/rotation.h"
 
 namespace amble {
@@ -12,18 +14,70 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of a mean step: as the prints of one foot, which stands as high on each, rise over their way.
-double risePerStep(const GaitMeasures& gait) {
+/// From one print of a foot to its next, which stands as high on each.
+struct PrintWay {
+  double along = 0.0;  // up the ground's way, or where they lead [m]
+  double rise = 0.0;   // [m]
+};
+
+/// Of whole plants, where a foot has two: at the clip's ends it is only seen coming down or
+/// leaving, and that is higher.
+std::vector<PrintWay> printWays(const GaitMeasures& gait, int frames,
+                                const std::optional<Eigen::Vector2d>& heading) {
+  std::vector<PrintWay> whole, all;
   std::array<const PlantMeasures*, 2> before = {nullptr, nullptr};
-  double rise = 0.0, way = 0.0;
+  const auto isWhole = [&](const PlantMeasures& plant) {
+    return plant.plant.first > 0 && plant.plant.last < frames - 1;
+  };
   for (const PlantMeasures& plant : gait.plants) {
     if (const PlantMeasures* from = before[plant.side]; from != nullptr) {
-      rise += plant.ends.ball.z() - from->ends.ball.z();
-      way += (plant.at - from->at).head<2>().norm();
+      const Eigen::Vector2d way = (plant.at - from->at).head<2>();
+      const PrintWay pair{heading ? way.dot(*heading) : way.norm(),
+                          plant.ends.ball.z() - from->ends.ball.z()};
+      all.push_back(pair);
+      if (isWhole(*from) && isWhole(plant)) whole.push_back(pair);
     }
     before[plant.side] = &plant;
   }
-  return way > 0.0 ? gait.step_length * rise / way : 0.0;
+  return whole.empty() ? all : whole;
+}
+
+/// How steeply prints go up: the least squares' slope through nothing, so that those that go round
+/// or back say as much.
+double slopeOf(const std::vector<PrintWay>& ways) {
+  double rise = 0.0, squares = 0.0;
+  for (const PrintWay& way : ways) {
+    rise += way.rise * way.along;
+    squares += way.along * way.along;
+  }
+  return squares > 0.0 ? rise / squares : 0.0;
+}
+
+/// Of a tread: feet's own ways from print to print, over the treads that they go on by. (A step
+/// from foot to foot is measured along the pelvis' way, which on short treads sways by a third.)
+double goingOf(const std::vector<PrintWay>& ways, double asked) {
+  double along = 0.0, treads = 0.0;
+  for (const PrintWay& way : ways) {
+    along += way.along;
+    treads += std::round(way.along / asked);
+  }
+  return treads > 0.0 ? along / treads : 0.0;
+}
+
+/// Over the captured steps, each as long as it is, and where the root passes between its prints:
+/// about when it strikes.
+double meanFactor(const CapturedWalk& walk, const Ramp& factor) {
+  std::vector<Eigen::Vector3d> root;
+  for (int i = 0; i < walk.clip.frames(); ++i) root.push_back(walk.clip.poses.p_WR(i));
+  const WalkPath path(root, walk.clip.frame_time);
+  double sum = 0.0, length = 0.0;
+  for (const StepMeasure& step : walk.analysis.gait.steps) {
+    const int strike = static_cast<int>(std::lround(step.strike / walk.clip.frame_time));
+    const int frame = std::clamp(strike, 0, path.frames() - 1);
+    sum += step.stride * factor.at(path.share(frame));
+    length += step.stride;
+  }
+  return length > 0.0 ? sum / length : factor.at(0.5);
 }
 
 double mid(const Ramp& ramp) { return ramp.at(0.5); }
@@ -64,23 +118,34 @@ EditReport editReport(const CapturedWalk& walk, const EditRequest& request,
   report.captured = walk.analysis.gait;
   const FootPlants plants = detectPlants(edited.clip, walk.roles);
   report.achieved = measureGait(edited.clip, walk.roles, plants);
-  report.captured_rise = risePerStep(report.captured);
-  report.achieved_rise = risePerStep(report.achieved);
+  report.captured_stride = report.captured.step_length;
+  report.achieved_stride = report.achieved.step_length;
+  std::optional<Eigen::Vector2d> uphill;
+  if (request.incline || request.stairs) {
+    uphill = Eigen::Vector2d(std::cos(edited.place.heading), std::sin(edited.place.heading));
+  }
+  const int frames = edited.clip.frames();
+  const std::vector<PrintWay> ways = printWays(report.achieved, frames, uphill);
   const double step = report.captured.step_length;
-  const double factor = request.stride ? mid(request.stride->factorOf(step)) : edited.stride;
+  const Ramp factor =
+      request.stride ? request.stride->factorOf(step) : Ramp{edited.stride, edited.stride};
   const double incline = request.incline ? mid(*request.incline) : 0.0;
   // Where one arrives is seen from above already.
   const double from_above = request.arrive ? 1.0 : std::cos(incline);
   if (request.stride || request.arrive || request.incline) {
-    report.asked_stride = step * factor * from_above;
+    report.asked_stride = step * meanFactor(walk, factor) * from_above;
   }
-  if (request.incline) report.asked_rise = *report.asked_stride * std::tan(incline);
   if (request.stairs) {
     report.asked_stride = request.stairs->going;
     report.asked_rise = request.stairs->rise;
+    report.achieved_stride = goingOf(ways, request.stairs->going);
   }
+  if (request.incline) report.asked_rise = *report.asked_stride * std::tan(incline);
+  report.captured_rise = step * slopeOf(printWays(report.captured, frames, std::nullopt));
+  report.achieved_rise = report.achieved_stride * slopeOf(ways);
   if (request.lift) {
-    report.asked_lift = report.captured.lift * mid(request.lift->factorOf(report.captured.lift));
+    const Ramp lift = request.lift->factorOf(report.captured.lift);
+    report.asked_lift = report.captured.lift * mid(lift);
   }
   if (request.arrive) {
     const Eigen::Vector3d& end = edited.clip.poses.p_WR(edited.clip.frames() - 1);
@@ -94,7 +159,7 @@ std::vector<std::string> editLines(const EditReport& report, const EditedWalk& e
   const GaitMeasures &captured = report.captured, &achieved = report.achieved;
   if (!captured.steps.empty()) {
     lines = {
-        quantityLine("stride", captured.step_length, report.asked_stride, achieved.step_length),
+        quantityLine("stride", report.captured_stride, report.asked_stride, report.achieved_stride),
         quantityLine("lift", captured.lift, report.asked_lift, achieved.lift),
         quantityLine("rise a step", report.captured_rise, report.asked_rise, report.achieved_rise)};
   }
@@ -119,7 +184,7 @@ Json editJson(const EditReport& report, const CapturedWalk& walk, const EditRequ
   json["frames"] = edited.clip.frames();
   json["frame_time"] = edited.clip.frame_time;
   json["steps"] = achieved.steps.size();
-  json["stride"] = quantity(captured.step_length, report.asked_stride, achieved.step_length);
+  json["stride"] = quantity(report.captured_stride, report.asked_stride, report.achieved_stride);
   json["lift"] = quantity(captured.lift, report.asked_lift, achieved.lift);
   json["rise"] = quantity(report.captured_rise, report.asked_rise, report.achieved_rise);
   json["arrival_error"] = report.arrival_error ? Json(*report.arrival_error) : Json(nullptr);

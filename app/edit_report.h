@@ -13,11 +13,15 @@ namespace amble {
 /// Means over steps; what the clip has no steps for is 0.
 struct EditReport {
   GaitMeasures captured, achieved;
-  double captured_rise = 0.0, achieved_rise = 0.0;  ///< of a print over the other foot's [m]
-  std::optional<double> asked_stride;               ///< seen from above [m]
-  std::optional<double> asked_lift;                 ///< [m]
-  std::optional<double> asked_rise;                 ///< [m]
-  std::optional<double> arrival_error;              ///< [m, >= 0]
+  /// Seen from above; on stairs what is achieved is the mean tread's [m].
+  double captured_stride = 0.0, achieved_stride = 0.0;
+  /// Of a print over the other foot's, by a stride straight up the slope or the stairs, however the
+  /// walk turns on it [m].
+  double captured_rise = 0.0, achieved_rise = 0.0;
+  std::optional<double> asked_stride;   ///< seen from above [m]
+  std::optional<double> asked_lift;     ///< [m]
+  std::optional<double> asked_rise;     ///< [m]
+  std::optional<double> arrival_error;  ///< [m, >= 0]
 };
 
 EditReport editReport(const CapturedWalk& walk, const EditRequest& request,

@@ -16,7 +16,11 @@ constexpr double kLoose = 0.12;
 // Of that, of a foot that comes down to stand still [1]; one that stood is held until it leaves: it
 // starts slowly.
 constexpr double kStandingLoose = 0.25;
-constexpr double kHeld = 1e10;         // weight of a frame in which the toe is held
+constexpr double kHeld = 1e10;  // weight of a frame in which the toe is held
+// Weight of the frames of a plant that is cut by the clip's begin or end, beyond which nothing is
+// held: there a foot goes on by what it is moved by. With none the curve goes on as steeply as it
+// came, and a toe that jumped by 44 mm put a foot off by 537 mm within six frames [1].
+constexpr double kGoesOn = 100.0;
 constexpr double kPelvisWidth = 0.12;  // of the pelvis, which is heavier [s]
 // Weight of what the pelvis is to go up or down; the curve's width grows by its sixth root [1].
 constexpr double kUpright = 100.0;
@@ -68,6 +72,12 @@ Wanted wantedOf(const std::vector<Eigen::Vector3d>& toe, const std::vector<FootP
       wanted.weights[i] = kHeld;
       wanted.shift.row(i) = (at - toe[i].head<2>()).transpose();
     }
+    const auto goOn = [&](int i, int held) {
+      wanted.weights[i] = kGoesOn;
+      wanted.shift.row(i) = wanted.shift.row(held);
+    };
+    for (int i = 0; i < first && plant.first == 0; ++i) goOn(i, first);
+    for (int i = last + 1; i < frames && plant.last == frames - 1; ++i) goOn(i, last);
   }
   return wanted;
 }
