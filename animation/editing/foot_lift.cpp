@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "animation/editing/least_curve.h"
+#include "base/rotation.h"
 
 namespace amble {
 namespace {
@@ -51,9 +52,12 @@ std::vector<double> changeOf(const std::vector<double>& height, double factor, d
                       : averaged(clear, frame_time, kSmooth);
 }
 
-/// Where the toes of one foot are at each frame as captured [m, World]; empty without tips.
+/// The toes of one foot at each frame as captured [World, m]; empty without tips.
 struct ToeTips {
   std::vector<Eigen::Vector3d> joint, tip;
+  /// About which they turn up [unit]: one axis of their foot, the mean of those that are level and
+  /// across them, each counting as much as they lie. Of toes that hang down it would be any.
+  std::vector<Eigen::Vector3d> axis;
 
   ToeTips(const Clip& clip, int toe) {
     if (toe < 0 || clip.skeleton.joint(toe).end_sites.empty()) return;
@@ -63,20 +67,32 @@ struct ToeTips {
           return a.squaredNorm() < b.squaredNorm();
         });
     std::vector<JointFrame> joints(clip.skeleton.size());
+    std::vector<Eigen::Quaterniond> q_WF;
+    Eigen::Vector3d across_F = Eigen::Vector3d::Zero();
     for (int i = 0; i < clip.frames(); ++i) {
       forwardKinematics(clip, i, joints);
       joint.push_back(joints[toe].p_WJ);
       tip.push_back(joints[toe] * farthest);
+      q_WF.push_back(joints[clip.skeleton.joint(toe).parent].q_WJ);
+      across_F +=
+          q_WF.back().conjugate() * (tip.back() - joint.back()).cross(Eigen::Vector3d::UnitZ());
     }
+    for (const Eigen::Quaterniond& q : q_WF) axis.emplace_back(q * across_F.normalized());
   }
 };
 
-/// Of a bone from `joint` to `tip`, how far its tip is turned up for it to be `higher` [m]; upright
+/// By how much a bone is turned up about an axis for its tip to be `higher` [m]; as high as it gets
 /// where that is too far [rad, >= 0].
-double turnUp(const Eigen::Vector3d& bone, double higher) {
-  const double length = bone.norm();
-  const auto elevation = [&](double z) { return std::asin(std::clamp(z / length, -1.0, 1.0)); };
-  return elevation(bone.z() + higher) - elevation(bone.z());
+double turnUp(const Eigen::Vector3d& bone, const Eigen::Vector3d& axis, double higher) {
+  // Turned by an angle its tip is at: stays + most cos(angle - highest).
+  const double stays = axis.z() * axis.dot(bone);
+  const double ahead = bone.z() - stays, across = axis.cross(bone).z();
+  const double most = std::hypot(ahead, across);
+  if (!(most > 0.0)) return 0.0;
+  double highest = std::atan2(across, ahead);
+  if (highest < -0.5 * kPi) highest += 2.0 * kPi;  // toes that are bent under come up forward
+  const double cosine = std::clamp((bone.z() + higher - stays) / most, -1.0, 1.0);
+  return std::max(0.0, highest - std::acos(cosine));
 }
 
 /// Turns toes up where the foot is lowered so far that their tips come below the line between the
@@ -94,14 +110,12 @@ void bendToes(const Swing& swing, const std::vector<double>& change, const ToeTi
   for (int i = swing.first(); i <= swing.last(); ++i) {
     const double captured = over(i), lowest = std::min(captured, stood);
     const double missing = lowest - (captured + change[i]);
-    if (missing > 0.0) turn[i] = turnUp(toes.tip[i] - toes.joint[i], missing);
+    if (missing > 0.0) turn[i] = turnUp(toes.tip[i] - toes.joint[i], toes.axis[i], missing);
   }
   const std::vector<double> smooth = curveOver(turn, frame_time, kSmoothUnder);
   for (size_t i = 0; i < smooth.size(); ++i) {
     if (smooth[i] == 0.0) continue;
-    const Eigen::Vector3d axis = (toes.tip[i] - toes.joint[i]).cross(Eigen::Vector3d::UnitZ());
-    if (!(axis.norm() > 0.0)) continue;
-    foot.toes[i] = Eigen::AngleAxisd(smooth[i], axis.normalized()) * foot.toes[i];
+    foot.toes[i] = Eigen::AngleAxisd(smooth[i], toes.axis[i]) * foot.toes[i];
   }
 }
 
