@@ -25,6 +25,9 @@ constexpr double kClearFrom = 0.3, kClearTo = 0.7;
 constexpr double kGroundReach = 1.0;  // how far the ground may lie from a sole point [m]
 // Steps whose mean is less are on the spot or backwards as often as ahead: what left and right
 // differ by is no share of it.
+// Ground that is so much lower below ankle or toe than below the other is another tread, over which
+// the foot hangs: on a slope of 20 degrees it is less [m].
+constexpr double kOtherTread = 0.05;
 constexpr double kShortestStep = 0.05;  // [m]
 constexpr double kShortestTime = 0.01;  // [s]
 
@@ -48,6 +51,8 @@ std::optional<double> asymmetry(const std::array<std::vector<double>, 2>& values
 struct FootTrack {
   std::vector<Eigen::Vector3d> ankle, toe;
   std::vector<double> ankle_height, toe_height;
+  std::vector<double> ankle_stands,
+      toe_stands;     // the same over what a foot that stands there is on
   double heel = 0.0;  // the heel's point of the sole is so far below the ankle of a flat foot [m]
 };
 
@@ -66,9 +71,14 @@ std::array<FootTrack, 2> footTracks(const Clip& clip, const JointRoles& roles,
     for (int i = 0; i < clip.frames(); ++i) {
       track.ankle.emplace_back(paths[side].block<1, 3>(i, 0).transpose());
       track.toe.emplace_back(paths[side].block<1, 3>(i, 3).transpose());
-      track.ankle_height.push_back(track.ankle.back().z() -
-                                   groundHeight(ground, track.ankle.back()));
-      track.toe_height.push_back(track.toe.back().z() - groundHeight(ground, track.toe.back()));
+      const double below_ankle = groundHeight(ground, track.ankle.back());
+      const double below_toe = groundHeight(ground, track.toe.back());
+      const bool hangs_over = std::abs(below_toe - below_ankle) > kOtherTread;
+      const double tread = std::max(below_ankle, below_toe);
+      track.ankle_height.push_back(track.ankle.back().z() - below_ankle);
+      track.toe_height.push_back(track.toe.back().z() - below_toe);
+      track.ankle_stands.push_back(track.ankle.back().z() - (hangs_over ? tread : below_ankle));
+      track.toe_stands.push_back(track.toe.back().z() - (hangs_over ? tread : below_toe));
     }
   }
   return tracks;
@@ -102,11 +112,11 @@ PlantMeasures measurePlant(Side side, const FootPlant& plant, const FootTrack& t
     if (i > first) result.travel += (track.toe[i] - track.toe[i - 1]).head<2>().norm();
   }
   result.time = (last - first) * frame_time;
-  result.toe_height = median(slice(track.toe_height, first, last));
-  result.ankle_height = median(slice(track.ankle_height, first, flat));
+  result.toe_height = median(slice(track.toe_stands, first, last));
+  result.ankle_height = median(slice(track.ankle_stands, first, flat));
   const Eigen::Vector2d middle = 0.5 * (toe + medianPlace(track.ankle, first, flat));
   const int at = (first + last) / 2;
-  const double ground = track.toe[at].z() - track.toe_height[at];
+  const double ground = track.toe[at].z() - track.toe_stands[at];
   result.at << middle, ground;
   const Eigen::Vector2d ankle = medianPlace(track.ankle, first, flat);
   const double drop = result.ankle_height - result.toe_height;

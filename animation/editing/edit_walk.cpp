@@ -22,6 +22,7 @@ namespace {
 constexpr double kAnywhere = 1e6;  // how far from z = 0 ground may be [m]
 // A walk that ends nearer to where it began has no way to be turned and scaled [m].
 constexpr double kGoesSomewhere = 0.3;
+constexpr double kArrives = 1e-4;  // nearer to where it shall be a walk has arrived [m]
 // Legs that stay farther from their prints are too short for what is asked; hips that go down more
 // are a crouch, not a walk [m].
 constexpr double kMostMissed = 0.005, kMostLowered = 0.2;
@@ -199,9 +200,7 @@ void holdAsFound(const CapturedWalk& walk, bool on_slope, EditedWalk& result) {
   }
 }
 
-}  // namespace
-
-EditedWalk editWalk(const CapturedWalk& captured, const EditRequest& request) {
+EditedWalk editOnce(const CapturedWalk& captured, const EditRequest& request) {
   EditedWalk result;
   Arrival arrival;
   if (request.arrive) arrival = arrivalAt(captured, *request.arrive);
@@ -232,6 +231,21 @@ EditedWalk editWalk(const CapturedWalk& captured, const EditRequest& request) {
         1e3 * result.fit.lowered, 1e3 * result.fit.missed, 1e3 * kMostLowered, 1e3 * kMostMissed);
   }
   return result;
+}
+
+}  // namespace
+
+EditedWalk editWalk(const CapturedWalk& captured, const EditRequest& request) {
+  EditedWalk result = editOnce(captured, request);
+  if (!request.arrive || !result.refused.empty()) return result;
+  // Held feet take the root along by some millimetres: it is aimed as far beside.
+  const Eigen::Vector3d& end = result.clip.poses.p_WR(result.clip.frames() - 1);
+  const Eigen::Vector2d beside = end.head<2>() - *request.arrive;
+  if (beside.norm() < kArrives) return result;
+  EditRequest aimed = request;
+  *aimed.arrive -= beside;
+  EditedWalk again = editOnce(captured, aimed);
+  return again.refused.empty() ? std::move(again) : std::move(result);
 }
 
 }  // namespace amble

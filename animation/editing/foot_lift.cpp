@@ -12,7 +12,10 @@ namespace {
 
 constexpr double kSmooth = 0.05;  // over which the change of height is averaged [s]
 constexpr double kSmoothUnder =
-    0.02;                           // the same where it is lowered; longer, and lows are lost [s]
+    0.02;  // the same where it is lowered; longer, and lows are lost [s]
+// Toes that are bent under come lower before they come up: where the smooth turn only gets them
+// there they are turned by more, which may do the same to the frames beside [1].
+constexpr int kTurnRounds = 3;
 constexpr double kTellsMost = 0.1;  // of the change's largest, below which a frame decides nothing
 
 /// A foot's swing from one plant to the next.
@@ -55,8 +58,9 @@ std::vector<double> changeOf(const std::vector<double>& height, double factor, d
 /// The toes of one foot at each frame as captured [World, m]; empty without tips.
 struct ToeTips {
   std::vector<Eigen::Vector3d> joint, tip;
-  /// About which they turn up [unit]: one axis of their foot, the mean of those that are level and
-  /// across them, each counting as much as they lie. Of toes that hang down it would be any.
+  /// About which they turn up [unit, level]: one axis of their foot, the mean of those that are
+  /// level and across them, each counting as much as they lie. Of toes that hang down it would be
+  /// any.
   std::vector<Eigen::Vector3d> axis;
 
   ToeTips(const Clip& clip, int toe) {
@@ -77,21 +81,22 @@ struct ToeTips {
       across_F +=
           q_WF.back().conjugate() * (tip.back() - joint.back()).cross(Eigen::Vector3d::UnitZ());
     }
-    for (const Eigen::Quaterniond& q : q_WF) axis.emplace_back(q * across_F.normalized());
+    for (const Eigen::Quaterniond& q : q_WF) {
+      const Eigen::Vector3d across = q * across_F;
+      axis.push_back(Eigen::Vector3d(across.x(), across.y(), 0.0).normalized());
+    }
   }
 };
 
-/// By how much a bone is turned up about an axis for its tip to be `higher` [m]; as high as it gets
-/// where that is too far [rad, >= 0].
+/// By how much a bone is turned up about a level axis for its tip to be `higher` [m]; as high as it
+/// gets where that is too far [rad, >= 0].
 double turnUp(const Eigen::Vector3d& bone, const Eigen::Vector3d& axis, double higher) {
-  // Turned by an angle its tip is at: stays + most cos(angle - highest).
-  const double stays = axis.z() * axis.dot(bone);
-  const double ahead = bone.z() - stays, across = axis.cross(bone).z();
-  const double most = std::hypot(ahead, across);
+  // Turned by an angle its tip is at: most cos(angle - highest).
+  const double across = axis.cross(bone).z(), most = std::hypot(bone.z(), across);
   if (!(most > 0.0)) return 0.0;
-  double highest = std::atan2(across, ahead);
+  double highest = std::atan2(across, bone.z());
   if (highest < -0.5 * kPi) highest += 2.0 * kPi;  // toes that are bent under come up forward
-  const double cosine = std::clamp((bone.z() + higher - stays) / most, -1.0, 1.0);
+  const double cosine = std::clamp((bone.z() + higher) / most, -1.0, 1.0);
   return std::max(0.0, highest - std::acos(cosine));
 }
 
@@ -106,13 +111,17 @@ void bendToes(const Swing& swing, const std::vector<double>& change, const ToeTi
     return heightOver(from, to, {toes.tip[i], toes.tip[i]});
   };
   const double stood = over((swing.from.plant.first + swing.from.plant.last) / 2);
-  std::vector<double> turn(foot.toe.size(), 0.0);
-  for (int i = swing.first(); i <= swing.last(); ++i) {
-    const double captured = over(i), lowest = std::min(captured, stood);
-    const double missing = lowest - (captured + change[i]);
-    if (missing > 0.0) turn[i] = turnUp(toes.tip[i] - toes.joint[i], toes.axis[i], missing);
+  std::vector<double> turn(foot.toe.size(), 0.0), smooth = turn;
+  for (int round = 0; round < kTurnRounds; ++round) {
+    for (int i = swing.first(); i <= swing.last(); ++i) {
+      const Eigen::Vector3d bone = toes.tip[i] - toes.joint[i];
+      const double gained = (Eigen::AngleAxisd(smooth[i], toes.axis[i]) * bone).z() - bone.z();
+      const double captured = over(i), lowest = std::min(captured, stood);
+      const double missing = lowest - (captured + change[i]);
+      if (missing > gained) turn[i] = std::max(turn[i], turnUp(bone, toes.axis[i], missing));
+    }
+    smooth = curveOver(turn, frame_time, kSmoothUnder);
   }
-  const std::vector<double> smooth = curveOver(turn, frame_time, kSmoothUnder);
   for (size_t i = 0; i < smooth.size(); ++i) {
     if (smooth[i] == 0.0) continue;
     foot.toes[i] = Eigen::AngleAxisd(smooth[i], toes.axis[i]) * foot.toes[i];

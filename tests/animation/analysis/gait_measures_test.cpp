@@ -174,6 +174,47 @@ TEST(GaitMeasures, HeightsAreOverTheGroundThatIsGiven) {
   for (const PlantMeasures& plant : gait.plants) EXPECT_NEAR(plant.at.z(), -0.25, 1e-12);
 }
 
+/// Level but for a hole under one end of each print of the left foot: what stands over the nosing
+/// of a tread.
+class Holes : public Ground {
+ public:
+  /// @param ahead  of the ankle [m]
+  Holes(const Puppet& puppet, double ahead) {
+    const FootPlants plants = puppet.plants();
+    for (const FootPlant& plant : plants.plants[kLeft]) {
+      const double cycle = (plant.strike / puppet.rate - puppet.strike(kLeft, 0)) / puppet.period;
+      const int whole = static_cast<int>(std::lround(cycle));
+      holes_.emplace_back(puppet.footprint(kLeft, whole) + Eigen::Vector3d(ahead, 0.0, 0.0));
+    }
+  }
+  std::optional<SurfacePoint> surface(double x, double y, double, double) const override {
+    for (const Eigen::Vector3d& hole : holes_) {
+      if ((hole.head<2>() - Eigen::Vector2d(x, y)).norm() < 0.05) return SurfacePoint{-0.2};
+    }
+    return SurfacePoint{};
+  }
+
+ private:
+  std::vector<Eigen::Vector3d> holes_;
+};
+
+TEST(GaitMeasures, AFootBeyondTheEdgeOfATreadStandsOnItsOtherEnd) {
+  const Puppet puppet;
+  const GaitMeasures flat = measured(puppet);
+  for (const double ahead : {0.0, Puppet::kFoot}) {
+    const Holes ground(puppet, ahead);
+    const GaitMeasures gait = measured(puppet, &ground);
+    EXPECT_NEAR(gait.ankle_height[kLeft], flat.ankle_height[kLeft], 1e-9);
+    EXPECT_NEAR(gait.toe_height[kLeft], flat.toe_height[kLeft], 1e-9);
+    EXPECT_LT(gait.penetration, 1e-9);
+    ASSERT_EQ(gait.steps.size(), flat.steps.size());
+    for (size_t i = 0; i < flat.steps.size(); ++i) {
+      EXPECT_NEAR(gait.steps[i].lift, flat.steps[i].lift, 1e-9) << i;
+      EXPECT_NEAR(gait.steps[i].climb, 0.0, 1e-9) << i;
+    }
+  }
+}
+
 TEST(GaitMeasures, StepsAlternateAndFootprintsAreWhereFeetStood) {
   const Puppet puppet;
   const GaitMeasures gait = measured(puppet);

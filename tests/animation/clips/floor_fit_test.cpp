@@ -68,6 +68,26 @@ TEST(FloorFit, AStraightWalkSaysNothingOfTheTiltAcrossIt) {
   EXPECT_LT(std::abs(fit.normal.y()), 0.75 * std::sin(3.0 * kDegree));  // held towards level
 }
 
+TEST(FloorFit, TiltAcrossAStraightWalkCanBeIgnoredAndAllElseIsTaken) {
+  const Rig rig;
+  const Eigen::Quaterniond along(Eigen::AngleAxisd(2.0 * kDegree, Eigen::Vector3d::UnitY()));
+  const Eigen::Quaterniond across(Eigen::AngleAxisd(2.0 * kDegree, Eigen::Vector3d::UnitX()));
+  const auto fit = [&](const Clip& clip) {
+    return fitFloor(clip, rig.roles, TiltAcross::kIgnored);
+  };
+  const Clip straight = rig.walk(Puppet());
+  EXPECT_LT(std::abs(fit(moved(straight, across, {0, 0, 0})).normal.y()), 1e-4);
+  const Clip clips[] = {moved(straight, along, {1.0, 2.0, 0.3}),
+                        moved(rig.walk(onACircle()), across, {1.0, 2.0, 0.3})};
+  for (const Clip& clip : clips) {
+    const FloorFit tilted = fit(clip);
+    EXPECT_NEAR(tilted.tilt(), 2.0 * kDegree, 0.02 * kDegree);
+    const FloorFit level = fit(levelClip(clip, tilted, 0.11));
+    EXPECT_LT(level.tilt(), 1e-3 * kDegree);
+    EXPECT_NEAR(level.height, 0.11, 1e-6);
+  }
+}
+
 TEST(FloorFit, WithoutStandingFeetTheFloorIsLevelUnderTheLowestAnkle) {
   const Rig rig;
   Clip clip = rig.walk(Puppet());

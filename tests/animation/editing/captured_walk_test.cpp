@@ -5,6 +5,7 @@
 #include "animation/captures/capture_checks.h"
 #include "animation/clips/floor_fit.h"
 #include "base/error.h"
+#include "base/rotation.h"
 #include "tests/animation/editing/edited_walks.h"
 #include "tests/animation/random_clip.h"
 
@@ -43,6 +44,28 @@ TEST(CapturedWalk, TheFloorIsLevelled) {
   EXPECT_GT(fitFloor(motion.clip, motion.roles).tilt(), 0.005);
   const CapturedWalk walk = capturedWalk(path);
   EXPECT_LT(fitFloor(walk.clip, walk.roles).tilt(), 0.0005);
+}
+
+// Of straight walks the fit would find a floor across the way in how high either foot stands.
+TEST(CapturedWalk, WhatIsLevelStaysWhereItIs) {
+  AMBLE_NEEDS_CAPTURES();
+  for (const char* path :
+       {"mocap/cmu_mb2/07_01.bvh", "mocap/cmu_mb2/08_01.bvh", "mocap/cmu_mb2/09_12.bvh",
+        "mocap/accad_male1/Male1_B3_Walk.bvh", "mocap/accad_female1/Female1_B05_WalkBackwards.bvh",
+        "mocap/accad_female1/Female1_B22_SideStepLeft.bvh"}) {
+    const CapturedWalk walk = capturedWalk(path);
+    CapturedMotion motion;
+    motion.clip = walk.clip;
+    motion.roles = walk.roles;
+    const CapturedWalk again = captureWalk(motion, path);
+    ASSERT_EQ(again.clip.frames(), walk.clip.frames()) << path;
+    for (int i = 0; i < walk.clip.frames(); ++i) {
+      EXPECT_LT((again.clip.poses.p_WR(i) - walk.clip.poses.p_WR(i)).norm(), 5e-4) << path;
+      EXPECT_LT(again.clip.poses.rotations(i)[0].angularDistance(walk.clip.poses.rotations(i)[0]),
+                0.01 * kDegree)
+          << path;
+    }
+  }
 }
 
 TEST(CapturedWalk, NoJointIsSmoothedHoweverNoisy) {

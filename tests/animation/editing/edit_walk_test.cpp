@@ -117,6 +117,29 @@ TEST(EditWalk, FeetSwingAsHighAsIsAsked) {
   }
 }
 
+// Feet that swing lower or come down on treads stand sooner, or longer, than they were captured.
+TEST(EditWalk, HeldFeetStayOfWhateverIsAskedByWhoeverFindsThem) {
+  AMBLE_NEEDS_CAPTURES();
+  for (const char* path : {"mocap/cmu_mb2/06_01.bvh", "mocap/cmu_mb2/07_01.bvh",
+                           "mocap/cmu_mb2/08_06.bvh", "mocap/accad_male1/Male1_B3_Walk.bvh"}) {
+    const CapturedWalk walk = capturedWalk(path);
+    std::array<EditRequest, 5> requests;
+    requests[0].lift = EditAmount{{0.6, 0.6}, true};
+    requests[1].incline = Ramp{8.0 * kDegree, 8.0 * kDegree};
+    requests[2].stairs = StairSize{0.17, 0.29};
+    requests[3].stairs = StairSize{-0.17, 0.29};
+    requests[4] = withStride(0.7, 0.7);
+    for (EditRequest& request : requests) {
+      request.foot_lock = true;
+      const EditedWalk edited = editWalk(walk, request);
+      ASSERT_EQ(edited.refused, "") << path;
+      const GaitMeasures gait = analysed(edited.clip, walk.roles);
+      EXPECT_LT(gait.largest_drift, 0.002) << path << " " << &request - requests.data();
+      EXPECT_LT(gait.toe_skate, 0.010) << path << " " << &request - requests.data();
+    }
+  }
+}
+
 TEST(EditWalk, OnASlopeEachPrintIsAsMuchHigherAsTheSlopeHasIt) {
   AMBLE_NEEDS_CAPTURES();
   const CapturedWalk walk = capturedWalk(kStraight[1]);
@@ -172,12 +195,12 @@ TEST(EditWalk, TheRootArrivesWhereItIsAskedTo) {
     request.foot_lock = true;
     const EditedWalk edited = editWalk(walk, request);
     const Eigen::Vector3d& end = edited.clip.poses.p_WR(edited.clip.frames() - 1);
-    EXPECT_LT((end.head<2>() - *request.arrive).norm(), 0.01) << path;
-    EXPECT_NEAR(edited.stride, 0.85, 1e-9);
+    EXPECT_LT((end.head<2>() - *request.arrive).norm(), 0.001) << path;
+    EXPECT_NEAR(edited.stride, 0.85, 0.005);  // held feet take the root along
     // It is the same walk, a quarter turn to the left.
     const std::vector<double> before = pelvisHeadings(walk.clip, walk.roles);
     const std::vector<double> after = pelvisHeadings(edited.clip, walk.roles);
-    EXPECT_NEAR(wrapAngle(after.back() - before.back()), 0.5 * kPi, 1e-6) << path;
+    EXPECT_NEAR(wrapAngle(after.back() - before.back()), 0.5 * kPi, 0.5 * kDegree) << path;
   }
 }
 

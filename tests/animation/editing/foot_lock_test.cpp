@@ -4,6 +4,7 @@
 
 #include "animation/analysis/gait_measures.h"
 #include "animation/analysis/motion_measures.h"
+#include "animation/clips/good_frames.h"
 #include "animation/clips/level_capture.h"
 #include "tests/animation/captures.h"
 #include "tests/animation/rig.h"
@@ -139,6 +140,31 @@ TEST(FootLock, AFootThatStandsOnBeyondTheClipIsHeldToItsEnds) {
       footPaths(lockFeet(stand.clip, stand.rig.roles, stand.plants), stand.rig.roles);
   for (int i = 0; i < SlidingStand::kFrames; ++i) {
     EXPECT_NEAR(paths[kLeft](i, 3), paths[kLeft](0, 3), 1e-5) << i;
+  }
+}
+
+// A marker that jumps as the clip begins: the curve of the correction is as steep there.
+TEST(FootLock, AFootThatComesDownAsTheClipBeginsIsNotFlungOffByAJump) {
+  constexpr double kJump = 0.04;  // [m]
+  Puppet puppet;
+  const Rig rig;
+  const Clip walk = rig.walk(puppet);
+  const int strike = static_cast<int>(std::lround(puppet.strike(kLeft, 1) * puppet.rate));
+  const FootPlants all = puppet.plants();
+  for (int after = 1; after < 20; ++after) {
+    Clip clip = trimmed(walk, strike, walk.frames() - 1);
+    for (int i = 0; i < after; ++i) clip.poses.p_WR(i).x() += kJump;
+    std::array<std::vector<bool>, 2> planted;
+    for (const Side side : {kLeft, kRight}) {
+      const std::vector<bool> whole = all.planted(side);
+      planted[side].assign(whole.begin() + strike, whole.end());
+    }
+    const FootPaths before = footPaths(clip, rig.roles);
+    const FootPaths held = footPaths(lockFeet(clip, rig.roles, plantsOf(planted)), rig.roles);
+    for (int i = 0; i < 25; ++i) {
+      EXPECT_LT((held[kLeft].row(i) - before[kLeft].row(i)).tail<3>().norm(), 2.5 * kJump)
+          << after << " " << i;
+    }
   }
 }
 
