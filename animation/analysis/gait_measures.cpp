@@ -23,11 +23,11 @@ constexpr double kSpeedWindow = 0.5;
 // down.
 constexpr double kClearFrom = 0.3, kClearTo = 0.7;
 constexpr double kGroundReach = 1.0;  // how far the ground may lie from a sole point [m]
-// Steps whose mean is less are on the spot or backwards as often as ahead: what left and right
-// differ by is no share of it.
 // Ground that is so much lower below ankle or toe than below the other is another tread, over which
 // the foot hangs: on a slope of 20 degrees it is less [m].
 constexpr double kOtherTread = 0.05;
+// Steps whose mean is less are on the spot or backwards as often as ahead: what left and right
+// differ by is no share of it.
 constexpr double kShortestStep = 0.05;  // [m]
 constexpr double kShortestTime = 0.01;  // [s]
 
@@ -51,8 +51,8 @@ std::optional<double> asymmetry(const std::array<std::vector<double>, 2>& values
 struct FootTrack {
   std::vector<Eigen::Vector3d> ankle, toe;
   std::vector<double> ankle_height, toe_height;
-  std::vector<double> ankle_stands,
-      toe_stands;     // the same over what a foot that stands there is on
+  // The same over what a foot that stands there is on.
+  std::vector<double> ankle_stands, toe_stands;
   double heel = 0.0;  // the heel's point of the sole is so far below the ankle of a flat foot [m]
 };
 
