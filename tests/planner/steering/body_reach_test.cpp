@@ -220,6 +220,32 @@ void expectHeld(const TrunkStack& stack, const Pose& pose, const Body& body) {
   }
 }
 
+// visit(joints, pose) for each frame of walks between stances that are drawn in the room. @return
+// of how many walks
+template <typename Visit>
+int visitDrawnPoses(const FurnishedRoom& room, std::uint64_t seed, Visit visit) {
+  const WalkSteering steering(room.synthesizer, room.world, room.ground);
+  const auto scratch = steering.makeScratch();
+  SampleStream stream(seed, 0);
+  AnimationBuffer buffer;
+  std::vector<JointFrame> joints(room.synthesizer.skeleton().size());
+  std::vector<Eigen::Vector3d> from(room.body.parts.size()), to(room.body.parts.size());
+  int walks = 0;
+  for (int i = 0; i < 150; ++i) {
+    const Waypoint begin = anywhere(stream), end = anywhere(stream);
+    const auto result = steering.steer(begin, end, *scratch);
+    if (!result.edge) continue;
+    ++walks;
+    steering.animate(*result.edge, buffer);
+    for (int frame = 0; frame < buffer.size(); ++frame) {
+      forwardKinematics(room.synthesizer.skeleton(), buffer.poses[frame], joints);
+      placeBody(room.body, joints, from, to);
+      visit(joints, Pose{from, to});
+    }
+  }
+  return walks;
+}
+
 TEST(BodyReach, EveryPoseHoldsTheBalls) {
   const double highest = furnishedRoom().ground.settings().limits.highestStep();
   std::vector<SceneObject> logs;
@@ -238,51 +264,37 @@ TEST(BodyReach, EveryPoseHoldsTheBalls) {
   ASSERT_NE(head, stooping.balls().end());
   EXPECT_TRUE(std::ranges::all_of(
       stooping.balls(), [](const BodyReach::Ball& ball) { return ball.stack.balls.empty(); }));
-  const WalkSteering steering(room.synthesizer, room.world, room.ground);
-  const auto scratch = steering.makeScratch();
-  SampleStream stream(4, 0);
-  AnimationBuffer buffer;
-  std::vector<JointFrame> joints(room.synthesizer.skeleton().size());
-  std::vector<Eigen::Vector3d> a(room.body.parts.size()), b(room.body.parts.size());
   double lifted = 0.0;
-  for (int i = 0; i < 150; ++i) {
-    const Waypoint from = anywhere(stream), to = anywhere(stream);
-    const auto result = steering.steer(from, to, *scratch);
-    if (!result.edge) continue;
-    steering.animate(*result.edge, buffer);
-    for (int frame = 0; frame < buffer.size(); ++frame) {
-      forwardKinematics(room.synthesizer.skeleton(), buffer.poses[frame], joints);
-      placeBody(room.body, joints, a, b);
-      for (const BodyReach::Ball& ball : reach.balls()) {
-        if (ball.isFoot() || ball.post) continue;  // LiftedFeet, WallEnds
-        if (!ball.stack.balls.empty()) {
-          expectHeld(ball.stack, {a, b}, room.body);
-          continue;
-        }
-        if (ball.isOverLevelOnly()) {
-          expectHeld(ball, {a, b}, room.body, room.synthesizer.roles());
-          continue;
-        }
-        const BodyPart& part = room.body.parts[ball.part];
-        const double middle = 0.5 * (a[ball.part] + b[ball.part]).z();
-        if (ball.part == room.body.head) {
-          ASSERT_LT(middle, ball.height);  // it begins in the head, or in what is over it
-          ASSERT_LT(head->height, middle);
-          ASSERT_LT(middle, head->highest);
-        } else if (part.name == "pelvis" || part.name == "chest") {
-          ASSERT_EQ(ball.radius, part.radius) << part.name;
-          ASSERT_LT(ball.height, middle) << part.name;
-          ASSERT_LT(middle, ball.highest) << part.name;
-        } else {
-          for (const LegJoints& leg : room.synthesizer.roles().legs) {
-            ASSERT_LT(joints[leg.foot].p_WJ.z(), ball.height);
-            ASSERT_GT(joints[leg.up_leg].p_WJ.z(), ball.height);
-            lifted = std::max(lifted, joints[leg.foot].p_WJ.z());
-          }
+  visitDrawnPoses(room, 4, [&](const std::vector<JointFrame>& joints, const Pose& pose) {
+    for (const BodyReach::Ball& ball : reach.balls()) {
+      if (ball.isFoot() || ball.post) continue;  // LiftedFeet, WallEnds
+      if (!ball.stack.balls.empty()) {
+        expectHeld(ball.stack, pose, room.body);
+        continue;
+      }
+      if (ball.isOverLevelOnly()) {
+        expectHeld(ball, pose, room.body, room.synthesizer.roles());
+        continue;
+      }
+      const BodyPart& part = room.body.parts[ball.part];
+      const double middle = pose.middle(ball.part).z();
+      if (ball.part == room.body.head) {
+        ASSERT_LT(middle, ball.height);  // it begins in the head, or in what is over it
+        ASSERT_LT(head->height, middle);
+        ASSERT_LT(middle, head->highest);
+      } else if (part.name == "pelvis" || part.name == "chest") {
+        ASSERT_EQ(ball.radius, part.radius) << part.name;
+        ASSERT_LT(ball.height, middle) << part.name;
+        ASSERT_LT(middle, ball.highest) << part.name;
+      } else {
+        for (const LegJoints& leg : room.synthesizer.roles().legs) {
+          ASSERT_LT(joints[leg.foot].p_WJ.z(), ball.height);
+          ASSERT_GT(joints[leg.up_leg].p_WJ.z(), ball.height);
+          lifted = std::max(lifted, joints[leg.foot].p_WJ.z());
         }
       }
     }
-  }
+  });
   EXPECT_GE(reach.balls().size(), 10u);
   EXPECT_GT(lifted, highest);  // somebody stepped over a log
 }
@@ -302,24 +314,9 @@ TEST(BodyReach, PosesOfTallAndShortSlowAndFastHoldTheStacks) {
           trunkStacks(straightWalk(room.synthesizer), room.synthesizer.skeleton(),
                       room.synthesizer.roles(), room.body, 0.01);
       ASSERT_EQ(stacks.size(), 2u);
-      const WalkSteering steering(room.synthesizer, room.world, room.ground);
-      const auto scratch = steering.makeScratch();
-      SampleStream stream(7, 0);
-      AnimationBuffer buffer;
-      std::vector<JointFrame> joints(room.synthesizer.skeleton().size());
-      std::vector<Eigen::Vector3d> a(room.body.parts.size()), b(room.body.parts.size());
-      int walks = 0;
-      for (int i = 0; i < 150; ++i) {
-        const auto result = steering.steer(anywhere(stream), anywhere(stream), *scratch);
-        if (!result.edge) continue;
-        ++walks;
-        steering.animate(*result.edge, buffer);
-        for (int frame = 0; frame < buffer.size(); ++frame) {
-          forwardKinematics(room.synthesizer.skeleton(), buffer.poses[frame], joints);
-          placeBody(room.body, joints, a, b);
-          for (const TrunkStack& stack : stacks) expectHeld(stack, {a, b}, room.body);
-        }
-      }
+      const int walks = visitDrawnPoses(room, 7, [&](const auto&, const Pose& pose) {
+        for (const TrunkStack& stack : stacks) expectHeld(stack, pose, room.body);
+      });
       EXPECT_GT(walks, 10) << height << " " << speed;
     }
   }
