@@ -9,6 +9,7 @@
 
 #include "animation/steps/step_placer.h"
 #include "animation/steps/stride_law.h"
+#include "base/data_directory.h"
 #include "base/rotation.h"
 #include "base/sample_stream.h"
 #include "planner/steering/ground_range.h"
@@ -20,7 +21,8 @@ namespace {
 
 constexpr double kFeetAside = 0.5;  // of stature: feet are no farther from a part of the body
 
-enum class RiseKind { kStairs, kStep, kRamp, kSlabs };
+enum class RiseKind { kStairs, kStep, kRamp, kSlabs, kHills };
+constexpr int kRiseKinds = 5;
 
 // From a floor, up to x = 0, to another that begins at `length`, `height` higher.
 struct GroundRise {
@@ -60,7 +62,13 @@ GroundRise riseOfSlabs(SampleStream& stream) {
   return rise;
 }
 
+// The middle of the hills that are shipped, which are level nowhere.
+GroundRise riseOfHills() {
+  return {readScene(dataDirectory() / "environments/scenes/rolling-terrain/scene.yaml"), 5.0, 0.0};
+}
+
 GroundRise drawnRise(RiseKind kind, SampleStream& stream) {
+  if (kind == RiseKind::kHills) return riseOfHills();
   GroundRise rise = kind == RiseKind::kRamp ? riseOfRamp(stream)
                     : kind == RiseKind::kSlabs
                         ? riseOfSlabs(stream)
@@ -106,11 +114,11 @@ TEST(GroundChords, EveryPoseOverUnevenGroundIsCarriedBetweenThem) {
   SampleStream stream(9, 0);
   int walked = 0;
   double least = HUGE_VAL;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 2 * kRiseKinds; ++i) {
     CharacterSettings settings;
     settings.height = stream.uniform(1.2, 2.0);
     settings.speed = stream.uniform(0.6, 1.5);
-    GroundRise rise = drawnRise(static_cast<RiseKind>(i % 4), stream);
+    GroundRise rise = drawnRise(static_cast<RiseKind>(i % kRiseKinds), stream);
     const FurnishedRoom room(rise.scene, settings);
     ASSERT_FALSE(room.ground.isLevel());
     const WalkSteering steering(room.synthesizer, room.world, room.ground);
