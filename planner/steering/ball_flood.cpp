@@ -133,8 +133,8 @@ int BallFlood::touchedByFoot(const Eigen::Vector2d& p, const Eigen::AlignedBox1d
 // However high the hips are. What is between two heights that are tried is so near to one of them.
 int BallFlood::touchedByStack(const Eigen::Vector2d& p, const Eigen::AlignedBox1d& feet) const {
   const std::vector<StackedBall>& stack = ball_.stack.balls;
-  const double low = feet.min()[0] - ball_.stack.dip - BodyReach::kDip;
-  const double high = feet.max()[0] + ball_.stack.rise + BodyReach::kRise;
+  const double low = feet.min()[0] - ball_.stack.sway - BodyReach::kDip;
+  const double high = feet.max()[0] + ball_.stack.sway + BodyReach::kRise;
   const int any = touched(p, low + stack.front().height, high + stack.back().height, ball_.radius);
   if (any < 0) return kNothing;
   const int count = 1 + static_cast<int>((high - low) / kStackLevels);

@@ -136,8 +136,8 @@ void BodyReach::addStack(TrunkStack stack) {
   Ball ball;
   for (const StackedBall& own : stack.balls) ball.radius = std::max(ball.radius, own.radius);
   ball.part = stack.balls.back().part;
-  ball.height = stack.balls.front().height - stack.dip - kDip;
-  ball.highest = ball.top = stack.balls.back().height + stack.rise + kRise;
+  ball.height = stack.balls.front().height - stack.sway - kDip;
+  ball.highest = ball.top = stack.balls.back().height + stack.sway + kRise;
   ball.most_rise = SceneGround::kLevel;
   ball.aside = kOfLegs;
   ball.stack = std::move(stack);

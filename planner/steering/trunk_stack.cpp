@@ -55,8 +55,7 @@ TrunkStack stackOf(const std::vector<Point>& points, size_t seen_from, const Str
     if (radius > 0.0) balls.push_back({height + middle.z(), radius, points[i].part});
   }
   std::ranges::sort(balls, {}, &StackedBall::height);
-  const double half = 0.5 * heights.sizes()[0];
-  TrunkStack stack{{}, half, half};
+  TrunkStack stack{{}, 0.5 * heights.sizes()[0]};
   std::ranges::copy_if(balls, std::back_inserter(stack.balls), [&](const StackedBall& own) {
     return std::ranges::none_of(balls, [&](const StackedBall& other) {
       return other.radius > own.radius &&

@@ -14,14 +14,13 @@ namespace amble {
 
 struct StackedBall {
   double height = 0.0;  ///< over the ground, midway between the poses' [m]
-  double radius =
-      0.0;        ///< of what is in the body there, straight over what they are seen from [m, > 0]
+  /// Of what is in the body there, straight over or under what the balls are seen from [m, > 0].
+  double radius = 0.0;
   int part = -1;  ///< of the body
 };
 struct TrunkStack {
   std::vector<StackedBall> balls;  ///< from below; none: there is no stack
-  /// How much lower and higher than so the walk's poses have them, at most [m, >= 0].
-  double dip = 0.0, rise = 0.0;
+  double sway = 0.0;  ///< how much lower and higher than so the walk's poses have them [m, >= 0]
 };
 
 /// About the middle of the abdomen, and about the neck's lower end, of a body on a walk; fewer

@@ -123,8 +123,8 @@ bool ballPasses(const Crowded& crowded, const BodyReach::Ball& ball, const Eigen
   };
   const auto isFree = [&](int i, int j) {
     for (int k = 0; k <= 8; ++k) {
-      const double highest = BodyReach::kRise + ball.stack.rise;
-      const double lifted = highest - (highest + BodyReach::kDip + ball.stack.dip) * k / 8;
+      const double highest = BodyReach::kRise + ball.stack.sway;
+      const double lifted = highest - (highest + BodyReach::kDip + ball.stack.sway) * k / 8;
       if (!ball.stack.balls.empty() && isStackFree(i, j, lifted)) return true;
       if (!ball.stack.balls.empty()) continue;
       Eigen::Vector3d low, high;

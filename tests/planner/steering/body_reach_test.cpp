@@ -211,8 +211,8 @@ void expectHeld(const TrunkStack& stack, const Pose& pose, const Body& body) {
   const Eigen::Vector3d at =
       body.parts[middle->part].name == "neck" ? pose.from[middle->part] : pose.middle(middle->part);
   const double lifted = at.z() - middle->height;
-  ASSERT_GT(lifted, -(stack.dip + BodyReach::kDip));
-  ASSERT_LT(lifted, stack.rise + BodyReach::kRise);
+  ASSERT_GT(lifted, -(stack.sway + BodyReach::kDip));
+  ASSERT_LT(lifted, stack.sway + BodyReach::kRise);
   for (const StackedBall& own : stack.balls) {
     const Eigen::Vector3d ball(at.x(), at.y(), own.height + lifted);
     const BodyPart& part = body.parts[own.part];
