@@ -351,8 +351,7 @@ std::optional<bool> SampledRoadmap::askNarrow(const WayGuide::Narrow& narrow, in
   TriedCrossing crossing = tryCrossing(steering_, narrow, limits, scratches);
   for (TriedWalk& walk : crossing.tried) insertTried(std::move(walk), scratches);
   if (roadmap_.reachableFrom(from)[to]) return true;
-  // What lies right across is the same at other places where the ground is: there steps may lead
-  // up.
+  // What lies right across is as high everywhere over level ground; else steps may lead up to it.
   const bool tells_of_all = !narrow.blocked || steering_.layers() == 0;
   const bool is_refused = (crossing.outcome == TriedCrossing::Outcome::kRefused && tells_of_all) ||
                           (narrow.blocked && narrow.on_steps && crossing.tried.empty() &&

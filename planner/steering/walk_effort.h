@@ -8,7 +8,7 @@
 /// muscles' efficiency of a quarter: 6.3 J/kg a metre. Going down is charged nothing: it costs less
 /// than level walking on slopes that people walk. What slows a walk is in its time. Hips that fall
 /// and rise at once, as where a leg is too short right after a stance, look like a stumble: such
-/// walks are taken where there is no other.
+/// a walk costs as much as a longer one.
 #pragma once
 
 #include <span>
