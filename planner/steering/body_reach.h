@@ -35,9 +35,9 @@
 /// Where the ground around is uneven, pelvis, chest and head are carried as over any of the lines
 /// from ground to ground that pass there (GroundChords), or up to kUnevenRise higher or kUnevenDip
 /// lower: hips give way where legs are too short for a step. That bound was found by trial, of
-/// bodies of 1.1 to 2.1 m at 0.4 to 2 m/s over stairs, kerbs, ramps, slabs and hills: they dip by 0.166 m
-/// at most. What is over an upright head begins at most there, and ends no lower than over the
-/// lowest ground around. Ground in several layers the flood says nothing of.
+/// bodies of 1.1 to 2.1 m at 0.4 to 2 m/s over stairs, kerbs, ramps, slabs and hills: they dip by
+/// 0.166 m at most. What is over an upright head begins at most there, and ends no lower than over
+/// the lowest ground around. Ground in several layers the flood says nothing of.
 ///
 /// Only places near the ground that is reached count (NearGround): between places of it, and beyond
 /// its open edges by as much as bodies lean out over feet that stand within, kBeyond; of 3,400
