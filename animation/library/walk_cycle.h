@@ -63,15 +63,19 @@ struct WalkCycle {
 
   /// Of the capture (the papers' "stride") [m, > 0].
   double stepLength() const { return 0.5 * speed * period; }
-  /// Share of the cycle in which both feet are planted [0, 1].
-  double doubleSupport() const {
-    double share = 0.0;
-    for (const Side side : {kLeft, kRight}) {
-      const double both = feet[other(side)].lift_off - feet[side].strike;
-      share += both - std::floor(both);
+  /// When feet strike and leave beside phases 0 and 0.5 [steps], as StrideLaw has it: rows: Side of
+  /// the foot in front; columns: since it has come down, until the other one leaves.
+  Eigen::Array22d doubleSupports() const {
+    Eigen::Array22d steps;
+    for (const Side front : {kLeft, kRight}) {
+      const double node = front == kLeft ? 0.0 : 0.5;
+      steps(front, 0) = 2.0 * std::remainder(node - feet[front].strike, 1.0);
+      steps(front, 1) = 2.0 * std::remainder(feet[other(front)].lift_off - node, 1.0);
     }
-    return share;
+    return steps;
   }
+  /// Share of the cycle in which both feet are planted [0, 1].
+  double doubleSupport() const { return 0.5 * doubleSupports().sum(); }
 };
 
 /// A pose to hold.

@@ -17,11 +17,11 @@ namespace {
 // A ball that is lifted higher than this over a tip that stands is a foot that has left [rad].
 constexpr double kMostRolled = 45.0 * kDegree;
 
-// Share of the cycle with both feet down, of walks at the captured speed.
-double supportOf(const WalkCycle& cycle, double leg_length) {
+// Of walks at the captured speed and rate.
+DoubleSupports supportsOf(const WalkCycle& cycle, double leg_length) {
   StrideLaw law(cycle.speed, cycle.stepLength());
-  law.setSupports({{cycle.speed, cycle.doubleSupport()}}, leg_length);
-  return law.doubleSupport(cycle.speed);
+  law.setSupports({{cycle.speed, cycle.doubleSupports()}}, leg_length);
+  return law.supports(cycle.speed, 0.0);
 }
 
 }  // namespace
@@ -52,9 +52,10 @@ LegTrack::LegTrack(const Skeleton& skeleton, const JointRoles& roles, const Foot
       joints_at_(skeleton.size()),
       foot_(cycle.feet[side]) {
   const double node = side == kLeft ? 0.0 : 0.5, sign = side == kLeft ? 1.0 : -1.0;
-  const double half = 0.25 * supportOf(cycle, roles.legLength(skeleton, kLeft));
-  strike_ = node - half;
-  stance_ = 0.5 + 2.0 * half;
+  const DoubleSupports steps = supportsOf(cycle, roles.legLength(skeleton, kLeft));
+  const double before = 0.5 * steps(side, 0), after = 0.5 * steps(other(side), 1);  // [cycles]
+  strike_ = node - before;
+  stance_ = before + 0.5 + after;
   beside_ = node + 0.25;
   forward_ = cycle.foot_forward[side];
   left_ = cycle.prints_left + 0.5 * sign * cycle.step_width;

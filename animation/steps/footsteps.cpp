@@ -47,7 +47,8 @@ Footsteps::Footsteps(const FootPlacement& placement, const Stance& from, const S
     : placement_(placement), from_(from), to_(to), steps_(steps), first_(first) {
   places_.resize(steps + 2);
   landings_.resize(steps + 2);
-  half_supports_.assign(steps + 1, placement.half_support);
+  for (int node = 0; node <= steps; ++node)
+    supports_.push_back(nodeSupport(placement.supports, side(node)));
   places_[0] = stancePlace(placement, from, first);
   places_[1] = stancePlace(placement, from, other(first));
   places_[steps] = stancePlace(placement, to, side(steps - 1));
@@ -69,8 +70,8 @@ void Footsteps::setStances(const std::array<FootPlace, 2>& from,
   places_[steps_ + 1] = to[side(steps_)];
 }
 
-void Footsteps::setSupports(std::vector<double> half_supports) {
-  half_supports_ = std::move(half_supports);
+void Footsteps::setSupports(std::vector<NodeSupport> supports) {
+  supports_ = std::move(supports);
   setTimes();
 }
 
@@ -83,8 +84,10 @@ void Footsteps::setTimes() {
   }
 }
 
-double Footsteps::halfSupport(int node) const {
-  return half_supports_[std::clamp(node, 0, steps_)];
+// Beyond an end that of the same foot within it.
+const Footsteps::NodeSupport& Footsteps::support(int node) const {
+  const int within = std::abs(node);
+  return supports_[within <= steps_ ? within : 2 * steps_ - within];
 }
 
 double Footsteps::strikeOf(int placing) const {
@@ -93,7 +96,7 @@ double Footsteps::strikeOf(int placing) const {
     return steps_ - (last.captured ? last.strike : StartAndStop::kLastStrike);
   }
   if (placing == 1 && from_.standing && firstSwing().captured) return firstSwing().strike;
-  return placing - halfSupport(placing);
+  return placing - support(placing)[0];
 }
 
 double Footsteps::liftOffOf(int placing) const {
@@ -101,7 +104,7 @@ double Footsteps::liftOffOf(int placing) const {
     return firstSwing().captured ? firstSwing().lift_off : StartAndStop::kFirstLift;
   if (placing == steps_ - 2 && to_.standing && lastSwing().captured)
     return steps_ - lastSwing().lift_off;
-  return placing + 1 + halfSupport(placing + 1);
+  return placing + 1 + support(placing + 1)[1];
 }
 
 // Which captured swing the foot of a placing follows, where it is.
@@ -181,8 +184,8 @@ std::array<FootState, 2> Footsteps::atStance(const FootPlacement& placement, con
       foot.at = 0.5;
       foot.strike_roll = foot.lift_roll = 0.0;
     } else {
-      const double since = placement.half_support + (side == stance.leading ? 0.0 : 1.0);
-      foot.at = since / (1.0 + 2.0 * placement.half_support);
+      const double before = placement.supports(side, 0), after = placement.supports(other(side), 1);
+      foot.at = (before + (side == stance.leading ? 0.0 : 1.0)) / (before + 1.0 + after);
       foot.slower = placement.slower;
     }
   }

@@ -2,7 +2,8 @@
 ///
 /// Time is counted in steps, as by SpeedProfile. Placing i (i = 1..n) is that of the foot which
 /// swings in the i-th step; placings -1 and 0 are where the feet are at the begin, -1 the one that
-/// swings first. Placing i is planted from i - d to i + 1 + d, d being half of a double support.
+/// swings first. Placing i is planted from a little before node i to a little after node i + 1
+/// (DoubleSupports).
 #pragma once
 
 #include <array>
@@ -14,6 +15,7 @@
 #include "animation/steps/root_path.h"
 #include "animation/steps/stance.h"
 #include "animation/steps/start_and_stop.h"
+#include "animation/steps/stride_law.h"
 
 namespace amble {
 
@@ -29,7 +31,7 @@ struct FootPlacement {
   std::array<double, 2> walk_toe_out = {0.0, 0.0};  ///< by Side, left positive [rad]
   /// While standing, of the left foot; the right's is its mirror image [rad].
   double stand_toe_out = 0.0;
-  double half_support = 0.1;                      ///< half of a double support [steps, 0 to 0.5]
+  DoubleSupports supports = DoubleSupports::Constant(0.1);  ///< [steps]
   double slower = 0.0;                            ///< FootState::slower at a walking stance [m/s]
   std::array<EndSwing, 2> first = {}, last = {};  ///< of starts and of stops, by Side of the foot
   SwingKind swings = SwingKind::kWalk;            ///< all but those
@@ -52,6 +54,9 @@ GroundPoint pathPoint(const RootPath& path, double arc, double z);
 
 class Footsteps {
  public:
+  /// Before and after a node [steps].
+  using NodeSupport = std::array<double, 2>;
+
   Footsteps(const FootPlacement& placement, const Stance& from, const Stance& to, int steps,
             Side first);
 
@@ -60,10 +65,10 @@ class Footsteps {
   void place(const std::function<FootPlace(int)>& print_at);
   /// The feet of both stances, by Side, as they stand on their ground.
   void setStances(const std::array<FootPlace, 2>& from, const std::array<FootPlace, 2>& to);
-  /// Half of the double support around each node 0 to `steps` [steps]; without it that of the
-  /// placement. Where the walk begins or ends walking, the first two and the last two are those of
-  /// the stances. @pre as many as nodes
-  void setSupports(std::vector<double> half_supports);
+  /// The double support around each node 0 to `steps`, a row of DoubleSupports; without it those of
+  /// the placement. Where the walk begins or ends walking, the first two and the last two are those
+  /// of the stances. @pre as many as nodes
+  void setSupports(std::vector<NodeSupport> supports);
   /// All placings, to set heights: -1 first.
   std::vector<FootPlace>& places() { return places_; }
   const std::vector<FootPlace>& places() const { return places_; }
@@ -88,7 +93,7 @@ class Footsteps {
 
  private:
   const FootPlace& place(int placing) const { return places_[placing + 1]; }
-  double halfSupport(int node) const;
+  const NodeSupport& support(int node) const;
   double strikeOf(int placing) const;
   double liftOffOf(int placing) const;
   void setTimes();
@@ -105,9 +110,14 @@ class Footsteps {
   Side first_;
   std::vector<FootPlace> places_;
   std::vector<Landing> landings_;
-  std::vector<double> half_supports_;        // by node
+  std::vector<NodeSupport> supports_;        // by node
   std::vector<double> strikes_, lift_offs_;  // of all placings, -1 first [steps]
 };
+
+/// Of the node at which this foot is in front.
+inline Footsteps::NodeSupport nodeSupport(const DoubleSupports& supports, Side front) {
+  return {supports(front, 0), supports(front, 1)};
+}
 
 /// Where a foot stands beside a point.
 FootPlace footBeside(const GroundPoint& point, const PrintPlace& print);

@@ -43,7 +43,7 @@ FootPlacement placementAt(const StepSettings& settings, const FootholdFinder& ho
   if (pace < 1.0) {
     const double speed = settings.limits.speed * pace;
     placement.step_length = settings.limits.law.stepLength(speed);
-    placement.half_support = 0.5 * settings.limits.law.doubleSupport(speed);
+    placement.supports = settings.limits.law.supports(speed, 0.0);
     placement.slower = cycles.departures.slowerBy(speed);
     const auto print = [&](Side side) {
       return cycles.print(side, placement.print(side), placement.slower, 0.0);

@@ -71,28 +71,40 @@ TimedSteps timeSteps(const WalkSteps& walk, const FootstepPlan& plan, const Root
   return timed;
 }
 
-// Double supports by the speed at each node. Short steps up and down are as quick as the long ones
-// of a walk on the level, and their double support is that walk's.
-std::vector<double> halfSupports(const WalkSteps& walk, const StepSettings& settings) {
+// Double supports by the speed at each node and how fast the step to it turns. Short steps up and
+// down are as quick as the long ones of a walk on the level, and their double support is that
+// walk's.
+std::vector<Footsteps::NodeSupport> nodeSupports(const WalkSteps& walk,
+                                                 const StepSettings& settings) {
   const std::vector<FootPlace>& places = walk.feet->places();
-  const StrideLaw& law = settings.limits.law;
-  std::vector<double> halves(walk.steps + 1, settings.placement.half_support);
-  for (int node = 1; node < walk.steps && !walk.timing; ++node)
-    halves[node] = 0.5 * law.doubleSupport(walk.profile->speedAt(walk.profile->arcAtStep(node)));
+  std::vector<Footsteps::NodeSupport> supports;
+  const auto ofStance = [&](const StanceFeet& stance, int node) {
+    return nodeSupport(stance.placement.supports, walk.feet->side(node));
+  };
+  const auto at = [&](double speed, int node) {
+    const double rate = walk.feet->landings()[node + 1].turn_rate;
+    return nodeSupport(settings.limits.law.supports(speed, rate), walk.feet->side(node));
+  };
+  for (int node = 0; node <= walk.steps; ++node) {
+    supports.push_back(walk.timing
+                           ? nodeSupport(settings.placement.supports, walk.feet->side(node))
+                           : at(walk.profile->speedAt(walk.profile->arcAtStep(node)), node));
+  }
   for (int k = 1, node = 1; walk.timing && k < walk.frames() && node < walk.steps; ++k) {
-    const SpeedProfile::Sample at = walk.at(k), before = walk.at(k - 1);
-    if (at.steps < node) continue;
-    const double cadence = (at.steps - before.steps) / settings.limits.frame_time;
+    const SpeedProfile::Sample now = walk.at(k), before = walk.at(k - 1);
+    if (now.steps < node) continue;
+    const double cadence = (now.steps - before.steps) / settings.limits.frame_time;
     const bool climbs = std::abs(stepHeight(places[node], places[node + 1])) > Unevenness::kNatural;
-    const double speed =
-        climbs ? std::max(at.speed, cadence * settings.placement.step_length) : at.speed;
-    halves[node++] = 0.5 * law.doubleSupport(speed);
+    supports[node] = at(
+        climbs ? std::max(now.speed, cadence * settings.placement.step_length) : now.speed, node);
+    ++node;
   }
-  if (!walk.from.standing) halves[0] = halves[1] = walk.from_feet.placement.half_support;
-  if (!walk.end.standing) {
-    halves[walk.steps] = halves[walk.steps - 1] = walk.end_feet.placement.half_support;
+  for (const int node : {0, 1}) {
+    const int last = walk.steps - node;
+    if (!walk.from.standing) supports[node] = ofStance(walk.from_feet, node);
+    if (!walk.end.standing) supports[last] = ofStance(walk.end_feet, last);
   }
-  return halves;
+  return supports;
 }
 
 // Mean speed of the i-th step [m/s].
@@ -128,12 +140,6 @@ void turnSteps(const RootPath& path, const std::vector<double>& arcs, WalkSteps&
     walk.feet->landings()[i + 1].turn_rate =
         turn / (arcs[i] - arcs[i - 1]) * walk.timing->stepSpeed(i);
   }
-}
-
-bool isSlower(const WalkSteps& walk) {
-  return std::ranges::any_of(walk.feet->landings(), [](const Footsteps::Landing& landing) {
-    return landing.slower > 0.0;
-  });
 }
 
 // The root path's height over progress: at each node midway between the two feet.
@@ -231,11 +237,7 @@ WalkSteps StepPlacer::plan(const WalkRequest& request) const {
     }
   }
   if (walk.refused != WalkRule::kNone || walk.unwanted || outlook) return walk;
-  // Who starts or stops is slower than the plan, where no slower pace is captured, too.
-  const bool rests = walk.from.standing || walk.end.standing;
-  const bool slowest = rests && swings_.cycles.departures.slower.empty();
-  if (limits.pace || limits.stride || walk.timing || slowest || isSlower(walk))
-    walk.feet->setSupports(halfSupports(walk, s_));
+  walk.feet->setSupports(nodeSupports(walk, s_));
   walk.level = isLevel(walk);
   if (!walk.level) walk.height = rootHeight(walk);
   return walk;

@@ -21,35 +21,55 @@ double StrideLaw::speed(double step_length) const {
 
 void StrideLaw::setSupports(const std::vector<Support>& captured, double leg_length) {
   leg_length_ = leg_length;
-  supports_ = captured;
-  for (Support& at : supports_) at.share /= doubleSupportNorm(at.speed, leg_length);
+  supports_.clear();
+  for (const Support& at : captured) supports_.push_back(againstNorm(at));
+}
+
+StrideLaw::Support StrideLaw::againstNorm(const Support& support) const {
+  return {support.speed, support.steps / doubleSupportNorm(support.speed, leg_length_)};
 }
 
 void StrideLaw::addTurn(int way, const Turn& turn) {
-  turns_[way].push_back({turn.rate, std::clamp(turn.share, kLeastTurned, kMostTurned)});
+  const double share = std::clamp(turn.share, kLeastTurned, kMostTurned);
+  turns_[way].push_back({turn.rate, share, againstNorm(turn.support)});
 }
 
-double StrideLaw::turnedShare(double rate) const {
+// What a straight walk has, mixed with what the turns next to a rate have of it.
+template <typename T, typename Of>
+T StrideLaw::turned(const T& straight, double rate, const Of& of) const {
   const std::vector<Turn>& turns = turns_[rate > 0.0 ? 0 : 1];
   const CapturedShares shares = capturedShares(
       turns.size(), [&](size_t i) { return turns[i].rate; }, std::abs(rate));
-  double share = 1.0;
-  if (shares.of_low > 0.0) share += shares.of_low * (turns[shares.low].share - 1.0);
-  if (shares.of_next > 0.0) share += shares.of_next * (turns[shares.low + 1].share - 1.0);
-  return share;
+  T value = straight;
+  if (shares.of_low > 0.0) value += shares.of_low * (of(turns[shares.low]) - straight);
+  if (shares.of_next > 0.0) value += shares.of_next * (of(turns[shares.low + 1]) - straight);
+  return value;
 }
 
-double StrideLaw::doubleSupport(double speed) const {
+double StrideLaw::turnedShare(double rate) const {
+  return turned(1.0, rate, [](const Turn& turn) { return turn.share; });
+}
+
+double StrideLaw::doubleSupport(double speed) const { return 0.5 * supports(speed, 0.0).sum(); }
+
+DoubleSupports StrideLaw::supports(double speed, double turn_rate) const {
+  DoubleSupports steps = DoubleSupports::Constant(0.5);  // against the norm's share of the cycle
+  if (!supports_.empty()) {
+    const auto next = std::upper_bound(supports_.begin(), supports_.end(), speed,
+                                       [](double v, const Support& at) { return v < at.speed; });
+    const Support& above = next == supports_.end() ? supports_.back() : *next;
+    const Support& below = next == supports_.begin() ? above : *(next - 1);
+    const double span = above.speed - below.speed;
+    const double t = span > 0.0 ? (speed - below.speed) / span : 0.0;
+    steps = below.steps + t * (above.steps - below.steps);
+  }
+  steps = turned(steps, turn_rate, [](const Turn& turn) { return turn.support.steps; });
   const double norm = doubleSupportNorm(speed, leg_length_);
-  if (supports_.empty()) return norm;
-  const auto next = std::upper_bound(supports_.begin(), supports_.end(), speed,
-                                     [](double v, const Support& at) { return v < at.speed; });
-  const Support& above = next == supports_.end() ? supports_.back() : *next;
-  const Support& below = next == supports_.begin() ? above : *(next - 1);
-  const double span = above.speed - below.speed;
-  const double t = span > 0.0 ? (speed - below.speed) / span : 0.0;
-  const double share = norm * (below.share + t * (above.share - below.share));
-  return std::clamp(share, norm - kSupportOff, norm + kSupportOff);
+  steps *= norm;
+  const double near = std::clamp(0.5 * steps.sum(), norm - kSupportOff, norm + kSupportOff);
+  const DoubleSupports off = steps - steps.mean();
+  const double uneven = off.abs().maxCoeff(), most = kUneven * 0.5 * near;
+  return 0.5 * near + (uneven > most ? most / uneven : 1.0) * off;
 }
 
 double doubleSupportNorm(double speed, double leg_length) {

@@ -1,11 +1,17 @@
 /// How step length, cadence and double support go with speed.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <vector>
 
 namespace amble {
+
+/// When feet strike and leave beside the node between two steps, at which one foot has come down in
+/// front of the other [steps, >= 0]. Rows: Side of the foot in front; columns: since it has come
+/// down, until the other one leaves.
+using DoubleSupports = Eigen::Array22d;
 
 /// Step length grows with a power of speed, 0.42 (Grieve & Gear 1966) unless the subject's own
 /// walks say otherwise, and cadence with the rest, through a captured walk's own speed and step
@@ -42,27 +48,33 @@ class StrideLaw {
   const Onset& onset() const { return onset_; }
   void setOnset(const Onset& onset) { onset_ = onset; }
 
-  /// Share of time with both feet planted, of a captured walk.
+  /// Double supports of a captured walk.
   struct Support {
-    double speed = 1.0;  ///< [m/s, > 0]
-    double share = 0.2;  ///< [0 to 0.9]
+    double speed = 1.0;                                    ///< [m/s, > 0]
+    DoubleSupports steps = DoubleSupports::Constant(0.1);  ///< [steps, their sum > 0]
   };
   /// Of the walks that were captured, by growing speed, of a subject with legs so long [m, > 0].
   void setSupports(const std::vector<Support>& captured, double leg_length);
-  /// Share of time with both feet planted at a speed [m/s]: the captured one at captured speeds; at
-  /// others the norm's (doubleSupportNorm), times what the walks next to it have of theirs. No
-  /// farther from the norm than kSupportOff.
+  /// At a speed [m/s] and a turn rate [rad/s, left positive]: the captured ones at captured speeds
+  /// and rates; at others the norm's (doubleSupportNorm), times what the walks next to it have of
+  /// theirs. Their sum is no farther from the norm's than kSupportOff of a cycle; all are longer or
+  /// shorter by the same for that.
+  DoubleSupports supports(double speed, double turn_rate) const;
+  /// Share of time with both feet planted at a speed [m/s], straight on.
   double doubleSupport(double speed) const;
   /// Detectors of plants in captures err by as much: beyond, the norm is the better witness [1].
   static constexpr double kSupportOff = 0.022;
+  /// Of their mean, that single ones are longer or shorter: beyond, captures were read wrongly [1].
+  static constexpr double kUneven = 0.75;
 
-  /// Of a captured turn: rate [rad/s, > 0] and its steps against stepLength() at its speed, within
-  /// bounds beyond which they are a fluke [1].
+  /// Of a captured turn: rate [rad/s, > 0], its steps against stepLength() at its speed, within
+  /// bounds beyond which they are a fluke [1], and its double supports.
   struct Turn {
     double rate = 0.0, share = 1.0;
+    Support support;
   };
   static constexpr double kLeastTurned = 0.8, kMostTurned = 1.1;
-  /// By growing rate. @param way  0 to the left, 1 to the right
+  /// By growing rate, after the supports are set. @param way  0 to the left, 1 to the right
   void addTurn(int way, const Turn& turn);
   bool hasTurns() const { return !turns_[0].empty() || !turns_[1].empty(); }
   /// Of steps while turning at a rate [rad/s, left positive], against stepLength() [1].
@@ -73,13 +85,17 @@ class StrideLaw {
   double speed(double step_length) const;        ///< [m/s]
 
  private:
+  Support againstNorm(const Support& support) const;
+  template <typename T, typename Of>
+  T turned(const T& straight, double rate, const Of& of) const;
+
   double speed_ = 1.0;
   double step_ = 0.65;
   double power_ = kStepPower;
   // Share of the captured speed below which the cadence is the slowest [1].
   double slow_ = std::pow(kSlowestCadence, 1.0 / (1.0 - kStepPower));
   Onset onset_;
-  std::vector<Support> supports_;  // shares of the norm's
+  std::vector<Support> supports_;  // against the norm's double support, as those of turns [1]
   double leg_length_ = 0.8;
   std::array<std::vector<Turn>, 2> turns_;  // left, right
 };

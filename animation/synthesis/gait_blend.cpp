@@ -169,7 +169,7 @@ GaitBlend::Pace GaitBlend::meanPace(const Cycles& cycles, int harmonics, double 
     pace.speed += share * cycle->speed * std::sqrt(scale);
     pace.turn_rate += share * cycle->turn_rate / std::sqrt(scale);
     pace.step += share * cycle->stepLength() * scale;
-    pace.support += share * cycle->doubleSupport();
+    pace.supports += share * cycle->doubleSupports();
   }
   return pace;
 }
@@ -191,7 +191,7 @@ void GaitBlend::fitLaw(const std::vector<Pace>& paces, double leg_length) {
   const double slowest = paces.front().speed;
   law_ = StrideLaw(slowest, std::exp(y + power * (std::log(slowest) - x)), power);
   std::vector<StrideLaw::Support> supports;
-  for (const Pace& pace : paces) supports.push_back({pace.speed, pace.support});
+  for (const Pace& pace : paces) supports.push_back({pace.speed, pace.supports});
   law_.setSupports(supports, leg_length);
 }
 
@@ -303,7 +303,9 @@ void GaitBlend::addTurns(const std::vector<Cycles>& turns, int harmonics, double
     turn.coefficients -= warped(straight_.coefficients, turn.step / straight_.step);
     keepOfTurns(turn.coefficients);
     const int way = turn.turn_rate > 0.0 ? 0 : 1;
-    law_.addTurn(way, {std::abs(turn.turn_rate), turn.step / law_.stepLength(turn.speed)});
+    law_.addTurn(way, {std::abs(turn.turn_rate),
+                       turn.step / law_.stepLength(turn.speed),
+                       {turn.speed, turn.supports}});
     addTurnFeet(cycles, scale, std::abs(turn.turn_rate), way);
     turns_[way].push_back(std::move(turn));
   }

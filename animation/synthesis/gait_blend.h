@@ -94,7 +94,7 @@ class GaitBlend {
     double speed = 0.0;            ///< [m/s]
     double turn_rate = 0.0;        ///< [rad/s]
     double step = 0.0;             ///< [m]
-    double support = 0.0;          ///< share of time with both feet planted [0, 1]
+    DoubleSupports supports = DoubleSupports::Zero();  ///< [steps]
   };
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

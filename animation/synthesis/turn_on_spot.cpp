@@ -49,9 +49,9 @@ double momentOf(const CubicSpline& done, double share) {
 // the pelvis, a little early, as the other, which is as far behind, has still to leave.
 double mostOfPair(const FootPlacement& placement) {
   const double toe_out = std::abs(placement.stand_toe_out);
-  return std::clamp(
-      2.0 * (SpotTurnGait::kTwist - toe_out - kSlack) / (1.0 + placement.half_support),
-      SpotTurnGait::kLeastPair, SpotTurnGait::kPair);
+  return std::clamp(2.0 * (SpotTurnGait::kTwist - toe_out - kSlack) /
+                        (1.0 + placement.supports.col(0).maxCoeff()),
+                    SpotTurnGait::kLeastPair, SpotTurnGait::kPair);
 }
 
 // As captured: a foot is put down whenever the pelvis has turned by a step's share of the angle.

@@ -70,7 +70,7 @@ struct WalkSynthesizer::Impl {
     placed.step_length = blend.law().stepLength(settings.speed);
     placed.walk_toe_out = blend.toeOut();
     placed.stand_toe_out = 0.5 * (stand.toe_out[kLeft] - stand.toe_out[kRight]);
-    placed.half_support = 0.5 * blend.law().doubleSupport(settings.speed);
+    placed.supports = blend.law().supports(settings.speed, 0.0);
     placed.first = blend.transitions().firstSwings();
     placed.last = blend.transitions().lastSwings();
     return placed;

@@ -19,7 +19,7 @@ struct StepCharacter {
     s.placement.forward = blend.footForward();
     s.placement.step_length = blend.law().stepLength(1.2);
     s.limits.law = blend.law();
-    s.placement.half_support = 0.5 * s.limits.law.doubleSupport(1.2);
+    s.placement.supports = s.limits.law.supports(1.2, 0.0);
     s.limits.max_turn_rate = blend.maxTurnRate();
     s.footholds = {20.0 * kDegree, 0.25, 0.25};
     return s;

@@ -104,7 +104,7 @@ TEST(WalkCycle, TheSeriesIsTheMotionThatTheWalkWasDrawnFrom) {
     return std::hypot(cycle.series.alpha(channel, k), cycle.series.beta(channel, k));
   };
   EXPECT_NEAR(amplitude(channelOf(9, 1), 1), Rig::kChestSwing, 1e-4);
-  EXPECT_NEAR(amplitude(2, 2), Rig::kBob, 1.5e-4);  // fitHeelRise moves the pelvis by as little
+  EXPECT_NEAR(amplitude(2, 2), Rig::kBob, 2e-4);  // fitHeelRise moves the pelvis by as little
   EXPECT_NEAR(cycle.series.alpha(2, 0), Puppet::kHip, 1e-4);
   for (const int still : {channelOf(0, 0), channelOf(0, 1), channelOf(0, 2), channelOf(9, 0)}) {
     for (int k = 0; k <= 8; ++k) EXPECT_LT(amplitude(still, k), 1e-4);

@@ -18,7 +18,7 @@ FootPlacement placement() {
   p.forward = 0.02;
   p.walk_toe_out = {0.1, -0.1};
   p.stand_toe_out = 0.15;
-  p.half_support = 0.12;
+  p.supports << 0.12, 0.09, 0.07, 0.1;
   return p;
 }
 
@@ -114,10 +114,10 @@ TEST(Footsteps, FeetNearTheEndsAreWhereTheStancesAre) {
 TEST(Footsteps, BothFeetArePlantedInDoubleSupportAndOneFootBetween) {
   forWalks([](Walk& walk) {
     for (int i = 1; i < walk.steps.steps(); ++i) {
-      const double d = placement().half_support;
-      for (const double off : {-0.95 * d, 0.0, 0.95 * d}) {
-        const auto feet = walk.steps.at(i + off);
-        EXPECT_TRUE(feet[kLeft].planted() && feet[kRight].planted());
+      const Side front = walk.steps.side(i);
+      for (const double off : {-1.05, -0.95, 0.0, 0.95, 1.05}) {
+        const auto feet = walk.steps.at(i + off * placement().supports(front, off < 0.0 ? 0 : 1));
+        EXPECT_EQ(feet[kLeft].planted() && feet[kRight].planted(), std::abs(off) < 1.0) << i;
       }
     }
     for (int i = 0; i < walk.steps.steps(); ++i) {

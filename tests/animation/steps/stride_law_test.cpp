@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "animation/body/joint_roles.h"
+
 namespace amble {
 namespace {
 
@@ -36,9 +38,9 @@ TEST(StrideLaw, StepLengthGoesWithThePowerOfSpeed) {
 TEST(StrideLaw, StepsInTurnsAreTheCapturedOnesAndOnTheStraightItsOwn) {
   StrideLaw law(1.1, 0.62);
   EXPECT_EQ(law.turnedShare(1.0), 1.0);
-  law.addTurn(0, {0.5, 0.95});
-  law.addTurn(0, {1.0, 0.9});
-  law.addTurn(1, {0.8, 3.0});
+  law.addTurn(0, {0.5, 0.95, {}});
+  law.addTurn(0, {1.0, 0.9, {}});
+  law.addTurn(1, {0.8, 3.0, {}});
   EXPECT_EQ(law.turnedShare(0.0), 1.0);
   EXPECT_NEAR(law.turnedShare(0.5), 0.95, 1e-12);
   EXPECT_NEAR(law.turnedShare(1.0), 0.9, 1e-12);
@@ -86,11 +88,20 @@ TEST(DoubleSupportNorm, IsThatOfAnyLegLengthAtTheSameFroudeNumber) {
   }
 }
 
+/// Somebody with so much double support [share of the cycle], a third of it with the left foot in
+/// front, a quarter of each before its node.
+StrideLaw::Support limping(double speed, double share) {
+  StrideLaw::Support support{speed, {}};
+  support.steps << share / 6.0, share / 2.0, share / 3.0, share;
+  return support;
+}
+
 /// A subject who is off the norm by two shares at two speeds.
 StrideLaw supported() {
   StrideLaw law(1.1, 0.62);
-  law.setSupports(
-      {{1.0, doubleSupportNorm(1.0, 0.8) + 0.02}, {1.6, doubleSupportNorm(1.6, 0.8) - 0.01}}, 0.8);
+  law.setSupports({limping(1.0, doubleSupportNorm(1.0, 0.8) + 0.02),
+                   limping(1.6, doubleSupportNorm(1.6, 0.8) - 0.01)},
+                  0.8);
   return law;
 }
 
@@ -110,8 +121,36 @@ TEST(DoubleSupport, IsContinuousAndNeverFarFromTheNorm) {
     EXPECT_LE(std::abs(share - doubleSupportNorm(v, 0.8)), StrideLaw::kSupportOff + 1e-12);
     before = share;
   }
-  law.setSupports({{1.2, 0.9}}, 0.8);  // a detector that is wrong
+  law.setSupports({limping(1.2, 0.9)}, 0.8);  // a detector that is wrong
   EXPECT_NEAR(law.doubleSupport(1.2), doubleSupportNorm(1.2, 0.8) + StrideLaw::kSupportOff, 1e-12);
+}
+
+TEST(DoubleSupport, OfATurnIsTheCapturedOneAtItsRateAndOnTheOtherSideThatOfAStraightWalk) {
+  StrideLaw law = supported();
+  const double share = doubleSupportNorm(1.2, 0.8);
+  DoubleSupports captured;
+  captured << 0.6 * share, 0.5 * share, 0.4 * share, 0.5 * share;
+  law.addTurn(0, {0.6, 1.0, {1.2, captured}});
+  EXPECT_LT((law.supports(1.2, 0.6) - captured).abs().maxCoeff(), 1e-12);
+  EXPECT_TRUE((law.supports(1.2, -0.6) == law.supports(1.2, 0.0)).all());
+  DoubleSupports before = law.supports(1.2, 0.0);
+  for (double rate = 0.0; rate < 0.8; rate += 0.001) {
+    const DoubleSupports now = law.supports(1.2, rate);
+    EXPECT_LT((now - before).abs().maxCoeff(), 0.002) << rate;
+    before = now;
+  }
+}
+
+TEST(DoubleSupport, IsSharedOutBetweenTheFeetAsCapturedAtAnySpeed) {
+  const StrideLaw law = supported();
+  for (double v = 0.05; v < 3.0; v += 0.05) {
+    const DoubleSupports steps = law.supports(v, 0.0);
+    EXPECT_NEAR(0.5 * steps.sum(), law.doubleSupport(v), 1e-12);
+    EXPECT_GT(steps.minCoeff(), 0.0) << v;
+    EXPECT_NEAR(steps.row(1).sum(), 2.0 * steps.row(0).sum(), 0.2 * steps.sum()) << v;
+  }
+  const DoubleSupports unknown = StrideLaw(1.1, 0.62).supports(1.2, 0.0);
+  EXPECT_EQ(unknown.minCoeff(), unknown.maxCoeff());
 }
 
 }  // namespace

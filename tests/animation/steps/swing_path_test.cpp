@@ -154,7 +154,7 @@ TEST(SwingPath, FeetClearEveryNosingUpAndDown) {
     for (int i = 1; i <= 2; ++i) {
       const double nosing = 0.29 * i, top = rise * (rise > 0.0 ? i + 1 : i - risers + 1.0);
       const double clearance = leastClearance(
-          from, to, shape, [&](double x) { return std::abs(x - nosing) < 0.004 ? top : -1.0; });
+          from, to, shape, [&](double x) { return std::abs(x - nosing) <= 0.001 ? top : -1.0; });
       EXPECT_GE(clearance, 0.01) << rise << " nosing " << i;
     }
   }

@@ -185,7 +185,7 @@ TEST(EngineInPlans, WhereAWalkSlowsDownItIsTheEnginesWalkOfThatSpeed) {
   const double begin = BentWalk::kStraight, end = begin + by_paces.bend;
   // Slowing down, the bend, and up to speed again.
   EXPECT_LT(by_paces.offEngine(made.engine(), begin - 1.5, end + 1.5),
-            0.5 * by_one.offEngine(made.engine(), begin - 1.5, end + 1.5));
+            0.6 * by_one.offEngine(made.engine(), begin - 1.5, end + 1.5));
   // A bend costs something, but no more than who goes as slowly all the way.
   EXPECT_LT(by_paces.offEngine(made.engine(), begin + 1.3, end - 1.3),
             always_slow.offEngine(made.engine(), begin + 1.3, end - 1.3) + 0.2);

@@ -109,8 +109,7 @@ struct Compared {
 };
 
 // What issue and QUALITY.md ask for: 2.5 degrees for hips, knees and ankles, 2 for the least
-// flexion, 1 % of the period, 4 mm of the pelvis. (06_01 is not among them, whose feet are down
-// together so shortly that the norm's bar changes it.)
+// flexion, 1 % of the period, 4 mm of the pelvis, 2 % of the cycle for strikes and lift-offs.
 TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
   AMBLE_NEEDS_CAPTURES();
   for (const auto& [clip, stand] :
@@ -121,7 +120,8 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
         std::pair("cmu_mb2/08_03.bvh", ""), std::pair("cmu_mb2/08_09.bvh", ""),
         std::pair("cmu_mb2/07_02.bvh", ""), std::pair("cmu_mb2/07_03.bvh", ""),
         std::pair("cmu_mb2/07_06.bvh", ""), std::pair("cmu_mb2/07_08.bvh", ""),
-        std::pair("cmu_mb2/08_04.bvh", ""), std::pair("cmu_mb2/08_06.bvh", "")}) {
+        std::pair("cmu_mb2/08_04.bvh", ""), std::pair("cmu_mb2/08_06.bvh", ""),
+        std::pair("cmu_mb2/06_01.bvh", "")}) {
     SCOPED_TRACE(clip);
     const Compared walk(clip, stand);
     EXPECT_NEAR(walk.made.period, walk.cycle().period, 0.01 * walk.cycle().period);
@@ -146,7 +146,7 @@ TEST(Fidelity, AtItsOwnSpeedAWalkIsTheCapturedOne) {
   }
 }
 
-// The bar is 4 degrees. Steps that turn are those of the capture: where they are put down,
+// The bar is 4 degrees. Steps that turn are those of the capture: when and where they are put down,
 // how they swing and roll, how long they are.
 TEST(Fidelity, AtItsOwnRateATurnIsTheCapturedOne) {
   AMBLE_NEEDS_CAPTURES();
@@ -158,7 +158,10 @@ TEST(Fidelity, AtItsOwnRateATurnIsTheCapturedOne) {
     EXPECT_NEAR(walk.made.period, walk.cycle().period, 0.01 * walk.cycle().period);
     for (const Side side : {kLeft, kRight}) {
       EXPECT_LT(walk.rms(&Carried::hip, side), 2.5) << side;
-      EXPECT_LT(walk.rms(&Carried::knee, side), 2.5) << side;
+      EXPECT_LT(walk.rms(&Carried::knee, side), 3.0) << side;
+      const FootCycle& foot = walk.cycle().feet[side];
+      EXPECT_NEAR(std::remainder(walk.made.strike[side] - foot.strike, 1.0), 0.0, 0.01);
+      EXPECT_NEAR(std::remainder(walk.made.lift_off[side] - foot.lift_off, 1.0), 0.0, 0.01);
     }
   }
 }
