@@ -325,26 +325,28 @@ double SpeedProfile::arcAtStep(int step) const {
 SpeedProfile::Sample SpeedProfile::at(int frame) const {
   const double t = frame * limits_.frame_time - start_sway_;
   const double total = frames_ * limits_.frame_time - start_sway_ - stop_sway_;
+  // Who starts or stops shifts his weight for the step that he starts or has stopped with.
+  const auto first = [&] { return valueAt(ends_.from_standing ? start_arc_ : 0.0, &Knot::step); };
+  const auto last = [&] { return valueAt(ends_.to_standing ? stop_arc_ : length_, &Knot::step); };
   if (frame <= 0 || t < 0.0) {
-    return {0.0, ends_.from_standing ? 0.0 : 1.0 / knots_.front().slowness, 0.0,
-            knots_.front().step, start_time_ > 0.0 ? std::min(t, 0.0) / start_time_ : 0.0};
+    return {0.0, ends_.from_standing ? 0.0 : 1.0 / knots_.front().slowness, 0.0, first(),
+            start_time_ > 0.0 ? std::min(t, 0.0) / start_time_ : 0.0};
   }
   if (frame >= frames_ || t > total) {
     return {length_, ends_.to_standing ? 0.0 : 1.0 / knots_.back().slowness,
-            static_cast<double>(steps_), knots_.back().step,
+            static_cast<double>(steps_), last(),
             stop_time_ > 0.0 ? std::max(t - total, 0.0) / stop_time_ : 0.0};
   }
   // Starting: speed grows as a smoothstep, so the arc is tau^3 - tau^4 / 2 of twice the distance.
   const auto eased = [](double tau) { return tau * tau * tau * (1.0 - 0.5 * tau); };
   if (t < start_time_) {
     const double tau = t / start_time_, whole = 2.0 * start_arc_;
-    return {whole * eased(tau), smoothstep(tau) * whole / start_time_, tau,
-            valueAt(start_arc_, &Knot::step)};
+    return {whole * eased(tau), smoothstep(tau) * whole / start_time_, tau, first()};
   }
   if (t > total - stop_time_) {
     const double tau = (total - t) / stop_time_, whole = 2.0 * (length_ - stop_arc_);
     return {length_ - whole * eased(tau), smoothstep(tau) * whole / stop_time_, steps_ - tau,
-            valueAt(stop_arc_, &Knot::step)};
+            last()};
   }
   const double arc = arcWhere(time_before_ + t - start_time_, &Knot::time, &Knot::slowness);
   const Place on = placeAt(arc);

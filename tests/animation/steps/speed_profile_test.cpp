@@ -143,6 +143,24 @@ TEST(SpeedProfile, SpeedDoesNotJumpWhereAStartOrAStopJoins) {
   EXPECT_GT(profiles, 70);
 }
 
+// Captured starts and stops are as long as it says: the pelvis would jump.
+TEST(SpeedProfile, TheStepThatCyclesAreWarpedToDoesNotJumpWhereAStartOrAStopJoins) {
+  Generator generator(72);
+  int checked = 0;
+  for (int i = 0; i < 300; ++i) {
+    SpeedLimits limits = limitsOf(uniform(generator, 0.4, 2.0));
+    limits.law.setOnset({.start_sway = 0.5, .stop_sway = 0.3});
+    const SpeedProfile profile(randomPath(generator, i % 2 == 0 ? 2.0 : 9.0), limits, {});
+    if (profile.refusal() != SpeedProfile::Refusal::kNone) continue;
+    ++checked;
+    for (int k = 1; k <= profile.frames(); ++k) {
+      const double before = profile.at(k - 1).step_length, now = profile.at(k).step_length;
+      ASSERT_LT(std::abs(now - before), 0.02 * before) << i << " frame " << k;
+    }
+  }
+  EXPECT_GT(checked, 150);
+}
+
 TEST(SpeedProfile, AWalkIsAsManyStepsAsItsParityAsks) {
   forProfiles(
       [](const SpeedProfile& p, const RootPath&, const SpeedLimits&, const SpeedProfileEnds& ends) {
