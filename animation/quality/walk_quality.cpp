@@ -36,7 +36,10 @@ constexpr double kDoubleSupport = 0.04;  // from the norm
 constexpr double kStepAchieved = 0.02;   // step length, lift and rise
 constexpr double kSoleTilt = 3.0;        // [degrees]
 constexpr double kUnsupported = 0.3;     // of its length, on stairs
-constexpr double kFlip = 10.0;   // more pops than this is a joint that flips over: no anchor
+// Sources that are noisy raise no bar: a joint that flips over, or either of these (QUALITY.md).
+constexpr double kFlip = 10.0;               // pops
+constexpr double kNoisyJerk = 130.0;         // [m/s^3]
+constexpr double kNoisyAcceleration = 12.0;  // of the root [m/s^2]
 constexpr double kPace = 0.8;    // of the walk's top speed: slower is starting, stopping or turning
 constexpr double kTurns = 0.15;  // slower is straight: walkers sway by as much [rad/s]
 
@@ -195,19 +198,31 @@ double turnMiss(const Clip& clip, const JointRoles& roles, const AnimationBuffer
   return miss;
 }
 
+bool isNoisy(const CaptureQuality& capture) {
+  return capture.joint_jerk > kNoisyJerk || capture.root_acceleration > kNoisyAcceleration ||
+         capture.pops >= kFlip;
+}
+
 }  // namespace
 
 QualityAnchors anchorsOf(const MotionLibrary& library, double scale, double speed) {
   QualityAnchors anchors;
+  double noisy = 0.0;                           // root acceleration of noisy ones [m/s^2]
   std::vector<std::pair<double, double>> jerk;  // speed, jerk of the straight walks
   for (const Motion& motion : library.motions) {
     if (motion.kind != MotionKind::kWalk) continue;
     const CaptureQuality& capture = motion.cycle.capture;
-    anchors.root_acceleration = std::max(anchors.root_acceleration, capture.root_acceleration);
-    if (capture.pops < kFlip) anchors.pops = std::max(anchors.pops, capture.pops);
+    if (isNoisy(capture)) {
+      noisy = std::max(noisy, std::min(capture.root_acceleration, kNoisyAcceleration));
+    } else {
+      anchors.root_acceleration = std::max(anchors.root_acceleration, capture.root_acceleration);
+      anchors.pops = std::max(anchors.pops, capture.pops);
+    }
     if (motion.turning || motion.source.mirrored) continue;
-    jerk.emplace_back(motion.cycle.speed * std::sqrt(scale), capture.joint_jerk / std::sqrt(scale));
+    jerk.emplace_back(motion.cycle.speed * std::sqrt(scale),
+                      std::min(capture.joint_jerk, kNoisyJerk) / std::sqrt(scale));
   }
+  if (anchors.root_acceleration == 0.0) anchors.root_acceleration = noisy;
   std::sort(jerk.begin(), jerk.end());
   if (jerk.empty()) return anchors;
   anchors.joint_jerk = speed <= jerk.front().first ? jerk.front().second : jerk.back().second;

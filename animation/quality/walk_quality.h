@@ -18,13 +18,15 @@ struct MotionLibrary;    // motion_library.h
 class Ground;            // ground.h
 struct JudgedStep;       // step_measures.h
 
-/// What the captures measure that a walk is made from, by measureGait.
+/// What the captures measure that a walk is made from, by measureGait. Noisy ones are no anchors
+/// (QUALITY.md): of a root faster than 12 m/s² or with a joint jerk above 130 m/s³.
 struct QualityAnchors {
-  double root_acceleration = 0.0;  ///< the largest of all walks of the library [m/s², >= 0]
-  /// Of the straight walks, not of their mirror images, at the walk's speed, between those captured
-  /// [m/s³, >= 0].
+  /// The largest of the library's walks; of noisy ones alone 12 at most [m/s², >= 0].
+  double root_acceleration = 0.0;
+  /// Of the straight walks, not of their mirror images, at the walk's speed, between those
+  /// captured; of noisy ones, who may be the only ones as fast, 130 [m/s³, >= 0].
   double joint_jerk = 0.0;
-  double pops = 0.0;  ///< the largest of all walks but those whose joints flip over [1, >= 0]
+  double pops = 0.0;  ///< the largest of the walks; 0 of noisy ones alone [1, >= 0]
 };
 
 /// Of a library's walks, for a character `scale` times the captured subject who walks at `speed`
