@@ -20,16 +20,19 @@ constexpr double kLeavingShare = 0.5;
 struct FootStates {
   std::vector<bool> planted;  // stage 1: one of them is low and slow
   std::vector<bool> still;    // one of them is low and stands as good as still: certainly planted
+  std::vector<bool> down;     // one of them is low
 };
 
 /// Stage 1: ankle or toe low and slow.
 FootStates lowAndSlow(const PlantSignals& signals, const PlantOptions& options) {
   const Eigen::Index frames = signals.frames();
   const PlantLimits limits = plantLimits(signals, options);
-  FootStates states{std::vector<bool>(frames, false), std::vector<bool>(frames, false)};
+  const std::vector<bool> none(frames, false);
+  FootStates states{none, none, none};
   for (int j = 0; j < 2; ++j) {
     for (Eigen::Index i = 0; i < frames; ++i) {
       if (signals.height(i, j) >= limits.height[j]) continue;
+      states.down[i] = true;
       if (signals.speed(i, j) < limits.speed[j]) states.planted[i] = true;
       if (signals.speed(i, j) < limits.still) states.still[i] = true;
     }
@@ -83,28 +86,34 @@ double climb(const Eigen::VectorXd& values, const Eigen::Ref<const Eigen::Vector
   return top + 0.5 * (before - after) / bend;
 }
 
-/// The ends of a run of frames moved to strike and lift-off.
-FootPlant refined(const FootPlant& run, const PlantSignals& signals, const std::vector<bool>& still,
+/// The ends of a run of frames moved to strike and lift-off, while the foot is down: who runs draws
+/// a foot up behind him that is slow for its swing, and rises fastest when it is a hand's breadth
+/// over the ground.
+FootPlant refined(const FootPlant& run, const PlantSignals& signals, const FootStates& states,
                   const PlantOptions& options, double rate) {
   const int reach = static_cast<int>(std::lround(options.reach * rate));
   const int frames = static_cast<int>(signals.frames());
   int first_still = run.first, last_still = run.last;
-  while (first_still < run.last && !still[first_still]) ++first_still;
-  while (last_still > run.first && !still[last_still]) --last_still;
+  while (first_still < run.last && !states.still[first_still]) ++first_still;
+  while (last_still > run.first && !states.still[last_still]) --last_still;
+  int first_down = run.first, last_down = run.last;
+  while (first_down > 0 && states.down[first_down - 1]) --first_down;
+  while (last_down + 1 < frames && states.down[last_down + 1]) ++last_down;
   FootPlant plant = run;
   if (run.first > 0) {
     const double trough = climb(signals.rise, signals.speed.col(0),
                                 {run.first, reach, -1.0, kLandingShare * signals.swing[0],
                                  options.clear_velocity, run.strike});
-    plant.strike = std::min(trough, static_cast<double>(first_still));
+    plant.strike = std::clamp(trough, first_down - 0.5, static_cast<double>(first_still));
     const double planted_from = plant.strike - options.strike_lead * rate;
-    plant.first = std::clamp(static_cast<int>(std::ceil(planted_from)), 0, run.last);
+    plant.first = std::clamp(static_cast<int>(std::ceil(planted_from)), first_down, run.last);
   }
   if (run.last < frames - 1) {
     const double peak = climb(signals.rise, signals.speed.col(1),
                               {run.last, reach, 1.0, kLeavingShare * signals.swing[1],
                                options.clear_velocity, run.lift_off});
-    plant.lift_off = std::max(peak - options.lift_off_lead * rate, last_still + 0.5);
+    plant.lift_off =
+        std::clamp(peak - options.lift_off_lead * rate, last_still + 0.5, last_down + 0.5);
     const double planted_until = plant.lift_off - options.lift_off_contact * rate;
     plant.last =
         std::clamp(static_cast<int>(std::ceil(planted_until)) - 1, plant.first, frames - 1);
@@ -190,19 +199,19 @@ FootPlants detectPlants(const FootPaths& paths, const std::array<double, 2>& leg
   }
   const FloorFit floor = fitFloor(paths, legs, frame_time);
   std::array<PlantSignals, 2> signals;
-  std::array<std::vector<bool>, 2> planted, still;
+  std::array<FootStates, 2> states;
+  std::array<std::vector<bool>, 2> planted;
   for (const Side side : {kLeft, kRight}) {
     signals[side] = plantSignals(paths[side], floor, legs[side], rate, options.cutoff);
-    FootStates states = lowAndSlow(signals[side], options);
-    planted[side] = std::move(states.planted);
-    still[side] = std::move(states.still);
+    states[side] = lowAndSlow(signals[side], options);
+    planted[side] = states[side].planted;
     dropShortRuns(planted[side], false, options.shortest_gap * rate);
     dropShortRuns(planted[side], true, options.shortest_plant * rate);
   }
   result.plants = plantsOf(planted).plants;
   for (const Side side : {kLeft, kRight}) {
     for (FootPlant& plant : result.plants[side])
-      plant = refined(plant, signals[side], still[side], options, rate);
+      plant = refined(plant, signals[side], states[side], options, rate);
     mergeTouching(result.plants[side]);
   }
   return result;

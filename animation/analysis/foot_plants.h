@@ -7,7 +7,9 @@
 /// defaults serves every subject; drop-outs are closed and flickers removed by time, not by frames;
 /// and the two ends of each plant are moved to where O'Connor et al. (Gait & Posture 25, 2007) read
 /// strike and lift-off from the vertical velocity of the middle of the foot, low-passed: its trough
-/// and its peak. One level floor is assumed: feet on stairs and slopes are not found.
+/// and its peak, within the frames in which ankle or toe is low: those who run draw their feet up
+/// behind them and swing them faster yet. One level floor is assumed: feet on stairs and slopes are
+/// not found.
 #pragma once
 
 #include <array>

@@ -5,6 +5,7 @@
 #include <functional>
 #include <random>
 
+#include "animation/analysis/plant_signals.h"
 #include "animation/captures/bvh.h"
 #include "tests/animation/captures.h"
 #include "tests/animation/force_trials.h"
@@ -284,6 +285,32 @@ TEST(FootPlantsOfTrials, HardlySufferFromTwoMillimetresOfNoise) {
     EXPECT_EQ(score.missed, 0);
   }
   EXPECT_GT(noisy_accuracy, accuracy - 0.005);
+}
+
+// Runners draw their feet up behind them, slowly for such a swing.
+TEST(FootPlantsOfCaptures, AFootThatComesDownAndLeavesIsDown) {
+  AMBLE_NEEDS_CAPTURES();
+  int plants = 0;
+  for (const Capture& capture : captures()) {
+    if (capture.kind != "walk" && capture.kind != "run" && capture.kind != "run_turn") continue;
+    const Clip clip = readBvh(capture.file, {.metres_per_unit = capture.metres_per_unit});
+    const JointRoles roles = guessJointRoles(clip.skeleton, capture.path);
+    const FootPlants found = detectPlants(clip, roles);
+    const auto traces =
+        tracePlants(footPaths(clip, roles), legLengths(clip, roles), clip.frame_time);
+    for (const Side side : {kLeft, kRight}) {
+      const PlantTrace& trace = traces[side];
+      for (const FootPlant& plant : found.plants[side]) {
+        ++plants;
+        for (const int i : {plant.first, plant.last}) {
+          EXPECT_TRUE(trace.signals.height(i, 0) < trace.limits.height[0] ||
+                      trace.signals.height(i, 1) < trace.limits.height[1])
+              << capture.path << " frame " << i;
+        }
+      }
+    }
+  }
+  EXPECT_GT(plants, 100);
 }
 
 TEST(FootPlantsOfCaptures, WalkersAreHardlyEverInTheAirAndRunnersAre) {
