@@ -97,8 +97,45 @@ Eigen::Vector2d medianPlace(const std::vector<Eigen::Vector3d>& points, int firs
   return {median(x), median(y)};
 }
 
-PlantMeasures measurePlant(Side side, const FootPlant& plant, const FootTrack& track,
-                           double frame_time) {
+/// Frames of a plant without those in which the foot comes down and leaves.
+struct Trimmed {
+  int first, last;  // last < first: none is left
+};
+
+/// Of a plant that the clip cuts only a part is seen: at its other end as much is left out as of a
+/// whole one, of `usual` frames. So a foot is judged in each frame as if the clip went on.
+Trimmed trimmed(const FootPlant& plant, double usual, int frames) {
+  const double length = plant.last - plant.first;
+  const bool begins = plant.first > 0, ends = plant.last < frames - 1;
+  const double whole = begins && ends ? length : std::max(length, usual);
+  return {static_cast<int>(std::ceil(plant.first + kTrim * (begins ? whole : length))),
+          static_cast<int>(std::floor(plant.last - kTrim * (ends ? whole : length)))};
+}
+
+/// Length of the plants that are seen whole, a median [frames]; 0 where there is none.
+double usualLength(const FootPlants& plants) {
+  std::vector<double> lengths;
+  for (const std::vector<FootPlant>& of_foot : plants.plants) {
+    for (const FootPlant& plant : of_foot) {
+      if (plant.first > 0 && plant.last < plants.frames - 1)
+        lengths.push_back(plant.last - plant.first);
+    }
+  }
+  return median(lengths);
+}
+
+void measureSlide(const Trimmed& over, const FootTrack& track, double frame_time,
+                  PlantMeasures& result) {
+  if (over.last < over.first) return;
+  const Eigen::Vector2d toe = medianPlace(track.toe, over.first, over.last);
+  for (int i = over.first; i <= over.last; ++i) {
+    result.drift = std::max(result.drift, (track.toe[i].head<2>() - toe).norm());
+    if (i > over.first) result.travel += (track.toe[i] - track.toe[i - 1]).head<2>().norm();
+  }
+  result.time = (over.last - over.first) * frame_time;
+}
+
+PlantMeasures measurePlant(Side side, const FootPlant& plant, const FootTrack& track) {
   PlantMeasures result;
   result.side = side;
   result.plant = plant;
@@ -107,11 +144,6 @@ PlantMeasures measurePlant(Side side, const FootPlant& plant, const FootTrack& t
   const int last = std::max(first, static_cast<int>(std::floor(plant.last - kTrim * length)));
   const int flat = std::max(first, static_cast<int>(std::floor(plant.first + kFlatUntil * length)));
   const Eigen::Vector2d toe = medianPlace(track.toe, first, last);
-  for (int i = first; i <= last; ++i) {
-    result.drift = std::max(result.drift, (track.toe[i].head<2>() - toe).norm());
-    if (i > first) result.travel += (track.toe[i] - track.toe[i - 1]).head<2>().norm();
-  }
-  result.time = (last - first) * frame_time;
   result.toe_height = median(slice(track.toe_stands, first, last));
   result.ankle_height = median(slice(track.ankle_stands, first, flat));
   const Eigen::Vector2d middle = 0.5 * (toe + medianPlace(track.ankle, first, flat));
@@ -130,13 +162,16 @@ void measureFeet(const std::array<FootTrack, 2>& tracks, const FootPlants& plant
                  double frame_time, GaitMeasures& result) {
   double travel = 0.0, time = 0.0;
   std::vector<double> drifts;
+  const double usual = usualLength(plants);
   for (const Side side : {kLeft, kRight}) {
     std::vector<double> toe_heights, ankle_heights;
     for (const FootPlant& plant : plants.plants[side]) {
-      const PlantMeasures measures = measurePlant(side, plant, tracks[side], frame_time);
+      PlantMeasures measures = measurePlant(side, plant, tracks[side]);
+      const Trimmed stands = trimmed(plant, usual, plants.frames);
+      measureSlide(stands, tracks[side], frame_time, measures);
       travel += measures.travel;
       time += measures.time;
-      drifts.push_back(measures.drift);
+      if (stands.first <= stands.last) drifts.push_back(measures.drift);
       toe_heights.push_back(measures.toe_height);
       ankle_heights.push_back(measures.ankle_height);
       result.plants.push_back(measures);

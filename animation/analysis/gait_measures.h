@@ -18,7 +18,8 @@
 namespace amble {
 
 /// One stay of a foot on the ground. Slides are of the toe joint (the tip of the foot where the rig
-/// has none), over the plant without 15 % of its length at both ends.
+/// has none), over the plant without 15 % of its length at both ends: of the median length of those
+/// that are seen whole where the clip cuts it, and it is shorter; 0 where nothing is left of it.
 struct PlantMeasures {
   Side side = kLeft;
   FootPlant plant;

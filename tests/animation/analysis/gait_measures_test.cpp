@@ -76,6 +76,40 @@ TEST(GaitMeasures, ASlidingFootSkatesAsFastAsItSlides) {
   EXPECT_NEAR(gait.drift, 0.5 * 0.7 * puppet.stance * puppet.period * 0.05, 0.001);
 }
 
+// Feet are seen to stand some frames before they do, and after: within 15 % of a plant that is no
+// slide, of a plant that the clip cuts short as well.
+TEST(GaitMeasures, AFootSlidesNoMoreForTheClipThatIsCut) {
+  const Puppet puppet;
+  const Clip clip = puppet.clip();
+  FootPlants plants = puppet.plants();
+  for (std::vector<FootPlant>& of_foot : plants.plants) {
+    for (FootPlant& plant : of_foot) {
+      plant.first = std::max(0, plant.first - 4);
+      plant.last = std::min(plants.frames - 1, plant.last + 4);
+    }
+  }
+  for (int cut = 0; cut < 120; ++cut) {
+    FootPlants seen;
+    seen.frames = clip.frames() - 2 * cut;
+    for (const Side side : {kLeft, kRight}) {
+      for (FootPlant plant : plants.plants[side]) {
+        plant.first = std::max(0, plant.first - cut);
+        plant.last = std::min(seen.frames - 1, plant.last - cut);
+        if (plant.first <= plant.last) seen.plants[side].push_back(plant);
+      }
+    }
+    Clip part = clip;
+    part.poses.clear();
+    part.poses.append(clip.poses, cut, seen.frames);
+    const auto joints = static_cast<std::ptrdiff_t>(clip.skeleton.size());
+    part.joint_positions.assign(clip.joint_positions.begin() + cut * joints,
+                                clip.joint_positions.end() - cut * joints);
+    const GaitMeasures gait = measureGait(part, Puppet::roles(), seen);
+    EXPECT_LT(gait.largest_drift, 1e-9) << cut;
+    EXPECT_LT(gait.toe_skate, 1e-9) << cut;
+  }
+}
+
 TEST(GaitMeasures, AFootThatSwingsThroughTheGroundPenetratesIt) {
   EXPECT_NEAR(measured(Puppet{.lift = 0.0, .sink = 0.02}).penetration, 0.02, 1e-4);
 }
