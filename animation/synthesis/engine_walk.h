@@ -23,8 +23,9 @@ struct EngineWalk {
   Clip clip;                   ///< from the origin along x, over level ground at z = 0
   std::vector<double> speeds;  ///< a value a frame: what is walked, clamped [m/s]
   std::vector<double> phases;  ///< [cycles, from the first frame's on]
-  /// By Side, a value a frame: by the captured timing; the last foot that swings before the end of
-  /// a walk that slows down below those captured is put down sooner.
+  /// By Side, a value a frame: by the captured timing; the first foot that swings in a walk that
+  /// speeds up from below those captured is lifted later, the last one in a walk that slows down
+  /// below them is put down sooner.
   std::array<std::vector<bool>, 2> planted;
   double length = 0.0;  ///< walked along the path [m]
 };

@@ -37,9 +37,10 @@ class AnimateOptions : public Options {
 };
 
 // QUALITY.md's bars of held feet, by whoever finds plants himself: at speeds that nobody was
-// captured at, and to standing.
+// captured at, from and to standing.
 void AnimateOptions::expectHeld(const std::string& engine) const {
-  for (const char* const speed : {"0.2", "0.4", "0.7", "1.3", "1.2..0", "0.8..0"}) {
+  for (const char* const speed :
+       {"0.2", "0.4", "0.7", "1.3", "1.2..0", "0.8..0", "0..1.2", "0..0.6"}) {
     good("animate -o a.bvh --duration 6 " + engine + speed);
     const json feet = printed("analyse a.bvh --as-is --json")[0]["quality"];
     EXPECT_LT(feet["largest_drift"].get<double>(), 0.002) << speed;

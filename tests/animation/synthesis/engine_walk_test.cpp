@@ -65,25 +65,95 @@ EngineWalkRequest toAStand(const SpeedEngine& engine, double from, double durati
   return request;
 }
 
-TEST(EngineWalk, FeetStandByTheCapturedTimingButForTheLastSwingOfOneWhoSlowsDown) {
+/// The first swing of a walk, and whose it is.
+struct FirstSwing {
+  Side side = kLeft;
+  int leaves = 0, lands = 0;
+};
+
+FirstSwing firstSwing(const EngineWalk& walk) {
+  const auto left = swingsOf(walk.planted[kLeft]), right = swingsOf(walk.planted[kRight]);
+  const Side side = left.front()[0] < right.front()[0] ? kLeft : kRight;
+  const auto& [leaves, lands] = side == kLeft ? left.front() : right.front();
+  return {side, leaves, lands};
+}
+
+TEST(EngineWalk, FeetStandByTheCapturedTimingButForTheFirstAndLastSwingBelowCapturedSpeeds) {
   const SpeedEngine engine(DrawnEngine().data({0.6, 1.2, 1.8}));
   for (const auto& [from, to] :
-       {std::array{0.2, 0.2}, {0.0, 1.5}, {1.7, 0.7}, {0.5, 0.1}, {1.2, 0.0}, {0.4, 0.0}}) {
+       {std::array{0.2, 0.2}, {0.0, 1.5}, {0.2, 1.0}, {1.7, 0.7}, {0.5, 0.1}, {1.2, 0.0}}) {
     EngineWalkRequest request;
     request.speed = [from, to](double time) { return from + (to - from) * time / 5.0; };
     const EngineWalk walk = engineWalk(engine, request);
-    const bool slows = to < from && to < 0.6;  // below the slowest of those drawn
+    const bool slows = to < from && to < 0.6, speeds_up = from < to && from < 0.6;
     int last_swing = slows ? 0 : walk.clip.frames();
     for (const Side side : {kLeft, kRight}) {
       for (const auto& swing : swingsOf(walk.planted[side])) {
         if (slows) last_swing = std::max(last_swing, swing[0]);
       }
     }
+    const FirstSwing first = firstSwing(walk);
     for (const Side side : {kLeft, kRight}) {
-      for (int i = 0; i < last_swing; ++i) {
+      const int begin = speeds_up && side == first.side ? first.leaves : 0;
+      for (int i = begin; i < last_swing; ++i) {
         EXPECT_EQ(walk.planted[side][i], engine.planted(walk.speeds[i], walk.phases[i], side));
       }
     }
+  }
+}
+
+/// From a stand to a speed in so long.
+EngineWalk fromAStand(const SpeedEngine& engine, double to, double duration) {
+  EngineWalkRequest request;
+  request.duration = duration;
+  request.speed = [to, duration](double time) { return to * time / duration; };
+  return engineWalk(engine, request);
+}
+
+TEST(EngineWalk, WhoStartsFromAStandLiftsHisFirstFootLaterByAsMuchAsHeIsSlower) {
+  const SpeedEngine engine(DrawnEngine().data({0.6, 1.2, 1.8}));
+  for (const auto& [to, duration] :
+       {std::array{0.8, 3.0}, {0.8, 6.0}, {1.2, 3.0}, {1.7, 2.0}, {1.7, 9.0}}) {
+    const EngineWalk walk = fromAStand(engine, to, duration);
+    const FirstSwing first = firstSwing(walk);
+    const double at = walk.speeds[first.lands], frame_time = walk.clip.frame_time;
+    const std::array<double, 2> both = engine.support(at);
+    const double usual = (0.5 - 0.5 * (both[0] + both[1])) / engine.frequency(at);
+    const double takes = (first.lands - first.leaves) * frame_time;
+    EXPECT_LT(takes, usual * walk.speeds[first.leaves] / at + 1.01 * frame_time);
+    EXPECT_GT(takes, 0.3 * usual);
+    EXPECT_FALSE(engine.planted(walk.speeds[first.leaves], walk.phases[first.leaves], first.side));
+  }
+}
+
+// Its heel would sink while it stands, as it does in the swing that is over for the phase.
+TEST(EngineWalk, AFootThatLeavesLateRollsNoFartherThanThePhaseHasItWhereItLeaves) {
+  const DrawnEngine drawn;
+  const SpeedEngine engine(drawn.data({0.6, 1.2, 1.8}));
+  const EngineWalk walk = fromAStand(engine, 1.2, 3.0);
+  const FirstSwing first = firstSwing(walk);
+  std::vector<JointFrame> made(drawn.rig.skeleton.size()), by_phase = made;
+  Pose pose;
+  pose.rotations.resize(engine.joints());
+  const int foot = drawn.rig.roles.legs[first.side].foot;
+  const auto rolled = [&](int i) {
+    forwardKinematics(walk.clip, i, made);
+    return made[foot].q_WJ;
+  };
+  const auto rolls = [&](int i) {
+    engine.poseAt(walk.speeds[i], walk.phases[i], pose);
+    forwardKinematics(drawn.rig.skeleton, pose, by_phase);
+    return by_phase[foot].q_WJ;
+  };
+  int leaves = first.leaves;
+  while (!engine.planted(walk.speeds[leaves - 1], walk.phases[leaves - 1], first.side)) --leaves;
+  ASSERT_GT(first.leaves, leaves + 3);
+  EXPECT_LT(rolled(first.leaves).angularDistance(rolls(leaves)),
+            0.5 * rolls(first.leaves).angularDistance(rolls(leaves)));
+  EXPECT_LT(rolled(0).angularDistance(rolls(0)), 1e-9);
+  EXPECT_LT(rolled(first.lands).angularDistance(rolls(first.lands)), 1e-9);
+  for (int i = 1; i <= first.lands; ++i) {  // nowhere does it jump
+    EXPECT_LT(rolled(i).angularDistance(rolled(i - 1)), 0.05);
   }
 }
 
