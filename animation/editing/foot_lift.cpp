@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "animation/editing/least_curve.h"
-#include "base/rotation.h"
+#include "animation/editing/toe_turn.h"
 
 namespace amble {
 namespace {
@@ -58,10 +58,7 @@ std::vector<double> changeOf(const std::vector<double>& height, double factor, d
 /// The toes of one foot at each frame as captured [World, m]; empty without tips.
 struct ToeTips {
   std::vector<Eigen::Vector3d> joint, tip;
-  /// About which they turn up [unit, level]: one axis of their foot, the mean of those that are
-  /// level and across them, each counting as much as they lie. Of toes that hang down it would be
-  /// any.
-  std::vector<Eigen::Vector3d> axis;
+  std::vector<Eigen::Vector3d> axis;  // toe_turn.h
 
   ToeTips(const Clip& clip, int toe) {
     if (toe < 0 || clip.skeleton.joint(toe).end_sites.empty()) return;
@@ -72,33 +69,17 @@ struct ToeTips {
         });
     std::vector<JointFrame> joints(clip.skeleton.size());
     std::vector<Eigen::Quaterniond> q_WF;
-    Eigen::Vector3d across_F = Eigen::Vector3d::Zero();
+    std::vector<Eigen::Vector3d> bones;
     for (int i = 0; i < clip.frames(); ++i) {
       forwardKinematics(clip, i, joints);
       joint.push_back(joints[toe].p_WJ);
       tip.push_back(joints[toe] * farthest);
+      bones.emplace_back(tip.back() - joint.back());
       q_WF.push_back(joints[clip.skeleton.joint(toe).parent].q_WJ);
-      across_F +=
-          q_WF.back().conjugate() * (tip.back() - joint.back()).cross(Eigen::Vector3d::UnitZ());
     }
-    for (const Eigen::Quaterniond& q : q_WF) {
-      const Eigen::Vector3d across = q * across_F;
-      axis.push_back(Eigen::Vector3d(across.x(), across.y(), 0.0).normalized());
-    }
+    axis = toeAxes(bones, q_WF);
   }
 };
-
-/// By how much a bone is turned up about a level axis for its tip to be `higher` [m]; as high as it
-/// gets where that is too far [rad, >= 0].
-double turnUp(const Eigen::Vector3d& bone, const Eigen::Vector3d& axis, double higher) {
-  // Turned by an angle its tip is at: most cos(angle - highest).
-  const double across = axis.cross(bone).z(), most = std::hypot(bone.z(), across);
-  if (!(most > 0.0)) return 0.0;
-  double highest = std::atan2(across, bone.z());
-  if (highest < -0.5 * kPi) highest += 2.0 * kPi;  // toes that are bent under come up forward
-  const double cosine = std::clamp((bone.z() + higher) / most, -1.0, 1.0);
-  return std::max(0.0, highest - std::acos(cosine));
-}
 
 /// Turns toes up where the foot is lowered so far that their tips come below the line between the
 /// prints, over which they stand, and below where they were captured.

@@ -6,6 +6,7 @@
 
 #include "animation/editing/foot_lock.h"
 #include "animation/editing/least_curve.h"
+#include "animation/editing/toe_turn.h"
 
 namespace amble {
 namespace {
@@ -26,22 +27,22 @@ struct SoleHeights {
   std::vector<double> heel, ball, tip;
 };
 
-/// Toes as they lie in a track.
+/// Toes as they lie in a track, at each frame.
 struct Toes {
-  int joint = 0;
-  double length = 0.0;                   // from the ball to the centre of the tip [m]
-  std::vector<Eigen::Vector3d> forward;  // at each frame [unit, World]
+  std::vector<Eigen::Vector3d> bone;  // from the ball to the centre of the tip [m, World]
+  std::vector<Eigen::Vector3d> axis;  // toe_turn.h
 };
 
-Toes toesOf(const Clip& clip, int joint, const FootShape& shape) {
-  Toes toes{joint, shape.tip_x - shape.ball_x, {}};
+Toes toesOf(const Clip& clip, int joint, const FootShape& shape, const FootTrack& foot) {
+  Toes toes;
   std::vector<JointFrame> joints(clip.skeleton.size());
   const Eigen::Vector3d forward_T =
       (shape.q_SF * shape.q_FT).conjugate() * Eigen::Vector3d::UnitX();
   for (int i = 0; i < clip.frames(); ++i) {
     forwardKinematics(clip, i, joints);
-    toes.forward.push_back(joints[joint].q_WJ * forward_T);
+    toes.bone.emplace_back((shape.tip_x - shape.ball_x) * (joints[joint].q_WJ * forward_T));
   }
+  toes.axis = toeAxes(toes.bone, foot.q_WF);
   return toes;
 }
 
@@ -51,7 +52,7 @@ SoleHeights heightsOf(const FootTrack& foot, const FootShape& shape, const Toes&
     const SoleEnds ends = soleEnds(shape, foot.ankle[i], foot.q_WF[i]);
     heights.heel.push_back(ends.heel.z());
     heights.ball.push_back(ends.ball.z());
-    heights.tip.push_back(ends.ball.z() + toes.length * toes.forward[i].z());
+    heights.tip.push_back(ends.ball.z() + toes.bone[i].z());
   }
   return heights;
 }
@@ -60,18 +61,15 @@ SoleHeights heightsOf(const FootTrack& foot, const FootShape& shape, const Toes&
 void bendToes(const Toes& toes, double frame_time, SoleHeights& heights, FootTrack& foot) {
   std::vector<double> bend;
   for (size_t i = 0; i < heights.tip.size(); ++i) {
-    const double least = std::min(0.0, heights.ball[i]);
-    const double now = std::asin(std::clamp(toes.forward[i].z(), -1.0, 1.0));
-    const double wanted = std::asin(std::clamp((least - heights.ball[i]) / toes.length, -1.0, 1.0));
-    bend.push_back(std::max(0.0, wanted - now));
+    const double missing = std::min(0.0, heights.ball[i]) - heights.tip[i];
+    bend.push_back(missing > 0.0 ? turnUp(toes.bone[i], toes.axis[i], missing) : 0.0);
   }
   const std::vector<double> smooth = curveOver(bend, frame_time, kRaise);
   for (size_t i = 0; i < smooth.size(); ++i) {
-    const Eigen::Vector3d axis = toes.forward[i].cross(Eigen::Vector3d::UnitZ());
-    if (smooth[i] == 0.0 || !(axis.norm() > 0.0)) continue;
-    const Eigen::AngleAxisd turn(smooth[i], axis.normalized());
+    if (smooth[i] == 0.0) continue;
+    const Eigen::AngleAxisd turn(smooth[i], toes.axis[i]);
     foot.toes[i] = turn * foot.toes[i];
-    heights.tip[i] = heights.ball[i] + toes.length * (turn * toes.forward[i]).z();
+    heights.tip[i] = heights.ball[i] + (turn * toes.bone[i]).z();
   }
 }
 
@@ -118,7 +116,7 @@ double restOnFloor(const Clip& clip, const JointRoles& roles,
   std::array<Eigen::MatrixXd, 2> shifts;
   for (const Side side : {kLeft, kRight}) {
     FootTrack& foot = tracks.feet[side];
-    const Toes toes = toesOf(clip, roles.legs[side].toe, shapes[side]);
+    const Toes toes = toesOf(clip, roles.legs[side].toe, shapes[side], foot);
     SoleHeights heights = heightsOf(foot, shapes[side], toes);
     bendToes(toes, clip.frame_time, heights, foot);
     shifts[side] = Eigen::MatrixXd::Zero(clip.frames(), 3);
