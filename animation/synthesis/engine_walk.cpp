@@ -74,21 +74,21 @@ double swingTime(const SpeedEngine& engine, double speed) {
 }
 
 // Who slows down below the captured speeds puts the foot that he swings last down sooner than walks
-// do: else it comes to rest with the phase, over a floor that it hardly clears. The swing takes as
-// long as it would have at the speed at which it began, times the share of that speed that is left.
+// do: else it comes to rest with the phase, over a floor that it hardly clears. To a stand, the
+// swing takes as long as it would have at the speed at which it began, times the share of that
+// speed that is left; the more of a captured walk there is at the end, the less sooner.
 void putDownLast(const SpeedEngine& engine, double scale, EngineWalk& walk) {
   const std::optional<std::pair<Side, size_t>> swing = lastSwing(walk);
   const double ends = walk.speeds.back();
-  if (!swing || ends >= walk.speeds[swing->second - 1] || engine.walkShare(ends / scale) >= 1.0) {
-    return;
-  }
+  const double creeps = 1.0 - engine.walkShare(ends / scale);
+  if (!swing || creeps <= 0.0 || ends >= walk.speeds[swing->second - 1]) return;
   const auto [side, first] = *swing;
   const double began = walk.speeds[first - 1];
   const double time = swingTime(engine, began / scale);
   size_t lands = first;
   const auto swung = [&] { return static_cast<double>(lands - first + 1) * walk.clip.frame_time; };
   while (lands < walk.speeds.size() && !walk.planted[side][lands] &&
-         swung() <= time * walk.speeds[lands] / began) {
+         swung() <= time * std::pow(walk.speeds[lands] / began, creeps)) {
     ++lands;
   }
   std::fill(walk.planted[side].begin() + static_cast<std::ptrdiff_t>(lands),

@@ -184,6 +184,29 @@ TEST(EngineWalk, WhoComesToAStandPutsHisLastFootDownSoonerByAsMuchAsHeIsSlower) 
   }
 }
 
+TEST(EngineWalk, WhoSlowsToJustBelowCapturedSpeedsPutsHisFeetDownAsToJustAbove) {
+  const SpeedEngine engine(DrawnEngine().data({0.6, 1.2, 1.8}));
+  for (double from = 0.7; from < 1.8; from += 0.1) {
+    for (double duration = 1.0; duration < 6.0; duration += 0.37) {
+      std::array<EngineWalk, 2> walks;
+      for (const size_t i : {0, 1}) {
+        EngineWalkRequest request;
+        request.duration = duration;
+        const double to = i == 0 ? 0.599 : 0.601;
+        request.speed = [=](double time) { return from + (to - from) * time / duration; };
+        walks[i] = engineWalk(engine, request);
+      }
+      int others = 0;
+      for (const Side side : {kLeft, kRight}) {
+        for (size_t k = 0; k < walks[0].speeds.size(); ++k) {
+          others += walks[0].planted[side][k] != walks[1].planted[side][k];
+        }
+      }
+      EXPECT_LE(others, 4) << from << " for " << duration;
+    }
+  }
+}
+
 TEST(EngineWalk, AStandComesAFifthOfACycleAfterOneFootPassedTheOther) {
   const SpeedEngine engine(DrawnEngine().data({0.6, 1.2, 1.8}));
   for (const double from : {0.3, 0.9, 1.8}) {
