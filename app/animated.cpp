@@ -6,6 +6,7 @@
 
 #include "animation/library/library_style.h"
 #include "animation/library/motion_library_reader.h"
+#include "animation/steps/foothold.h"
 #include "animation/synthesis/action.h"
 #include "base/error.h"
 #include "base/rotation.h"
@@ -39,6 +40,22 @@ std::string limitText(WalkRule rule, const GroundLimits& limits) {
     default:
       return "";
   }
+}
+
+// Why steps are too high on stairs whose risers are not: soles do not stand on their treads, so
+// that several would have to be taken at once.
+std::string treadText(const AnimateRequest& request, const FootShape& foot,
+                      const GroundLimits& limits) {
+  if (!request.walk.stairs) return "";
+  const auto [rise, going] = *request.walk.stairs;
+  const double sole = foot.tip_x - foot.heel_x + 2.0 * foot.radius;
+  const bool is_low = rise > 0.0 ? rise <= limits.max_climb : -rise <= limits.max_drop;
+  const double stands = FootholdFinder::kLeastSupport * sole;
+  if (!is_low || going >= stands) return "";
+  return fmt::format(
+      "; a sole of {:.2f} m stands on treads of {:.2f} m and more, others are taken several at "
+      "once",
+      sole, stands);
 }
 
 CharacterSettings settingsOf(const AnimateRequest& request, const MotionLibrary& library) {
@@ -88,6 +105,9 @@ AnimatedWalk animateWalk(const AnimateRequest& request, const StopRequest& stop)
   if (made.result.refused != WalkRule::kNone) {
     made.refused = std::string(walkRuleName(made.result.refused)) + " refused" +
                    limitText(made.result.refused, settings.limits);
+    if (made.result.refused == WalkRule::kStepHeight) {
+      made.refused += treadText(request, made.synthesizer->feet()[kLeft], settings.limits);
+    }
   }
   return made;
 }

@@ -132,6 +132,9 @@ AnimateOptions::Uses AnimateOptions::ofTheWalk() const {
          EXPECT_NEAR(risers, std::round(risers), 0.1);
          EXPECT_GE(risers, 1.9);
          EXPECT_LE(rise(clipOf("--stairs -.15,.3")).z(), -0.28);
+         EXPECT_NE(good("animate -o b.bvh --stairs .15,.2 --height 2", 1)
+                       .err.find("stands on treads of 0.2"),
+                   std::string::npos);
          for (const char* const also : {"--turn 5", "--stride 0.6", "--incline 3"}) {
            expectRefused(std::string("animate -o a.bvh --stairs .15,.3 ") + also, {"--stairs"});
          }
