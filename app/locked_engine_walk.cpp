@@ -24,13 +24,30 @@ std::vector<double> widthsOf(const SpeedEngine& engine, const EngineWalk& walk, 
   return widths;
 }
 
-/// A foot that stands at the clip's begin or end has stood, and stands on.
-FootPlants plantsOfWalk(const EngineWalk& walk) {
+/// For how many frames a foot that stands in the first or last one has stood before, or stands on
+/// after it (`step` -1, 1), at the speed that is walked there; as many as the walk has where it
+/// does not leave, or was put down sooner than the phase has it.
+int standsBeyond(const SpeedEngine& engine, const EngineWalk& walk, double scale, Side side,
+                 int step) {
+  const int frames = walk.clip.frames();
+  const size_t end = step < 0 ? 0 : walk.speeds.size() - 1;
+  const double speed = walk.speeds[end] / scale;
+  const double on = step * walk.clip.frame_time * engine.frequency(speed);
+  const auto stands = [&](int i) { return engine.planted(speed, walk.phases[end] + i * on, side); };
+  if (!stands(0)) return frames;
+  int beyond = 0;
+  while (beyond < frames && stands(beyond + 1)) ++beyond;
+  return beyond;
+}
+
+/// Those that the walk's ends cut began before it, or go on after it, by the captured timing.
+FootPlants plantsOfWalk(const SpeedEngine& engine, const EngineWalk& walk, double scale) {
   FootPlants plants = plantsOf(walk.planted);
-  for (std::vector<FootPlant>& of_foot : plants.plants) {
-    for (FootPlant& plant : of_foot) {
-      if (plant.first == 0) plant.strike = -plants.frames;
-      if (plant.last == plants.frames - 1) plant.lift_off = 2.0 * plants.frames;
+  const int last = plants.frames - 1;
+  for (const Side side : {kLeft, kRight}) {
+    for (FootPlant& plant : plants.plants[side]) {
+      if (plant.first == 0) plant.strike -= standsBeyond(engine, walk, scale, side, -1);
+      if (plant.last == last) plant.lift_off += standsBeyond(engine, walk, scale, side, 1);
     }
   }
   return plants;
@@ -62,7 +79,8 @@ EngineWalk lockedEngineWalk(const SpeedEngine& engine, const EngineRamp& ramp, F
   const LockOptions options{widthsOf(engine, walk, ramp.scale), kLongestLoose,
                             isStanding(walk.speeds.front()), isStanding(walk.speeds.back())};
   FootLock took;
-  walk.clip = held(engine.data(), ramp.scale, walk.clip, plantsOfWalk(walk), options, took);
+  walk.clip = held(engine.data(), ramp.scale, walk.clip, plantsOfWalk(engine, walk, ramp.scale),
+                   options, took);
   if (lock != nullptr) *lock = took;
   return walk;
 }
