@@ -16,11 +16,15 @@ namespace {
 constexpr double kLandingShare = 0.35;
 constexpr double kLeavingShare = 0.5;
 
+// A foot of which neither ankle nor toe is so low is in the air for certain: toes that stand
+// upright on their tips have their joint by PlantOptions::height higher than flat ones [of that].
+constexpr double kUp = 1.5;
+
 /// The frames of a foot, told apart by how low and slow its ankle and toe are.
 struct FootStates {
   std::vector<bool> planted;  // stage 1: one of them is low and slow
   std::vector<bool> still;    // one of them is low and stands as good as still: certainly planted
-  std::vector<bool> down;     // one of them is low
+  Eigen::VectorXd over;       // how far the one that is lower is over kUp; not below: in the air
 };
 
 /// Stage 1: ankle or toe low and slow.
@@ -28,11 +32,12 @@ FootStates lowAndSlow(const PlantSignals& signals, const PlantOptions& options) 
   const Eigen::Index frames = signals.frames();
   const PlantLimits limits = plantLimits(signals, options);
   const std::vector<bool> none(frames, false);
-  FootStates states{none, none, none};
+  FootStates states{none, none, Eigen::VectorXd::Constant(frames, HUGE_VAL)};
   for (int j = 0; j < 2; ++j) {
     for (Eigen::Index i = 0; i < frames; ++i) {
-      if (signals.height(i, j) >= limits.height[j]) continue;
-      states.down[i] = true;
+      const double over = signals.height(i, j) - limits.height[j];
+      states.over[i] = std::min(states.over[i], over - (kUp - 1.0) * options.height);
+      if (over >= 0.0) continue;
       if (signals.speed(i, j) < limits.speed[j]) states.planted[i] = true;
       if (signals.speed(i, j) < limits.still) states.still[i] = true;
     }
@@ -86,6 +91,17 @@ double climb(const Eigen::VectorXd& values, const Eigen::Ref<const Eigen::Vector
   return top + 0.5 * (before - after) / bend;
 }
 
+/// Where on from a frame in which the foot is down it comes up, between frames; half a frame beyond
+/// the clip where it does not. @param step  -1: back
+double downUntil(const Eigen::VectorXd& over, int frame, int step) {
+  const int last = static_cast<int>(over.size()) - 1;
+  int next = frame + step;
+  while (next >= 0 && next <= last && over[next] < 0.0) next += step;
+  if (next < 0 || next > last) return next - 0.5 * step;
+  const double down = over[next - step], up = over[next];
+  return next - step * up / (up - down);
+}
+
 /// The ends of a run of frames moved to strike and lift-off, while the foot is down: who runs draws
 /// a foot up behind him that is slow for its swing, and rises fastest when it is a hand's breadth
 /// over the ground.
@@ -96,24 +112,24 @@ FootPlant refined(const FootPlant& run, const PlantSignals& signals, const FootS
   int first_still = run.first, last_still = run.last;
   while (first_still < run.last && !states.still[first_still]) ++first_still;
   while (last_still > run.first && !states.still[last_still]) --last_still;
-  int first_down = run.first, last_down = run.last;
-  while (first_down > 0 && states.down[first_down - 1]) --first_down;
-  while (last_down + 1 < frames && states.down[last_down + 1]) ++last_down;
+  const double down_from = downUntil(states.over, run.first, -1);
+  const double down_until = downUntil(states.over, run.last, 1);
   FootPlant plant = run;
   if (run.first > 0) {
     const double trough = climb(signals.rise, signals.speed.col(0),
                                 {run.first, reach, -1.0, kLandingShare * signals.swing[0],
                                  options.clear_velocity, run.strike});
-    plant.strike = std::clamp(trough, first_down - 0.5, static_cast<double>(first_still));
+    plant.strike = std::min(std::max(trough, down_from), static_cast<double>(first_still));
     const double planted_from = plant.strike - options.strike_lead * rate;
-    plant.first = std::clamp(static_cast<int>(std::ceil(planted_from)), first_down, run.last);
+    plant.first =
+        std::clamp(static_cast<int>(std::ceil(std::max(planted_from, down_from))), 0, run.last);
   }
   if (run.last < frames - 1) {
     const double peak = climb(signals.rise, signals.speed.col(1),
                               {run.last, reach, 1.0, kLeavingShare * signals.swing[1],
                                options.clear_velocity, run.lift_off});
     plant.lift_off =
-        std::clamp(peak - options.lift_off_lead * rate, last_still + 0.5, last_down + 0.5);
+        std::max(std::min(peak - options.lift_off_lead * rate, down_until), last_still + 0.5);
     const double planted_until = plant.lift_off - options.lift_off_contact * rate;
     plant.last =
         std::clamp(static_cast<int>(std::ceil(planted_until)) - 1, plant.first, frames - 1);
