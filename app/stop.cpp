@@ -35,6 +35,7 @@ void stopOnSignals() {
     sigaction(signal, nullptr, &before);
     if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup
   }
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 const std::atomic<bool>& stopFlag() { return stop_flag; }

@@ -1,5 +1,6 @@
 /// Ctrl-C: work that can be stopped polls a flag and ends cleanly; anything else ends at once. No
-/// half-written file is left either way.
+/// half-written file is left either way. Nor is one where files may not be as large (`ulimit -f`):
+/// writing on fails then, as on a full disk, and no signal ends the program.
 #pragma once
 
 #include <atomic>
