@@ -11,10 +11,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "base/assimp_scene.h"
 #include "base/error.h"
@@ -146,6 +148,39 @@ class FolderFiles : public Assimp::DefaultIOSystem {
   std::set<std::filesystem::path> others_;
 };
 
+// What Assimp drops of a file with no more than a warning: of a glTF those triangles whose corners
+// are no vertices of it. One at a time: Assimp has one log.
+class DroppedFaces {
+ public:
+  DroppedFaces() { Assimp::DefaultLogger::set(new Log(there_)); }  // which takes it over
+  ~DroppedFaces() { Assimp::DefaultLogger::set(nullptr); }
+  DroppedFaces(const DroppedFaces&) = delete;
+  DroppedFaces& operator=(const DroppedFaces&) = delete;
+
+  bool there() const { return there_; }
+
+ private:
+  class Log : public Assimp::Logger {
+   public:
+    explicit Log(bool& there) : there_(there) {}
+    bool attachStream(Assimp::LogStream*, unsigned) override { return false; }
+    bool detachStream(Assimp::LogStream*, unsigned) override { return false; }
+
+   private:
+    void OnDebug(const char*) override {}
+    void OnVerboseDebug(const char*) override {}
+    void OnInfo(const char*) override {}
+    void OnWarn(const char* message) override {
+      there_ |= std::string_view(message).find("out-of-range indices") != std::string_view::npos;
+    }
+    void OnError(const char*) override {}
+
+    bool& there_;
+  };
+
+  bool there_ = false;
+};
+
 bool isYUp(const std::string& ending) {
   return ending == ".dae" || ending == ".gltf" || ending == ".glb" || ending == ".ifc" ||
          ending == ".ifczip";
@@ -214,6 +249,7 @@ MeshFile importMesh(const std::filesystem::path& file) {
   importer.SetIOHandler(files);  // which takes it over
   const aiScene* scene = nullptr;
   std::string problem;
+  const DroppedFaces dropped;
   try {
     scene = readTriangles(importer, name);
     if (!scene) problem = importer.GetErrorString();
@@ -222,6 +258,9 @@ MeshFile importMesh(const std::filesystem::path& file) {
   } catch (const std::exception& e) {
     problem = e.what();
   }
+  if (dropped.there())
+    throw InputError(name, 0, "a triangle names a vertex that is not there",
+                     "indices below the number of its mesh's vertices");
   if (!scene || !scene->mRootNode) failReading(name, problem, files->refused());
 
   MeshFile result;

@@ -282,6 +282,39 @@ std::string gltfOf(const std::string& uri, const std::string& more = "") {
 const char* const kTriangle =
     "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAEAAAAAA";
 
+// Two triangles over four corners, the second one's last index as given.
+TEST(ReadMesh, ATriangleOfAGltfWhoseCornerIsNotThereIsNamed) {
+  const TestFolder folder;
+  const float corners[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  const auto square = [&](std::array<std::uint16_t, 6> indices) {
+    std::string bytes(reinterpret_cast<const char*>(corners), sizeof corners);
+    bytes.append(reinterpret_cast<const char*>(indices.data()), sizeof indices);
+    folder.write("square.bin", bytes);
+    return folder.write("square.gltf", R"({"asset":{"version":"2.0"},"scene":0,
+      "scenes":[{"nodes":[0]}],"nodes":[{"name":"floor","mesh":0}],
+      "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+      "accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},
+                   {"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}],
+      "bufferViews":[{"buffer":0,"byteLength":48},
+                     {"buffer":0,"byteOffset":48,"byteLength":12}],
+      "buffers":[{"byteLength":60,"uri":"square.bin"}]})");
+  };
+  const auto problemOf = [&](std::array<std::uint16_t, 6> indices) {
+    const auto file = square(indices);
+    return errorOf([&] { readMesh(file); });
+  };
+  EXPECT_EQ(problemOf({0, 1, 2, 0, 2, 3}), "");
+  for (const std::uint16_t beyond : {4, 65535}) {
+    for (const auto& indices : {std::array<std::uint16_t, 6>{0, 1, 2, 0, 2, beyond},
+                                std::array<std::uint16_t, 6>{0, 1, beyond, 0, 2, beyond}}) {
+      const std::string problem = problemOf(indices);
+      EXPECT_NE(problem.find("square.gltf: a triangle names a vertex that is not there; expected"),
+                std::string::npos)
+          << problem;
+    }
+  }
+}
+
 TEST(ReadMesh, ReferencesOutOfTheFolderAreNotFollowed) {
   const TestFolder folder;
   const std::filesystem::path inner = folder.path() / "inner";
