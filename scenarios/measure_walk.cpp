@@ -62,13 +62,15 @@ void reportFeet(const Problem& problem, const AnimationBuffer& walk, const PoseA
   report.ground_penetration = soles.penetration();
 }
 
-void reportQuality(const Problem& problem, const AnimationBuffer& walk, const PoseArray& poses,
+void reportQuality(const Problem& problem, const Walk& planned, const PoseArray& poses,
                    Report& report) {
+  const AnimationBuffer& walk = planned.buffer;
   const WalkSynthesizer& synthesizer = problem.synthesizer;
   const Clip clip = {problem.scenario.name, synthesizer.skeleton(), walk.frame_time, poses, {}};
-  const QualityAnchors anchors =
+  QualityAnchors anchors =
       anchorsOf(problem.library, synthesizer.stature() / problem.library.stature,
                 synthesizer.settings().speed);
+  anchors.end = pelvisOf(synthesizer, planned.stances.back());
   report.quality = judgeWalk(clip, synthesizer.roles(), walk, problem.ground, anchors);
 }
 
@@ -84,7 +86,7 @@ void measureWalk(const Problem& problem, const Walk& walk, const PoseArray& pose
   reportGoalError(problem, walk, poses, report);
   reportClearance(problem, frames, poses, scratch, report);
   reportFeet(problem, frames, poses, report);
-  reportQuality(problem, frames, poses, report);
+  reportQuality(problem, walk, poses, report);
 }
 
 }  // namespace amble

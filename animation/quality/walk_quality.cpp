@@ -10,6 +10,7 @@
 #include "animation/library/motion_library.h"
 #include "animation/quality/step_measures.h"
 #include "animation/steps/stride_law.h"
+#include "animation/synthesis/walk_synthesizer.h"
 #include "base/rotation.h"
 
 namespace amble {
@@ -59,11 +60,15 @@ FootPlants plantsOfWalk(const AnimationBuffer& walk) {
   return plantsOf(planted);
 }
 
-PathError pathErrorOf(const Clip& clip, const JointRoles& roles, const AnimationBuffer& walk) {
+PathError pathErrorOf(const Clip& clip, const JointRoles& roles, const AnimationBuffer& walk,
+                      const StancePelvis& end) {
   std::vector<PlannedPoint> planned;
   for (const FrameState& state : walk.states) {
     planned.push_back({state.position.head<2>(), state.heading});
   }
+  PlannedPoint& last = planned.back();
+  last.position += Eigen::Rotation2Dd(last.heading) * Eigen::Vector2d(end.ahead, end.left);
+  last.heading += end.turned;
   return pathError(clip, roles, planned);
 }
 
@@ -205,6 +210,16 @@ bool isNoisy(const CaptureQuality& capture) {
 
 }  // namespace
 
+StancePelvis pelvisOf(const WalkSynthesizer& walker, const Stance& stance) {
+  AnimationBuffer pose;
+  if (stance.standing || walker.stand(stance, pose).refused != WalkRule::kNone) return {};
+  const Clip clip = {"stance", walker.skeleton(), pose.frame_time, pose.poses, {}};
+  const Eigen::Vector2d beside =
+      Eigen::Rotation2Dd(-stance.heading) * (clip.poses.p_WR(0) - stance.position).head<2>();
+  return {beside.x(), beside.y(),
+          wrapAngle(pelvisHeadings(clip, walker.roles()).front() - stance.heading)};
+}
+
 QualityAnchors anchorsOf(const MotionLibrary& library, double scale, double speed) {
   QualityAnchors anchors;
   double noisy = 0.0;                           // root acceleration of noisy ones [m/s^2]
@@ -239,7 +254,7 @@ std::vector<QualityLine> judgeWalk(const Clip& clip, const JointRoles& roles,
                                    const AnimationBuffer& walk, const Ground& ground,
                                    const QualityAnchors& anchors) {
   const GaitMeasures gait = measureGait(clip, roles, plantsOfWalk(walk), &ground);
-  const PathError path = pathErrorOf(clip, roles, walk);
+  const PathError path = pathErrorOf(clip, roles, walk, anchors.end);
   const double leg =
       0.5 * (roles.legLength(clip.skeleton, kLeft) + roles.legLength(clip.skeleton, kRight));
   const double scale = bodyScale(leg);

@@ -17,6 +17,19 @@ struct JointRoles;       // joint_roles.h
 struct MotionLibrary;    // motion_library.h
 class Ground;            // ground.h
 struct JudgedStep;       // step_measures.h
+struct Stance;           // stance.h
+class WalkSynthesizer;   // walk_synthesizer.h
+
+/// Where the root is and the pelvis faces in a stance's own pose, seen from the root path's end
+/// there: ahead and to the left [m], left positive [rad]. In mid-walk a pelvis sways and turns with
+/// each step, which is no error; who stands has it over the path, and is judged so.
+struct StancePelvis {
+  double ahead = 0.0, left = 0.0;  ///< [m]
+  double turned = 0.0;             ///< [rad]
+};
+
+/// All 0 of a stance that stands. @pre the walker can be in it
+StancePelvis pelvisOf(const WalkSynthesizer& walker, const Stance& stance);
 
 /// What the captures measure that a walk is made from, by measureGait. Noisy ones are no anchors
 /// (QUALITY.md): of a root faster than 12 m/s² or with a joint jerk above 130 m/s³.
@@ -27,6 +40,7 @@ struct QualityAnchors {
   /// captured; of noisy ones, who may be the only ones as fast, 130 [m/s³, >= 0].
   double joint_jerk = 0.0;
   double pops = 0.0;  ///< the largest of the walks; 0 of noisy ones alone [1, >= 0]
+  StancePelvis end;   ///< of the stance in which the walk ends
 };
 
 /// Of a library's walks, for a character `scale` times the captured subject who walks at `speed`

@@ -90,8 +90,9 @@ class JudgeWalk : public testing::Test {
     clip_ = {"walk", walker.skeleton(), walk_.frame_time, walk_.poses, {}};
   }
   std::vector<QualityLine> judged() const {
-    return judgeWalk(clip_, synthesizer_.roles(), walk_, ground_,
-                     anchorsOf(library_, 1.0, synthesizer_.settings().speed));
+    QualityAnchors anchors = anchorsOf(library_, 1.0, synthesizer_.settings().speed);
+    anchors.end = end_;
+    return judgeWalk(clip_, synthesizer_.roles(), walk_, ground_, anchors);
   }
   QualityLine line(const std::string& measure) const {
     for (const QualityLine& each : judged()) {
@@ -106,6 +107,7 @@ class JudgeWalk : public testing::Test {
   WalkSynthesizer synthesizer_;
   AnimationBuffer walk_;
   Clip clip_;
+  StancePelvis end_;
 };
 
 TEST_F(JudgeWalk, AStraightWalkHoldsEveryBar) {
@@ -123,6 +125,45 @@ TEST_F(JudgeWalk, ADragIsSkateAndDrift) {
   EXPECT_FALSE(line("toe skate").holds());
   EXPECT_NEAR(line("toe skate").value, 0.03, 0.01);
   EXPECT_FALSE(line("drift per plant").holds());
+}
+
+// In mid-walk a pelvis sways and turns with the step: it is compared with that stance's own.
+TEST_F(JudgeWalk, AnEndInMidWalkIsItsStances) {
+  for (const double speed : {0.5, 1.2, 1.8}) {
+    const WalkSynthesizer walker(library_, ground_, {.speed = speed});
+    for (const double length : {0.0, 4.0, 5.3}) {
+      Stance from, to;
+      from.standing = to.standing = false;
+      from.position = {2, -1, 0};
+      from.heading = to.heading = 0.7;
+      to.position = from.position + length * Eigen::Vector3d(std::cos(0.7), std::sin(0.7), 0.0);
+      if (length == 0.0) {
+        ASSERT_EQ(walker.stand(from, walk_).refused, WalkRule::kNone);
+      } else {
+        const RootPath path({makeBezier(from.position.head<2>(), 0.7, to.position.head<2>(), 0.7)});
+        const WalkResult walked = walker.walk(from, to, path, true, walk_);
+        ASSERT_EQ(walked.refused, WalkRule::kNone) << speed << " " << length;
+        to.leading = walked.leading;
+      }
+      clip_ = {"walk", walker.skeleton(), walk_.frame_time, walk_.poses, {}};
+      end_ = pelvisOf(walker, to);
+      EXPECT_GT(std::abs(end_.left), 0.005) << "nobody sways so little";
+      for (const char* measure : {"path error, mean", "path error, end", "end heading"})
+        EXPECT_TRUE(line(measure).holds()) << measure << " " << speed << " " << length;
+      EXPECT_NEAR(line("path error, end").value, 0.0, 1e-9);
+      EXPECT_NEAR(line("end heading").value, 0.0, 1e-6);
+      const int last = clip_.frames() - 1;  // 5 cm beside it is an error still
+      clip_.poses.p_WR(last).x() += 0.05;
+      EXPECT_NEAR(line("path error, end").value, 0.05, 1e-9);
+    }
+  }
+}
+
+TEST_F(JudgeWalk, WhoStandsHasHisPelvisOverThePath) {
+  const StancePelvis stands = pelvisOf(synthesizer_, Stance{});
+  EXPECT_EQ(stands.ahead, 0.0);
+  EXPECT_EQ(stands.left, 0.0);
+  EXPECT_EQ(stands.turned, 0.0);
 }
 
 TEST_F(JudgeWalk, AWalkBesideItsPathIsAPathError) {
