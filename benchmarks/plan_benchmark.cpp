@@ -74,7 +74,8 @@ void newEnds(benchmark::State& state, bool warm) {
   request.limits.max_failures = Planner::kFailures;
   const Planner planner(request, Planner::grow(request));
   request.limits.max_failures = problem.scenario.planner.max_failures;
-  const WalkSteering steering(problem.synthesizer, problem.world, problem.ground, request.comfort);
+  const WalkSteering steering(problem.synthesizer, problem.world, problem.ground,
+                              {request.comfort, request.within});
   const auto scratch = steering.makeScratch();
   const StanceSampler sampler(steering, request.bounds);
   std::vector<PlanEnd> ends;

@@ -31,6 +31,9 @@ struct PlanRequest {
   const CollisionWorld* world = nullptr;
   const SceneGround* ground = nullptr;
   Eigen::AlignedBox2d bounds;  ///< where to look; widened to hold start, goal and via [m]
+  /// What root paths may not leave; nothing where there is none [m]. @pre start, goal and via lie
+  /// in it
+  std::optional<Eigen::AlignedBox2d> within;
   PlanEnd start, goal;
   std::vector<Eigen::Vector3d> via;    ///< passed in order, by any heading [m, World]
   std::string planner = "visibility";  ///< of planners()

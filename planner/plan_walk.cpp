@@ -8,7 +8,7 @@ namespace amble {
 PlanOutcome planWalk(const PlanRequest& request) {
   checkRequest(request);
   const WalkSteering steering(*request.synthesizer, *request.world, *request.ground,
-                              request.comfort);
+                              {request.comfort, request.within});
   return runPlan(request, steering, [](const PlanRequest& asked, const WalkSteering& by) {
     return makeLegPlanner(asked, by, asked.limits);
   });

@@ -320,6 +320,7 @@ PlanRequest Problem::request() const {
   request.world = &world;
   request.ground = &ground;
   request.bounds = bounds();
+  if (scenario.bounds) request.within = request.bounds;
   request.comfort = scenario.walk.comfort;
   request.planner = scenario.planner.name;
   request.limits.seed = scenario.planner.seed;

@@ -179,4 +179,24 @@ void RootPath::append(const RootPath& next) {
   *this = RootPath(std::move(curves));
 }
 
+// A cubic is farthest along an axis at its ends, or where its velocity along it, which is three
+// times a (1-u)^2 + 2 b u (1-u) + d u^2, is none.
+Eigen::AlignedBox2d RootPath::extent() const {
+  Eigen::AlignedBox2d box;
+  for (const Bezier& c : curves_) {
+    box.extend(c.col(0).eval()).extend(c.col(3).eval());
+    for (int axis = 0; axis < 2; ++axis) {
+      const double a = c(axis, 1) - c(axis, 0), b = c(axis, 2) - c(axis, 1),
+                   d = c(axis, 3) - c(axis, 2), half = b - a, square = a - 2.0 * b + d;
+      const double under_root = half * half - square * a;
+      if (under_root < 0.0) continue;
+      const double sum = -(half + std::copysign(std::sqrt(under_root), half));
+      for (const double u : {sum / square, a / sum}) {
+        if (u > 0.0 && u < 1.0) box.extend(position(c, u));
+      }
+    }
+  }
+  return box;
+}
+
 }  // namespace amble

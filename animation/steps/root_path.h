@@ -5,7 +5,7 @@
 /// asked by arc length s [m], 0 <= s <= length().
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <vector>
 
@@ -41,6 +41,7 @@ class RootPath {
   /// which a curve has 24.
   static constexpr double kTableError = 1e-10;
   void append(const RootPath& next);
+  Eigen::AlignedBox2d extent() const;  ///< the least box around it; empty without curves [m]
 
  private:
   struct Piece {

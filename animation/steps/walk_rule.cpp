@@ -10,6 +10,8 @@ std::string_view walkRuleName(WalkRule rule) {
       return "no_curve";
     case WalkRule::kDisconnected:
       return "disconnected";
+    case WalkRule::kBounds:
+      return "bounds";
     case WalkRule::kContact:
       return "contact";
     case WalkRule::kStepLength:

@@ -13,6 +13,8 @@ enum class WalkRule {
   kNoCurve,
   /// No root path at all: things shut the body off.
   kDisconnected,
+  /// A root path that would leave the bounds.
+  kBounds,
   /// Stage 2, limits: no whole number of steps within the library's stride range fits the length of
   /// the path.
   kStepLength,

@@ -16,7 +16,7 @@ namespace {
 
 WalkSteering steeringOf(const PlanRequest& problem) {
   checkRequest(problem);
-  return {*problem.synthesizer, *problem.world, *problem.ground, problem.comfort};
+  return {*problem.synthesizer, *problem.world, *problem.ground, {problem.comfort, problem.within}};
 }
 
 KeptRoadmap checked(KeptRoadmap roadmap) {

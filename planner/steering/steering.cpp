@@ -7,6 +7,7 @@ SteeringStage stageOf(WalkRule rule) {
     case WalkRule::kNone:
     case WalkRule::kNoCurve:
     case WalkRule::kDisconnected:
+    case WalkRule::kBounds:
       return SteeringStage::kRootPath;
     case WalkRule::kStepLength:
     case WalkRule::kTurnRate:

@@ -98,15 +98,16 @@ ClearanceMap::Breadth breadthByHeight(const StraightWalk& walk, const WalkSynthe
 }  // namespace
 
 WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
-                           const SceneGround& ground, double comfort)
-    : WalkSteering(synthesizer, world, ground, comfort, straightWalk(synthesizer)) {}
+                           const SceneGround& ground, const WalkWishes& wishes)
+    : WalkSteering(synthesizer, world, ground, wishes, straightWalk(synthesizer)) {}
 
 WalkSteering::WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
-                           const SceneGround& ground, double comfort, const StraightWalk& walk)
+                           const SceneGround& ground, const WalkWishes& wishes,
+                           const StraightWalk& walk)
     : synthesizer_(synthesizer),
       world_(world),
       ground_(ground),
-      comfort_(comfort),
+      wishes_(wishes),
       core_(walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature()),
       reach_(
           walk, synthesizer.skeleton(), synthesizer.roles(), world.body(), synthesizer.stature(),
@@ -316,11 +317,16 @@ bool WalkSteering::coreTouches(const WalkEdge& edge, SteeringScratch& scratch,
   return true;
 }
 
-// Stages 2 to 4, of the walk first, since it is refused more often than the turns.
+// Whether the bounds hold the edge, and stages 2 to 4, of the walk first, since it is refused more
+// often than the turns.
 SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch, const Use& use) const {
   WalkScratch& own = walkScratch(scratch);
   SteerResult result;
   bool leads_on = true;
+  if (!staysWithin(edge, wishes_.within)) {
+    result.failure = failure(WalkRule::kBounds, edge.from, edge.to);
+    return result;
+  }
   if (coreTouches(edge, scratch, result.failure)) return result;
   int frames = 0;
   double near = 0.0;
@@ -340,7 +346,8 @@ SteerResult WalkSteering::judge(WalkEdge edge, SteeringScratch& scratch, const U
       result.failure = touched(*contact, own.buffer, scratch);
       return false;
     }
-    if (comfort_ > 0.0) near += world_.nearness(own.buffer.poses, comfort_, *own.collision);
+    if (wishes_.comfort > 0.0)
+      near += world_.nearness(own.buffer.poses, wishes_.comfort, *own.collision);
     if (part != EdgePart::kWalk) return true;
     edge.steps = made.steps;
     edge.effort = effortOf(own.buffer, synthesizer_.capturedLift(), synthesizer_.settings().speed);
@@ -378,7 +385,7 @@ bool WalkSteering::mayLead(const Waypoint& from, const Waypoint& to, double most
   for (const Way& way : waysBetween(from, to)) {
     const WalkEdge edge = makeEdge(from, to, way);
     if (edge.path.empty()) return true;
-    if (coreTouches(edge, scratch, failure)) continue;
+    if (!staysWithin(edge, wishes_.within) || coreTouches(edge, scratch, failure)) continue;
     const auto [leave, arrive] = endsOfWalk(edge);
     const WalkResult walk =
         synthesizer_.outlook(leave, arrive, edge.path, edge.any_leading, costsAtMost(most));
@@ -450,6 +457,7 @@ bool WalkSteering::looksFree(const Waypoint& from, const Waypoint& to,
   const Eigen::Vector2d line = (to.stance.position - from.stance.position).head<2>();
   if (line.norm() < synthesizer_.shortestWalk()) return false;
   const WalkEdge edge = makeEdge(from, to, waysBetween(from, to).front());
+  if (!staysWithin(edge, wishes_.within)) return false;
   CollisionScratch& own = *walkScratch(scratch).collision;
   const int count = static_cast<int>(edge.length / kSpacing) + 1;
   for (int i = 0; i <= count; ++i) {

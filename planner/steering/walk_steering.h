@@ -1,7 +1,7 @@
 /// The steering method for a walking body (Pettré §3 to §5), in four stages with named refusals
 /// (DESIGN.md, section 3).
 ///
-///   1 root path   cubic Beziers between the two stances       refuses: no_curve
+///   1 root path   cubic Beziers between the two stances       refuses: no_curve, bounds
 ///   2 limits      turn rates of the library, whole steps      refuses: turn_rate, step_length
 ///   3 animation   the synthesizer's frames, feet on footprints refuses: reach, no_ground
 ///   4 validation  the whole body, at frames and between them  refuses: contact
@@ -30,13 +30,19 @@ namespace amble {
 enum class EdgePart { kTurnFirst, kWalk, kTurnLast };
 using PartOrder = std::array<EdgePart, 3>;
 
+/// What a planner asks of walks, beside what they are made of.
+struct WalkWishes {
+  /// Distance to things within which edges cost more, up to WalkSteering::kNearnessCost times their
+  /// time [m, >= 0].
+  double comfort = 0.0;
+  std::optional<Eigen::AlignedBox2d> within = {};  ///< root paths stay in it; anywhere without [m]
+};
+
 class WalkSteering : public Steering {
  public:
-  /// @param comfort  distance to things within which edges cost more, up to kNearnessCost times
-  /// their time [m, >= 0]
   /// @pre all outlive the steering; the world's body is the synthesizer's.
   WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
-               const SceneGround& ground, double comfort = 0.0);
+               const SceneGround& ground, const WalkWishes& wishes = {});
   static constexpr double kNearnessCost = 2.0;
 
   SteeringScratchPtr makeScratch() const override;
@@ -107,7 +113,7 @@ class WalkSteering : public Steering {
 
  private:
   WalkSteering(const WalkSynthesizer& synthesizer, const CollisionWorld& world,
-               const SceneGround& ground, double comfort, const StraightWalk& walk);
+               const SceneGround& ground, const WalkWishes& wishes, const StraightWalk& walk);
   // What an edge is wanted for.
   struct Use {
     double most = HUGE_VAL;             // that it may cost [s]
@@ -129,7 +135,7 @@ class WalkSteering : public Steering {
   const WalkSynthesizer& synthesizer_;
   const CollisionWorld& world_;
   const SceneGround& ground_;
-  double comfort_;
+  WalkWishes wishes_;
   BodyCore core_;
   BodyReach reach_;
   double half_breadth_ = 0.0;      // of the body that walks, from the path; 0: not known [m]

@@ -105,6 +105,14 @@ std::vector<Way> waysBetween(const Waypoint& from, const Waypoint& to) {
   return ways;
 }
 
+bool staysWithin(const WalkEdge& edge, const std::optional<Eigen::AlignedBox2d>& bounds) {
+  constexpr double kRounding = 1e-9;  // of who walks along their border [m]
+  if (!bounds || edge.path.empty()) return true;
+  const Eigen::AlignedBox2d way = edge.path.extent();
+  return (way.min().array() >= bounds->min().array() - kRounding).all() &&
+         (way.max().array() <= bounds->max().array() + kRounding).all();
+}
+
 bool onOneFloor(const Waypoint& from, const Waypoint& to) {
   return isLevel(from, to) && from.stance.standing && to.stance.standing;
 }

@@ -2,6 +2,8 @@
 /// its root paths (Pettré §3), and what stands for them where there is no way to walk.
 #pragma once
 
+#include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "planner/steering/steering.h"
@@ -25,6 +27,10 @@ WalkEdge makeEdge(const Waypoint& from, const Waypoint& to, const Way& way);
 /// Turning on the spot from one heading to the other, or by small steps beside it, where there is
 /// no way to walk.
 WalkEdge makeTurn(const Waypoint& from, const Waypoint& to);
+
+/// Whether the edge's root path stays in the bounds, if there are any [m]. Its ends lie in them; a
+/// curve between them need not.
+bool staysWithin(const WalkEdge& edge, const std::optional<Eigen::AlignedBox2d>& bounds);
 
 /// Where one may turn, or step aside, from the one to the other: standing, on one level.
 bool onOneFloor(const Waypoint& from, const Waypoint& to);

@@ -60,6 +60,8 @@ const char* meaningOf(WalkRule rule) {
   switch (rule) {
     case WalkRule::kNoCurve:
       return " (too near, or too sharp a turn, to walk)";
+    case WalkRule::kBounds:
+      return " (walks would leave the scenario's bounds)";
     case WalkRule::kStepLength:
       return " (no whole number of steps fits)";
     case WalkRule::kTurnRate:

@@ -46,7 +46,8 @@ class EdgeTakes {
         roadmap_(roadmap),
         sole_(sole),
         page_(page),
-        steering_(problem.synthesizer, problem.world, problem.ground, problem.request().comfort) {}
+        steering_(problem.synthesizer, problem.world, problem.ground,
+                  {problem.scenario.walk.comfort, problem.request().within}) {}
 
   void addAttempts();
   void addEdges();

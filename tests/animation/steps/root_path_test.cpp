@@ -189,6 +189,24 @@ TEST(RootPath, AnAppendedPathGoesOnWhereTheFirstEnds) {
   EXPECT_NEAR(both.at(first.length() - 1e-9).heading, both.at(first.length() + 1e-9).heading, 1e-6);
 }
 
+TEST(RootPath, ItsExtentIsTheLeastBoxAroundFineSamples) {
+  constexpr int kSamples = 20000;
+  Generator generator(34);
+  for (int i = 0; i < 30; ++i) {
+    const Bezier one = randomBezier(generator, Eigen::Vector2d(1, -2), nullptr);
+    const Bezier two = randomBezier(generator, one.col(3), nullptr);
+    Eigen::AlignedBox2d sampled;
+    for (const Bezier& curve : {one, two}) {
+      for (int k = 0; k <= kSamples; ++k) sampled.extend(pointOf(curve, 1.0 * k / kSamples));
+    }
+    const Eigen::AlignedBox2d box = RootPath({one, two}).extent();
+    EXPECT_TRUE((box.min().array() <= sampled.min().array() + 1e-12).all());
+    EXPECT_TRUE((box.max().array() >= sampled.max().array() - 1e-12).all());
+    EXPECT_LT((box.sizes() - sampled.sizes()).maxCoeff(), 1e-6);
+  }
+  EXPECT_TRUE(RootPath().extent().isEmpty());
+}
+
 TEST(RootPath, AStraightLineHasNoCurvature) {
   const RootPath path({makeBezier({1, 1}, kPi / 4, {4, 4}, kPi / 4)});
   EXPECT_NEAR(path.length(), std::sqrt(18.0), 1e-12);

@@ -25,6 +25,7 @@ TEST(WalkRule, ReportsCountTheSameNamesAsEver) {
   EXPECT_EQ(walkRuleName(WalkRule::kFoothold), "foothold");
   EXPECT_EQ(walkRuleName(WalkRule::kSlope), "slope");
   EXPECT_EQ(walkRuleName(WalkRule::kStepHeight), "step_height");
+  EXPECT_EQ(walkRuleName(WalkRule::kBounds), "bounds");
 }
 
 }  // namespace
