@@ -67,7 +67,8 @@ class BodyMaker {
     // The rest pose, in which every joint's axes are the root's.
     const std::vector<Eigen::Quaterniond> level(skeleton.size(), Eigen::Quaterniond::Identity());
     rest_ = upright(level);
-    pose_ = isRest(stance.upright) ? rest_ : upright(stance.upright.q_HJ);
+    at_rest_ = isRest(stance.upright);
+    pose_ = at_rest_ ? rest_ : upright(stance.upright.q_HJ);
   }
 
   Body make() {
@@ -205,9 +206,20 @@ class BodyMaker {
     const int hand = arm.hand >= 0 ? arm.hand : arm.fore_arm;
     const Eigen::Vector3d wrist = arm.hand >= 0 ? Eigen::Vector3d(0, 0, 0) : bone;
     const double radius = 0.5 * kHandBreadth * stature_;
-    const Eigen::Vector3d along =
-        bone.norm() > 0.0 ? Eigen::Vector3d(bone.normalized()) : -pose_.up;
+    const Eigen::Vector3d along = handWay(arm, bone);
     add(name + "hand", hand, wrist, wrist + along * (kHandLength * stature_ - radius), radius);
+  }
+
+  // From the wrist to the fingers. In a rest pose hands go on from forearms. A pose of somebody who
+  // stands or walks bends its wrists as it happens; of such a rig, whose joints all point along
+  // their bones, the hand's own end says where it is, whatever the pose.
+  Eigen::Vector3d handWay(const ArmJoints& arm, const Eigen::Vector3d& bone) const {
+    if (!at_rest_ && arm.hand >= 0) {
+      const auto& ends = skeleton_.joint(arm.hand).end_sites;
+      if (!ends.empty() && ends.front().norm() > 0.0)
+        return pose_.q[arm.hand] * ends.front().normalized();
+    }
+    return bone.norm() > 0.0 ? Eigen::Vector3d(bone.normalized()) : -pose_.up;
   }
 
   // Elbow to wrist; a rig without wrists has the mean proportion (Drillis and Contini 1966: 0.146
@@ -290,8 +302,9 @@ class BodyMaker {
   const double stature_;
   const SoleHeights soles_;
   const std::optional<JointFrame> standing_head_;
-  Upright rest_;  // in which feet are flat (FootShape)
-  Upright pose_;  // in which somebody stands
+  bool at_rest_ = false;  // somebody stands in the rest pose
+  Upright rest_;          // in which feet are flat (FootShape)
+  Upright pose_;          // in which somebody stands
   Body body_;
 };
 

@@ -197,6 +197,37 @@ TEST(Body, CanBeMadeOfEveryCommonRig) {
   }
 }
 
+// Of a rig whose joints all point along their bones nobody stands in the rest pose: whoever is
+// upright in it has his wrists bent as it happens.
+TEST(Body, AHandIsWhereItsRigHasItHoweverTheWristIsBent) {
+  std::vector<Joint> joints = TestWalker::joints();
+  for (Joint& joint : joints)
+    if (joint.name == "LeftHand") joint.end_sites = {{0.08, 0.0, 0.06}};
+  const Skeleton skeleton(joints);
+  const TestWalker walker;
+  const int hand = walker.roles.arms[kLeft].hand;
+  for (const double bent : {-0.6, 0.0, 0.5}) {
+    // Arms hang, which parts them from the rest pose.
+    const Pose standing = walker.standing(0, 0);
+    BodyStance stance;
+    for (int j = 0; j < skeleton.size(); ++j) {
+      const int parent = skeleton.joint(j).parent;
+      Eigen::Quaterniond q = standing.rotations[j];
+      if (j == hand) q = expRotation(bent * Eigen::Vector3d(0.3, 0.8, 0.5));
+      stance.upright.q_HJ.push_back(parent < 0 ? q : stance.upright.q_HJ[parent] * q);
+    }
+    const Body body = makeBody(skeleton, walker.roles, walker.stature,
+                               evenSoles({walker.foot.ankle_height, walker.foot.radius}), stance);
+    const BodyPart& part = body.parts[walker.part("left hand")];
+    ASSERT_EQ(part.joint, hand);
+    EXPECT_LT((part.to - part.from).normalized().cross(Eigen::Vector3d(0.8, 0, 0.6)).norm(), 1e-9)
+        << bent;
+    // The other has no end: it goes on from its forearm.
+    const BodyPart& other = body.parts[walker.part("right hand")];
+    EXPECT_LT((other.to - other.from).normalized().cross(Eigen::Vector3d::UnitX()).norm(), 1e-9);
+  }
+}
+
 // Else a bar might go through a throat that is not there.
 TEST(Body, HeadAndNeckMeetInEveryCommonRig) {
   const std::filesystem::path mocap = std::filesystem::path(AMBLE_SHARED) / "mocap";
