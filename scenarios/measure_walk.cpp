@@ -42,7 +42,7 @@ void reportClearance(const Problem& problem, const AnimationBuffer& walk, const 
   if (near.object < 0) return;
   report.clearance.part = problem.body.parts.at(near.part).name;
   report.clearance.object = objectName(problem.scene.objects.at(near.object));
-  report.clearance.time = near.frame * walk.frame_time;
+  report.clearance.time = (near.frame + near.between) * walk.frame_time;
 }
 
 // Skate is of all prints, those too that stand from the begin on; steps are what feet landed on.

@@ -74,7 +74,7 @@ void measureClearance(const CollisionWorld& world, const PoseArray& poses, doubl
   if (near.object < 0) return;
   result.clearance_part = world.body().parts.at(near.part).name;
   result.clearance_object = objectName(world.scene().objects.at(near.object));
-  result.clearance_time = near.frame * frame_time;
+  result.clearance_time = (near.frame + near.between) * frame_time;
 }
 
 }  // namespace

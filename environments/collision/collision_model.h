@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -24,6 +25,11 @@ struct FreeAround {
 
   bool all() const { return obstacles && ground; }
 };
+
+/// The larger distance that an end of the axis has moved [m].
+inline double chordOf(const Capsule& a, const Capsule& b) {
+  return std::sqrt(std::max((b.from - a.from).squaredNorm(), (b.to - a.to).squaredNorm()));
+}
 
 /// Memory of one thread; nothing in it outlives a call but its size.
 class CollisionScratch {

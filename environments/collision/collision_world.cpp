@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "environments/collision/collision_model.h"
+#include "environments/collision/least_clearance.h"
 #include "environments/collision/motion_check.h"
 
 namespace amble {
@@ -61,24 +62,7 @@ int CollisionWorld::touched(const Eigen::Vector3d& from, const Eigen::Vector3d& 
 
 Clearance CollisionWorld::clearance(const PoseArray& poses, double limit,
                                     CollisionScratch& scratch) const {
-  Clearance best{limit, 0, -1, -1};
-  const size_t parts = static_cast<size_t>(model_->parts());
-  scratch.prepare(poses.size());
-  // Coarse frames first: a small distance found early spares most of the exact queries.
-  const auto measure = [&](int frame) {
-    model_->place(poses[frame], scratch, {&scratch.capsule(frame, 0), parts});
-    for (size_t part = 0; part < parts; ++part) {
-      const Capsule& capsule = scratch.capsule(frame, static_cast<int>(part));
-      const ObstacleSet::Nearest nearest = model_->layers.nearestObstacle(
-          capsule, best.distance, model_->body.parts[part].sole >= 0, *scratch.exact);
-      if (nearest.object >= 0)
-        best = {nearest.distance, frame, static_cast<int>(part), nearest.object};
-    }
-  };
-  for (int frame = 0; frame < poses.size(); frame += kStrides[0]) measure(frame);
-  for (int frame = 0; frame < poses.size(); ++frame)
-    if (frame % kStrides[0] != 0) measure(frame);
-  return best;
+  return LeastClearance(*model_, poses, limit, scratch).least();
 }
 
 PartClearances CollisionWorld::clearances(const PoseArray& poses, double limit,

@@ -25,6 +25,7 @@ namespace amble {
 struct Clearance {
   double distance = 0.0;  ///< [m]
   int frame = 0;
+  double between = 0.0;  ///< so far from there to the next [frames, 0 <= . < 1]
   int part = -1;
   int object = -1;  ///< -1 where nothing is within `limit`
 };
@@ -78,8 +79,8 @@ class CollisionWorld {
   int touched(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
               CollisionScratch& scratch) const;
 
-  /// Smallest distance to anything but the ground that soles stand on, at frames, exact; `limit`
-  /// bounds the search [m].
+  /// Smallest distance to anything but the ground that soles stand on, at frames, exact, and
+  /// between them, to kClearanceGap; `limit` bounds the search [m].
   Clearance clearance(const PoseArray& poses, double limit, CollisionScratch& scratch) const;
 
   /// The same of every part at every frame. Cost: a query each, more the larger the limit.

@@ -18,6 +18,10 @@ inline constexpr double kSwingDepth = 0.001;
 /// larger closes gaps that are just wide enough [m].
 inline constexpr double kProofGap = 0.001;
 
+/// The least distance of a motion to things is told to this: what may be nearer by less between two
+/// frames is not looked for. Smaller costs more halvings where something is passed close by [m].
+inline constexpr double kClearanceGap = 0.0005;
+
 /// Who says whether a capsule touches a thing, and how far it is.
 enum class Checker {
   kFast,  ///< our own trees of triangles; the answers of FCL up to its accuracy, 1e-6 m

@@ -5,14 +5,6 @@
 #include <cmath>
 
 namespace amble {
-namespace {
-
-double chordOf(const Capsule& a, const Capsule& b) {
-  return std::sqrt(std::max((b.from - a.from).squaredNorm(), (b.to - a.to).squaredNorm()));
-}
-
-}  // namespace
-
 // Those of frames [first, last) that are not placed yet, every `step`th.
 void MotionCheck::place(int first, int last, int step) {
   std::array<int, kAhead + 1> missing;
