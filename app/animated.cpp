@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "animation/library/library_style.h"
@@ -37,8 +38,16 @@ std::string limitText(WalkRule rule, const GroundLimits& limits) {
                          limits.max_drop);
     case WalkRule::kSlope:
       return fmt::format("; ground is at most {:g} degrees steep", limits.max_slope / kDegree);
+    case WalkRule::kStepLength:
+      return "; expected a --duration, --speed and --stride that a whole number of steps fits";
+    case WalkRule::kTurnRate:
+      return "; expected a smaller --turn or --speed";
+    case WalkRule::kReach:
+      return "; expected shorter steps, or less steep ground: a leg is too short";
+    case WalkRule::kFoothold:
+      return "; expected --stairs with more room for a sole";
     default:
-      return "";
+      return "; expected other ground";
   }
 }
 
@@ -56,6 +65,14 @@ std::string treadText(const AnimateRequest& request, const FootShape& foot,
       "; a sole of {:.2f} m stands on treads of {:.2f} m and more, others are taken several at "
       "once",
       sole, stands);
+}
+
+// A ramp is walked all the way, or not at all: who turns back where it gets too steep has not done
+// what was asked.
+bool isTooSteep(const DemoRequest& request, const GroundLimits& limits) {
+  constexpr double kRounding = 1e-9;  // of degrees [rad]
+  return request.incline && std::max(std::abs(request.incline->from),
+                                     std::abs(request.incline->to)) > limits.max_slope + kRounding;
 }
 
 CharacterSettings settingsOf(const AnimateRequest& request, const MotionLibrary& library) {
@@ -101,7 +118,10 @@ AnimatedWalk animateWalk(const AnimateRequest& request, const StopRequest& stop)
   made.ground = demoGround(request.walk, settings.speed);
   made.synthesizer = std::make_unique<const WalkSynthesizer>(*made.library, *made.ground, settings);
   checkRequest(*made.synthesizer, request.walk);
-  made.result = demoWalk(*made.synthesizer, *made.ground, request.walk, made.walk, stop);
+  if (isTooSteep(request.walk, settings.limits))
+    made.result.refused = WalkRule::kSlope;
+  else
+    made.result = demoWalk(*made.synthesizer, *made.ground, request.walk, made.walk, stop);
   if (made.result.refused != WalkRule::kNone) {
     made.refused = std::string(walkRuleName(made.result.refused)) + " refused" +
                    limitText(made.result.refused, settings.limits);

@@ -152,6 +152,14 @@ TEST_F(Commands, AnimateSaysWhichRuleRefused) {
   const Ran steep = run("animate --incline 30 -o a.bvh");
   EXPECT_EQ(steep.status, 1);
   EXPECT_NE(steep.err.find("slope refused"), std::string::npos) << steep.err;
+  // A ramp that gets too steep on its way is not walked as far as it is not.
+  for (const char* ramp : {"0..25", "10..25", "-25..0", "25..0"}) {
+    const Ran ran = run(std::string("animate --duration 6 -o b.bvh --incline ") + ramp);
+    EXPECT_EQ(ran.status, 1) << ramp;
+    EXPECT_NE(ran.err.find("at most 20 degrees steep"), std::string::npos) << ran.err;
+  }
+  EXPECT_EQ(files().count("b.bvh"), 0u);
+  EXPECT_EQ(run("animate --duration 6 -o c.bvh --incline 0..20").status, 0);
   EXPECT_EQ(run("animate --stairs .4,.29 -o a.bvh").status, 1);
 }
 
