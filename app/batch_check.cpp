@@ -56,6 +56,10 @@ int runCheck(const BatchCheckArguments& options) {
     }
     say(stdout, "{} looked at, {} of them wrong\n",
         counted(static_cast<long long>(walks.size()), "walk"), wrong);
+    const bool spoilt = std::any_of(walks.begin(), walks.end(),
+                                    [](const CheckedWalk& walk) { return !walk.wrong.empty(); });
+    if (spoilt)
+      say(stdout, "A walk is made again when its folder is deleted and the batch is run again\n");
   }
   return wrong == 0 ? kExitDone : kExitNone;
 }

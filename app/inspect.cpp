@@ -8,6 +8,7 @@
 #include "animation/captures/capture_file.h"
 #include "app/command.h"
 #include "app/findings.h"
+#include "app/own_files.h"
 #include "app/read_options.h"
 #include "app/stop.h"
 #include "base/strict_yaml.h"
@@ -18,15 +19,19 @@ namespace {
 Findings inspectYaml(const std::filesystem::path& file, const LoadLimits& limits) {
   const std::string text = readWholeFile(file, kAnyYaml);
   const YamlNode root = parseYaml(text, file.string());
-  if (root.isMap()) {
-    if (root.has("scene") || root.has("start") || root.has("queries"))
+  switch (const OwnFile kind = ownFileOf(root)) {
+    case OwnFile::kScenario:
       return inspectScenario({file, text}, limits);
-    if (root.has("motions")) return inspectLibrary(file);
-    if (root.has("mean_posture")) return inspectEngine(file);
-    if (root.has("objects")) return inspectScene(file, limits);
+    case OwnFile::kLibrary:
+      return inspectLibrary(file);
+    case OwnFile::kEngine:
+      return inspectEngine(file);
+    case OwnFile::kScene:
+      return inspectScene(file, limits);
+    default:
+      root.fail((kind == OwnFile::kNone ? "" : "is ") + describeOwnFile(kind),
+                "'objects:' of a scene, 'scene:' of a scenario or 'motions:' of a library");
   }
-  root.fail("no kind of file that Amble knows",
-            "'objects:' of a scene, 'scene:' of a scenario or 'motions:' of a library");
 }
 
 Findings inspectFile(const std::filesystem::path& file, const MotionReadOptions& options,
@@ -45,7 +50,8 @@ Findings inspectFile(const std::filesystem::path& file, const MotionReadOptions&
     throw InputError(file.string(), 0, "is a skeleton without motion",
                      "the .amc file of a motion of it");
   }
-  throw InputError(file.string(), 0, "no kind of file that Amble knows",
+  const OwnFile own = ownFileAt(file);
+  throw InputError(file.string(), 0, (own == OwnFile::kNone ? "" : "is ") + describeOwnFile(own),
                    ".yaml, .bvh, .amc, .obj, .gltf, .glb, .vrma, .ply, .stl, .dae, .fbx or .ifc");
 }
 

@@ -14,6 +14,7 @@
 #include "app/graph_words.h"
 #include "app/library_addition.h"
 #include "app/open_file.h"
+#include "app/own_files.h"
 #include "app/read_options.h"
 #include "app/result_folder.h"
 #include "app/say.h"
@@ -23,6 +24,7 @@
 #include "base/keep_inputs.h"
 #include "base/output_file.h"
 #include "base/parallel.h"
+#include "base/strict_yaml.h"
 #include "base/text.h"
 #include "viz/page/clip_page.h"
 #include "viz/page/thin_clips.h"
@@ -122,6 +124,15 @@ int showBench(const ViewArguments& options, PageSubject page, const Bench& bench
   return kExitDone;
 }
 
+// A library may be broken; another of Amble's files is told as what it is.
+void requireLibrary(const fs::path& file) {
+  const YamlNode root = readYaml(file);
+  const OwnFile kind = ownFileOf(root);
+  if (kind == OwnFile::kNone || kind == OwnFile::kLibrary) return;
+  root.fail("is " + describeOwnFile(kind),
+            "a folder of results, captures, a motion library or a cluster graph");
+}
+
 int viewLibrary(const ViewArguments& options) {
   const fs::path file = options.paths[0];
   const MotionLibrary library = readMotionLibrary(file);
@@ -202,6 +213,7 @@ int run(ViewArguments options) {
   if (options.json && options.out == "-")
     throw InputError("--json", 0, "with a page on standard output", "-o FILE, or no page");
   if (options.paths.size() == 1 && isYaml(options.paths[0])) {
+    requireLibrary(options.paths[0]);
     refuseScene(options, "motion library");
     return viewLibrary(options);
   }

@@ -286,6 +286,9 @@ class SceneReading::Reader {
     if (bounds_.isEmpty()) objects.fail("a scene of ignored objects only", "at least one other");
     const double size = bounds_.sizes().maxCoeff();
     if (size >= kSmallestScene && size <= kLargestScene) return;
+    if (!widest_node_["mesh"])
+      widest_node_.fail("the scene is " + shortNumber(size) + " m large",
+                        "0.5 m to 1 km; lengths of what is no mesh are in metres");
     const YamlNode scale = widest_node_["scale"];
     const double now = scale ? scale.asPositive("scale") : 1.0;
     const double needed = now * std::pow(10.0, std::round(std::log10(kUsualScene / size)));

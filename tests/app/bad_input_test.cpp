@@ -174,6 +174,15 @@ TEST_F(BadInput, ASceneInMillimetresIsRefusedWithTheScaleItNeeds) {
   expectRefused("plan in/scenario.yaml -o out", {"room.yaml", "; expected ", "scale", "0.001"});
 }
 
+// What is no mesh takes no `scale`.
+TEST_F(BadInput, ASceneOfBoxesInMillimetresIsNotToldToScaleThem) {
+  write("in/room.yaml",
+        "name: mm\nobjects:\n  - {name: floor, box: {size: [6000, 4000, 100]}, at: [3000, 2000, "
+        "-50]}\n");
+  expectRefused("inspect in/room.yaml", {"room.yaml:3: ", "6000 m large; expected 0.5 m to 1 km"});
+  EXPECT_EQ(run("inspect in/room.yaml").err.find("scale"), std::string::npos);
+}
+
 TEST_F(BadInput, AStartOutsideTheSceneIsNamedWithItsLine) {
   write("in/scenario.yaml", replaced(kScenario, "[1, 2]", "[-30, 2]"));
   expectRefused("plan in/scenario.yaml -o out", {"scenario.yaml:2: ", "; expected "});
@@ -214,6 +223,15 @@ TEST_F(BadInput, AFileOfNoKnownKindIsNamed) {
   expectRefused("inspect in/other.yaml", {"other.yaml:1: ", "; expected "});
   write("in/other.txt", "milk\n");
   expectRefused("inspect in/other.txt", {"other.txt: ", "; expected "});
+}
+
+TEST_F(BadInput, WhatIsAmblesOwnIsNamedWhereItIsNotTaken) {
+  write("in/job.yaml", "scenes: [room.yaml]\n");
+  expectRefused("inspect in/job.yaml", {"job.yaml:1: is a job of many walks", "; expected "});
+  ASSERT_EQ(run("roadmap build in/scenario.yaml -o in/kept").status, 0);
+  expectRefused("inspect in/kept", {"kept: is a kept roadmap", "; expected .yaml"});
+  write("in/few", "amble graph 1\n");
+  expectRefused("inspect in/few", {"few: is a cluster graph", "; expected .yaml"});
 }
 
 }  // namespace

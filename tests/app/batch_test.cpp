@@ -109,6 +109,18 @@ TEST_F(BatchOptionsTest, AWalkWhoseRowIsDamagedIsMadeAgainOnceItsFolderIsDeleted
   EXPECT_EQ(printed("batch " + kOut + "--json")["made"], 1);
 }
 
+TEST_F(BatchOptionsTest, AWalkThatIsCutShortIsFoundAndMadeAgainOnceItsFolderIsDeleted) {
+  good("batch " + kOut);
+  const fs::path walk =
+      fs::directory_iterator(*fs::directory_iterator(folder_ / "out/walks"))->path();
+  fs::resize_file(walk / "walk.bvh", fs::file_size(walk / "walk.bvh") / 2);
+  const std::string found = good("batch check " + kOut, 1).out;
+  EXPECT_NE(found.find("made again when its folder is deleted"), std::string::npos) << found;
+  fs::remove_all(walk);
+  EXPECT_EQ(printed("batch " + kOut + "--json")["made"], 1);
+  EXPECT_EQ(good("batch check " + kOut).out.find("deleted"), std::string::npos);
+}
+
 // Wherever it is killed.
 TEST_F(BatchOptionsTest, KilledAgainAndAgainItLeavesTheBytesOfAnUndisturbedRun) {
   good("batch " + kJob + "-o whole --threads 1");

@@ -110,7 +110,15 @@ TEST_F(View, ALibraryIsShownWithTheCapturesThatItIsOf) {
 
 TEST_F(View, WhatIsNoLibraryIsRefused) {
   write("in/scene.yaml", "objects: []\n");
-  expectRefused("view in/scene.yaml", {"in/scene.yaml:1: "});
+  const auto toldAs = [&](const std::string& what, const std::string& yaml) {
+    write("in/it.yaml", yaml);
+    expectRefused("view in/it.yaml", {"in/it.yaml:1: is " + what + ", which ",
+                                      "; expected a folder of results, captures, a motion"});
+  };
+  toldAs("a scene", "objects: []\n");
+  toldAs("a scenario", "scene: room.yaml\n");
+  toldAs("a speed engine", "mean_posture: {}\n");
+  toldAs("a job of many walks", "scenes: [room.yaml]\n");
   expectRefused("view --json -o - " + kViewed, {"--json: ", "-o FILE"});
 }
 
