@@ -176,7 +176,7 @@ TEST(CollisionLaws, ClearanceIsThatOfTheMotionBetweenItsFramesToo) {
   DrawnWorld here(drawnThings(8, 20));
   SampleStream random(8, 2);
   int between = 0;
-  for (int n = 0; n < 80; ++n) {
+  for (int n = 0; n < 60; ++n) {
     const Pose first = drawnPose(here.walker, random);
     const PoseArray poses = here.motion({first, driftedPose(first, random, 0.02, 0.8)});
     PoseArray fine(here.walker.skeleton.size());
