@@ -262,6 +262,7 @@ bool SampledRoadmap::leads(int from, int to) const {
 bool SampledRoadmap::grow(int from, int to, const StanceSampler& sampler, const Budget& budget,
                           const SearchLimits& limits, Scratches& scratches) {
   const long long before = samples_;
+  query_ = {from, to};
   const auto isSpent = [&] {
     return effort() >= budget.effort || samples_ - before >= budget.samples;
   };

@@ -127,6 +127,13 @@ class SampledRoadmap {
   virtual void resetEffort() = 0;        ///< when the region has become wider
   void setFailures(int failures) { failures_ = failures; }
 
+  /// What samples are drawn for: walks from node to node; -1: to cover all of the bounds.
+  struct Query {
+    int from = -1, to = -1;
+    bool operator==(const Query&) const = default;
+  };
+  const Query& query() const { return query_; }
+
   /// Asks steering unless the candidate knows the answer; notes the question. @return whether there
   /// is an edge; none where that is left open
   std::optional<bool> ask(Candidate& candidate, Question question, Verdict& verdict,
@@ -186,6 +193,7 @@ class SampledRoadmap {
   std::optional<WayGuide::Narrow> narrow_;
   long long samples_ = 0;
   int failures_ = 0;
+  Query query_;
   std::optional<std::vector<StancePair>> passages_;  // those that are not inserted yet
   // Ends of walks over those that are, and whether one was found.
   std::vector<std::pair<StancePair, bool>> over_passages_;

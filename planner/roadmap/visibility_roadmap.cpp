@@ -38,19 +38,41 @@ std::vector<int> VisibilityRoadmap::guardsByDistance(const Candidate& candidate)
   return guards;
 }
 
+// By node: whether one gets there from the start of the query, and whether to its goal from there.
+struct VisibilityRoadmap::Sides {
+  std::vector<bool> reached, leads;
+};
+
 // In each component until one covers the candidate. Returns whether any does; the first that did
-// stands for it.
-bool VisibilityRoadmap::askGuards(Candidate& candidate, Verdict& verdict,
+// stands for it. Where sides are given only what could join them is asked, and what tells whether
+// the candidate is covered.
+bool VisibilityRoadmap::askGuards(Candidate& candidate, const Sides* sides, Verdict& verdict,
                                   SteeringScratch& scratch) const {
   const std::vector<int> component = roadmap().components();
   const std::vector<int> guards = guardsByDistance(candidate);
   std::vector<bool> covered(roadmap().size(), false);  // by component
+  bool is_reached = false, leads = false;              // the candidate, as far as is known
   for (const int guard : guards) {
     if (covered[component[guard]]) continue;
+    const bool may_cover = !sides || verdict.stands_for < 0;
+    const bool out_is_of_use = !sides || !(leads || sides->reached[guard]);
+    const bool in_is_of_use = !sides || !(is_reached || sides->leads[guard]);
     std::optional<bool> out = false, in = false;
-    if (candidate.leave) out = askRoughly(candidate, {guard, true}, verdict, scratch);
-    if (candidate.enter) in = askRoughly(candidate, {guard, false}, verdict, scratch);
+    const auto askOut = [&] {
+      if (candidate.leave) out = askRoughly(candidate, {guard, true}, verdict, scratch);
+    };
+    const auto askIn = [&] {
+      if (candidate.enter) in = askRoughly(candidate, {guard, false}, verdict, scratch);
+    };
+    if (out_is_of_use || (may_cover && !in_is_of_use)) askOut();
+    if (in_is_of_use || (may_cover && out.value_or(false))) askIn();
+    if (!out_is_of_use && in_is_of_use && may_cover && in.value_or(false)) askOut();
     const bool is_open = !out || !in;
+    if (is_open && sides) break;  // what is asked next depends on it
+    if (sides) {
+      is_reached = is_reached || (*in && sides->reached[guard]);
+      leads = leads || (*out && sides->leads[guard]);
+    }
     if (!is_open && (!*out || !*in)) continue;
     covered[component[guard]] = true;  // or may be: the next are not asked before that is known
     if (!is_open && verdict.stands_for < 0) verdict.stands_for = guard;
@@ -90,9 +112,10 @@ bool VisibilityRoadmap::joins(const Candidate& candidate, const Verdict& verdict
   return false;
 }
 
-Verdict VisibilityRoadmap::judge(Candidate& candidate, SteeringScratch& scratch) const {
+Verdict VisibilityRoadmap::judge(Candidate& candidate, const Sides* sides,
+                                 SteeringScratch& scratch) const {
   Verdict verdict;
-  const bool covered = askGuards(candidate, verdict, scratch);
+  const bool covered = askGuards(candidate, sides, verdict, scratch);
   if (!verdict.open.empty()) return verdict;
   askTerminals(candidate, verdict, scratch);
   if (!verdict.open.empty()) return verdict;
@@ -104,6 +127,15 @@ Verdict VisibilityRoadmap::judge(Candidate& candidate, SteeringScratch& scratch)
     verdict.keep = covered || !candidate.all_round ? joins(candidate, verdict) : true;
   }
   return verdict;
+}
+
+Verdict VisibilityRoadmap::judge(Candidate& candidate, SteeringScratch& scratch) const {
+  if (!candidate.end && query().from >= 0) {
+    const Sides sides{roadmap().reachableFrom(query().from), roadmap().reaching(query().to)};
+    Verdict verdict = judge(candidate, &sides, scratch);
+    if (!verdict.open.empty() || !verdict.keep) return verdict;
+  }
+  return judge(candidate, nullptr, scratch);
 }
 
 }  // namespace amble

@@ -28,6 +28,14 @@
 /// - Guards farther than kFarthestGuard are not asked: a guard's domain is as large as a hall, not
 /// as a map, and no walk that is worth a check leads through all of it. Ends of a query ask all.
 /// - The search ends as soon as walks lead from start to goal; it does not wait for walks back.
+/// - Of a sample that is to join start and goal only what could is asked. Walks to where one gets
+///   from the start anyway, and from where one gets to the goal anyway, are on no way that is still
+///   missing: who walks one of them at last could leave it out. So of the guards beyond what is in
+///   the way a sample on the start's side asks whether it leads there, one on the goal's side
+///   whether they lead to it, and those of its own side only until one covers it. A sample that is
+///   kept asks all the rest as well, for other queries and for shorter ways; what is thrown away
+///   although it would have joined something, where that was of no use, is all that is lost. So as
+///   many samples are guards, as many failures, and start and goal are joined by the same sample.
 #pragma once
 
 #include "planner/roadmap/sampled_roadmap.h"
@@ -47,7 +55,10 @@ class VisibilityRoadmap : public SampledRoadmap {
   void resetEffort() override { setFailures(0); }
 
  private:
-  bool askGuards(Candidate& candidate, Verdict& verdict, SteeringScratch& scratch) const;
+  struct Sides;
+  Verdict judge(Candidate& candidate, const Sides* sides, SteeringScratch& scratch) const;
+  bool askGuards(Candidate& candidate, const Sides* sides, Verdict& verdict,
+                 SteeringScratch& scratch) const;
   void askTerminals(Candidate& candidate, Verdict& verdict, SteeringScratch& scratch) const;
   bool joins(const Candidate& candidate, const Verdict& verdict) const;
   std::vector<int> guardsByDistance(const Candidate& candidate) const;
