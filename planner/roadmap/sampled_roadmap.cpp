@@ -63,20 +63,28 @@ std::optional<bool> SampledRoadmap::ask(Candidate& candidate, Question question,
   return answer.edge.has_value();
 }
 
+// What was asked before, ahead of others, changes nothing.
+bool SampledRoadmap::looksFree(Candidate& candidate, Question question,
+                               SteeringScratch& scratch) const {
+  const SteerResult* answer = candidate.answers.find(question.from(), question.to());
+  if (!answer) answer = candidate.known.find(question.from(), question.to());
+  if (answer && (!answer->edge || answer->assumed)) return answer->edge.has_value();
+  const Waypoint& node = roadmap_.nodes()[question.node].at;
+  const Waypoint& from = question.to_node ? candidate.at : node;
+  const Waypoint& to = question.to_node ? node : candidate.at;
+  if (!steering_.looksFree(from, to, scratch)) return false;
+  if (answer) return true;
+  SteerResult assumed;
+  assumed.edge = WalkEdge{};
+  assumed.assumed = true;
+  candidate.answers.learn(question.from(), question.to(), std::move(assumed));
+  return true;
+}
+
 std::optional<bool> SampledRoadmap::askRoughly(Candidate& candidate, Question question,
                                                Verdict& verdict, SteeringScratch& scratch) const {
-  if (!candidate.answers.find(question.from(), question.to()) &&
-      !candidate.known.find(question.from(), question.to())) {
-    const Waypoint& node = roadmap_.nodes()[question.node].at;
-    const Waypoint& from = question.to_node ? candidate.at : node;
-    const Waypoint& to = question.to_node ? node : candidate.at;
-    if (steering_.looksFree(from, to, scratch)) {
-      SteerResult assumed;
-      assumed.edge = WalkEdge{};
-      assumed.assumed = true;
-      candidate.answers.learn(question.from(), question.to(), std::move(assumed));
-    }
-  }
+  if (!candidate.answers.find(question.from(), question.to()))
+    looksFree(candidate, question, scratch);
   return ask(candidate, question, verdict, scratch);
 }
 

@@ -43,15 +43,34 @@ struct VisibilityRoadmap::Sides {
   std::vector<bool> reached, leads;
 };
 
+// The first guard to which, and from which, there looks to be a walk.
+void VisibilityRoadmap::askFree(Candidate& candidate, const std::vector<int>& guards,
+                                Verdict& verdict, SteeringScratch& scratch) const {
+  for (const int guard : guards) {
+    const Question out{guard, true}, in{guard, false};
+    if (!looksFree(candidate, out, scratch) || !looksFree(candidate, in, scratch)) continue;
+    ask(candidate, out, verdict, scratch);
+    ask(candidate, in, verdict, scratch);
+    verdict.stands_for = guard;
+    return;
+  }
+}
+
 // In each component until one covers the candidate. Returns whether any does; the first that did
 // stands for it. Where sides are given only what could join them is asked, and what tells whether
-// the candidate is covered.
+// the candidate is covered: where it looks to be without a walk being made, no more of that.
 bool VisibilityRoadmap::askGuards(Candidate& candidate, const Sides* sides, Verdict& verdict,
                                   SteeringScratch& scratch) const {
   const std::vector<int> component = roadmap().components();
   const std::vector<int> guards = guardsByDistance(candidate);
   std::vector<bool> covered(roadmap().size(), false);  // by component
   bool is_reached = false, leads = false;              // the candidate, as far as is known
+  if (sides) askFree(candidate, guards, verdict, scratch);
+  if (const int guard = verdict.stands_for; guard >= 0) {
+    covered[component[guard]] = true;
+    is_reached = sides->reached[guard];
+    leads = sides->leads[guard];
+  }
   for (const int guard : guards) {
     if (covered[component[guard]]) continue;
     const bool may_cover = !sides || verdict.stands_for < 0;

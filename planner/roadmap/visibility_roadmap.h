@@ -57,6 +57,8 @@ class VisibilityRoadmap : public SampledRoadmap {
  private:
   struct Sides;
   Verdict judge(Candidate& candidate, const Sides* sides, SteeringScratch& scratch) const;
+  void askFree(Candidate& candidate, const std::vector<int>& guards, Verdict& verdict,
+               SteeringScratch& scratch) const;
   bool askGuards(Candidate& candidate, const Sides* sides, Verdict& verdict,
                  SteeringScratch& scratch) const;
   void askTerminals(Candidate& candidate, Verdict& verdict, SteeringScratch& scratch) const;
