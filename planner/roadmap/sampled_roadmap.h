@@ -143,8 +143,8 @@ class SampledRoadmap {
   /// one of them is refused the candidate is judged again.
   std::optional<bool> askRoughly(Candidate& candidate, Question question, Verdict& verdict,
                                  SteeringScratch& scratch) const;
-  /// Whether the answer is known to be an edge, or there looks to be one, which askRoughly() then is
-  /// content with.
+  /// Whether the answer is known to be an edge, or there looks to be one, which askRoughly() then
+  /// is content with.
   bool looksFree(Candidate& candidate, Question question, SteeringScratch& scratch) const;
 
  private:

@@ -10,6 +10,7 @@
 #include "animation/steps/stride_law.h"
 #include "base/rotation.h"
 #include "environments/ground/ground_cells.h"
+#include "planner/steering/free_look.h"
 #include "planner/steering/passages.h"
 #include "planner/steering/walk_effort.h"
 #include "planner/steering/way_finder.h"
@@ -446,53 +447,16 @@ SteerResult WalkSteering::steer(const Waypoint& from, const Waypoint& to, Steeri
   return all;
 }
 
-// Whether the ground goes on level all around, as far as feet are beside a path, with nothing to
-// stand on over or under it.
-bool WalkSteering::isLevelAround(const Eigen::Vector3d& p) const {
-  if (ground_.isLevel()) return true;
-  const GroundCells& cells = ground_.cells();
-  const Eigen::Vector2i at = cells.squareAt(p.head<2>());
-  const int far = 1 + static_cast<int>(half_breadth_ / cells.cell());
-  for (int row = at.y() - far; row <= at.y() + far; ++row) {
-    for (int column = at.x() - far; column <= at.x() + far; ++column) {
-      const auto spans = cells.spans(column, row);
-      if (spans.size() != 1 || !spans.front().ground ||
-          std::abs(spans.front().height - p.z()) > GroundCells::kLevel)
-        return false;
-    }
-  }
-  return true;
-}
-
-// On level ground: the way is long enough, bends gently, and posts along it that are somewhat
-// thicker than the walking body touch nothing.
-bool WalkSteering::looksFree(const WalkEdge& edge, SteeringScratch& scratch) const {
-  constexpr double kSpacing = 0.1;  // of posts [m]
-  constexpr double kSpare = 1.15;   // of their radius
-  CollisionScratch& own = *walkScratch(scratch).collision;
-  const int count = static_cast<int>(edge.length / kSpacing) + 1;
-  for (int i = 0; i <= count; ++i) {
-    const RootPath::Sample at = edge.path.at(edge.length * i / count);
-    if (std::abs(at.curvature) * synthesizer_.settings().speed > synthesizer_.maxTurnRate())
-      return false;
-    const Eigen::Vector3d under(at.position.x(), at.position.y(), edge.from.position.z());
-    const Eigen::Vector3d foot = under + Eigen::Vector3d(0.0, 0.0, kSpacing);
-    const Eigen::Vector3d head = foot + Eigen::Vector3d(0.0, 0.0, synthesizer_.stature());
-    if (world_.touched(foot, head, kSpare * half_breadth_, own) >= 0) return false;
-    if (!isLevelAround(under)) return false;
-  }
-  return true;
-}
-
 // One of the ways that steer() would try does.
 bool WalkSteering::looksFree(const Waypoint& from, const Waypoint& to,
                              SteeringScratch& scratch) const {
   if (!onOneFloor(from, to) || half_breadth_ <= 0.0) return false;
   const Eigen::Vector2d line = (to.stance.position - from.stance.position).head<2>();
   if (line.norm() < synthesizer_.shortestWalk()) return false;
-  const std::vector<Way> ways = waysBetween(from, to);
-  return std::ranges::any_of(
-      ways, [&](const Way& way) { return looksFree(makeEdge(from, to, way), scratch); });
+  const FreeLook look(synthesizer_, world_, ground_, half_breadth_);
+  return std::ranges::any_of(waysBetween(from, to), [&](const Way& way) {
+    return look.isFree(makeEdge(from, to, way), *walkScratch(scratch).collision);
+  });
 }
 
 SteerResult WalkSteering::smallSteps(const Waypoint& from, const Waypoint& to,

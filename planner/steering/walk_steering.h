@@ -123,8 +123,6 @@ class WalkSteering : public Steering {
   SteerResult steer(const Waypoint& from, const Waypoint& to, SteeringScratch& scratch,
                     const Use& use, std::optional<WalkEdge>* refused) const;
   bool coreTouches(const WalkEdge& edge, SteeringScratch& scratch, SteeringFailure& failure) const;
-  bool isLevelAround(const Eigen::Vector3d& p) const;
-  bool looksFree(const WalkEdge& edge, SteeringScratch& scratch) const;
   double leastCost(int intervals, std::span<const GaitParameters> gait) const;
   WalkFilter costsAtMost(double most) const;
   WalkFilter isOfUse(const WalkEdge& edge, const Use& use, bool& leads_on) const;

@@ -14,6 +14,15 @@ std::vector<bool> kindIs(const Roadmap& roadmap, NodeKind kind) {
   return is;
 }
 
+std::vector<std::pair<double, double>> guardsOf(const VisibilityRoadmap& roadmap) {
+  std::vector<std::pair<double, double>> places;
+  for (const RoadmapNode& node : roadmap.roadmap().nodes()) {
+    const Eigen::Vector3d& p = node.at.stance.position;
+    if (node.kind == NodeKind::kGuard) places.emplace_back(p.x(), p.y());
+  }
+  return places;
+}
+
 void expectSame(const Roadmap& a, const Roadmap& b) {
   ASSERT_EQ(a.size(), b.size());
   for (int i = 0; i < a.size(); ++i) {
@@ -190,6 +199,28 @@ TEST_F(TwoRooms, WhatRightlyLooksFreeIsNotAskedAboutAndChangesNoRoadmap) {
     expectSame(plain.roadmap(), rough.roadmap());
     EXPECT_EQ(plain.samples(), rough.samples());
     EXPECT_LT(hopeful.asked, steering.asked - asked);
+  }
+}
+
+// Of a query only what could join its ends is asked; without one each guard of each component is.
+TEST_F(TwoRooms, WhatAQueryDoesNotAskWouldHaveChangedNoGuardAndNoFailure) {
+  steering.doors = {{{4, 0}, {4, 6}}};  // from right (x > 4) to left
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    for (const DiscSteering* rooms : {&steering, &sealed}) {
+      VisibilityRoadmap joined({*rooms, kRoom}), filled({*rooms, kRoom});
+      for (VisibilityRoadmap* roadmap : {&joined, &filled}) {
+        const int from = roadmap->insert(standing(1, 1), true, true),
+                  to = roadmap->insert(standing(7, 1), true, true);
+        if (roadmap == &joined)
+          EXPECT_FALSE(roadmap->connect(from, to, limitsOf(seed, 100)));
+        else
+          roadmap->fill(limitsOf(seed, 100));
+      }
+      EXPECT_EQ(joined.samples(), filled.samples());
+      EXPECT_EQ(joined.failures(), filled.failures());
+      EXPECT_EQ(guardsOf(joined), guardsOf(filled));
+      EXPECT_LT(joined.steering().asked, filled.steering().asked);
+    }
   }
 }
 
