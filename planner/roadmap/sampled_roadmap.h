@@ -130,7 +130,6 @@ class SampledRoadmap {
   /// What samples are drawn for: walks from node to node; -1: to cover all of the bounds.
   struct Query {
     int from = -1, to = -1;
-    bool operator==(const Query&) const = default;
   };
   const Query& query() const { return query_; }
 
