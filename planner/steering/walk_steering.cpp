@@ -455,7 +455,8 @@ bool WalkSteering::looksFree(const Waypoint& from, const Waypoint& to,
   if (line.norm() < synthesizer_.shortestWalk()) return false;
   const FreeLook look(synthesizer_, world_, ground_, half_breadth_);
   return std::ranges::any_of(waysBetween(from, to), [&](const Way& way) {
-    return look.isFree(makeEdge(from, to, way), *walkScratch(scratch).collision);
+    const WalkEdge edge = makeEdge(from, to, way);
+    return staysWithin(edge, wishes_.within) && look.isFree(edge, *walkScratch(scratch).collision);
   });
 }
 
