@@ -5,9 +5,12 @@
 namespace amble {
 
 FootCycle spotStep(double scale) {
-  constexpr double kWindow = 1.0 / 16.0;  // what swingPolynomial() multiplies by, halfway
+  // tau^4 (1 - tau)^4, halfway: the square of what swingPolynomial() multiplies by. Of a leg that
+  // stands nearly straight the knee bends by the root of what its foot is lifted.
+  constexpr double kHalfway = 1.0 / 256.0;
   FootCycle step;
-  step.height[0] = SpotStep::kLift * scale / kWindow;
+  const double lift = SpotStep::kLift * scale / kHalfway;
+  step.height = {0.0, 0.0, lift, -2.0 * lift, lift};
   step.pitch.assign(FootCycle::kStanceSamples + FootCycle::kSwingSamples, 0.0);
   for (int i = 0; i < FootCycle::kSwingSamples; ++i) {
     const double tau = static_cast<double>(i) / FootCycle::kSwingSamples;
