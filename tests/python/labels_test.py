@@ -173,7 +173,9 @@ class Labels(unittest.TestCase):
             self.assertEqual(npz["clearance"].shape, npz["contact"].shape)
             np.testing.assert_array_equal(npz["nearest"] < 0, npz["clearance"] >= 0.25)
             self.assertLess(npz["nearest"].max(), len(npz["object_names"]))
-            self.assertAlmostEqual(float(npz["clearance"].min()), min(0.25, float(row["clearance [m]"])), 5)
+            least = min(0.25, float(row["clearance [m]"]))  # between frames as well
+            self.assertGreaterEqual(float(npz["clearance"].min()), least - 1e-5)
+            self.assertLess(float(npz["clearance"].min()), least + 0.008)
             touching = {str(npz["part_names"][part]) for part in np.nonzero(npz["contact"].any(axis=0))[0]}
             self.assertTrue(touching and all("sole" in name or "toes" in name or "instep" in name for name in touching), touching)
 

@@ -103,8 +103,10 @@ class Walks(unittest.TestCase):
     def test_the_least_clearance_is_the_reports(self):
         self.assertEqual(self.walk.clearance.shape, (self.walk.frames,))
         least = self.walk.report["clearance"]
-        self.assertEqual(round(self.walk.clearance.min(), 9), least["min"])
-        self.assertAlmostEqual(self.walk.clearance.argmin() * self.walk.frame_time, least["time"], places=9)
+        # Which is measured between frames as well.
+        self.assertGreaterEqual(self.walk.clearance.min(), least["min"] - 1e-9)
+        self.assertLess(self.walk.clearance.min(), least["min"] + 0.008)
+        self.assertAlmostEqual(self.walk.clearance.argmin() * self.walk.frame_time, least["time"], delta=self.walk.frame_time)
 
     def test_planted_feet_are_those_of_the_footprints(self):
         planted = np.zeros_like(self.walk.planted)

@@ -41,12 +41,14 @@ TEST_F(WalkLabelled, SharesOfMotionsSumToOneInEveryFrame) {
   }
 }
 
+// But for what the report finds nearer between two frames: some millimetres of what passes quickly.
 TEST_F(WalkLabelled, TheLeastOfAllClearancesIsTheReports) {
   const RunResult run = across();
   ASSERT_LT(run.report.clearance.min, kLabelClearance);
   const FrameLabels labels = labelFrames(run, true);
   const auto least = std::min_element(labels.clearance.begin(), labels.clearance.end());
-  EXPECT_NEAR(*least, run.report.clearance.min, 1e-6);
+  EXPECT_GE(*least, run.report.clearance.min - 1e-6);
+  EXPECT_LT(*least, run.report.clearance.min + 0.008);
   const auto at = static_cast<size_t>(least - labels.clearance.begin());
   EXPECT_EQ(labels.parts[at % labels.parts.size()], run.report.clearance.part);
   EXPECT_EQ(labels.objects[static_cast<size_t>(labels.nearest[at])], run.report.clearance.object);
