@@ -136,6 +136,17 @@ struct CollisionModel {
     place(pose, scratch, {&scratch.capsule(0, 0), static_cast<size_t>(parts())});
   }
 
+  /// The capsule of a part, so far of the way from a pose to the next (interpolatePose).
+  /// @param t  [0, 1]
+  Capsule placeBetween(PoseView a, PoseView b, double t, int part,
+                       CollisionScratch& scratch) const {
+    interpolatePose(a, b, t, scratch.middle);
+    forwardKinematics(skeleton, scratch.middle, scratch.joints);
+    const BodyPart& at = body.parts[part];
+    const JointFrame& X_WJ = scratch.joints[at.joint];
+    return {X_WJ * at.from, X_WJ * at.to, at.radius};
+  }
+
   /// What an upright body has over its head where that is lower than it stands.
   std::optional<Capsule> crown(std::span<const Capsule> placed) const {
     if (body.upright <= 0.0) return std::nullopt;

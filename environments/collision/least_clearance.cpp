@@ -47,12 +47,9 @@ void LeastClearance::measureBetween(const Piece& piece, const Moment& a, const M
   const double gain = motion.near(chordOf(a.capsule, b.capsule)) - kClearanceGap;
   if (gain <= 0.0 || best_.distance <= 0.0) return;
   if (!mayBeNearer(a.capsule, piece, gain) && !mayBeNearer(b.capsule, piece, gain)) return;
-  Moment middle{0.5 * (a.t + b.t), {}};
-  interpolatePose(poses_[piece.frame], poses_[piece.frame + 1], middle.t, scratch_.middle);
-  forwardKinematics(world_.skeleton, scratch_.middle, scratch_.joints);
-  const BodyPart& part = world_.body.parts[piece.part];
-  const JointFrame& X_WJ = scratch_.joints[part.joint];
-  middle.capsule = {X_WJ * part.from, X_WJ * part.to, part.radius};
+  const double t = 0.5 * (a.t + b.t);
+  const Moment middle{t, world_.placeBetween(poses_[piece.frame], poses_[piece.frame + 1], t,
+                                             piece.part, scratch_)};
   measure(middle.capsule, piece, middle.t);
   measureBetween(piece, a, middle, motion.halved());
   measureBetween(piece, middle, b, motion.halved());

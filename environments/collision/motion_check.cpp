@@ -189,12 +189,9 @@ std::optional<Contact> MotionCheck::prove(const Task& task, const Moment& a, con
     }
     return std::nullopt;
   }
-  Moment middle{0.5 * (a.t + b.t), {}};
-  interpolatePose(poses_[task.frame], poses_[task.frame + 1], middle.t, scratch_.middle);
-  forwardKinematics(world_.skeleton, scratch_.middle, scratch_.joints);
-  const BodyPart& part = world_.body.parts[task.part];
-  const JointFrame& X_WJ = scratch_.joints[part.joint];
-  middle.capsule = {X_WJ * part.from, X_WJ * part.to, part.radius};
+  const double t = 0.5 * (a.t + b.t);
+  const Moment middle{
+      t, world_.placeBetween(poses_[task.frame], poses_[task.frame + 1], t, task.part, scratch_)};
   if (auto contact = touchedAt(left, middle, 0.0)) return contact;
   if (auto contact = prove(left, a, middle, motion.halved())) return contact;
   return prove(left, middle, b, motion.halved());
