@@ -50,8 +50,6 @@ double StrideLaw::turnedShare(double rate) const {
   return turned(1.0, rate, [](const Turn& turn) { return turn.share; });
 }
 
-double StrideLaw::doubleSupport(double speed) const { return 0.5 * supports(speed, 0.0).sum(); }
-
 DoubleSupports StrideLaw::supports(double speed, double turn_rate) const {
   DoubleSupports steps = DoubleSupports::Constant(0.5);  // against the norm's share of the cycle
   if (!supports_.empty()) {

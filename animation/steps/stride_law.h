@@ -60,8 +60,6 @@ class StrideLaw {
   /// theirs. Their sum is no farther from the norm's than kSupportOff of a cycle; all are longer or
   /// shorter by the same for that.
   DoubleSupports supports(double speed, double turn_rate) const;
-  /// Share of time with both feet planted at a speed [m/s], straight on.
-  double doubleSupport(double speed) const;
   /// Detectors of plants in captures err by as much: beyond, the norm is the better witness [1].
   static constexpr double kSupportOff = 0.022;
   /// Of their mean, that single ones are longer or shorter: beyond, captures were read wrongly [1].

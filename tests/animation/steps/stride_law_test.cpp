@@ -105,24 +105,29 @@ StrideLaw supported() {
   return law;
 }
 
+/// Share of time with both feet planted, straight on.
+double doubleSupport(const StrideLaw& law, double speed) {
+  return 0.5 * law.supports(speed, 0.0).sum();
+}
+
 TEST(DoubleSupport, IsTheCapturedOneAtTheCapturedSpeeds) {
   const StrideLaw law = supported();
-  EXPECT_NEAR(law.doubleSupport(1.0), doubleSupportNorm(1.0, 0.8) + 0.02, 1e-12);
-  EXPECT_NEAR(law.doubleSupport(1.6), doubleSupportNorm(1.6, 0.8) - 0.01, 1e-12);
-  EXPECT_EQ(StrideLaw(1.1, 0.62).doubleSupport(1.3), doubleSupportNorm(1.3, 0.8));
+  EXPECT_NEAR(doubleSupport(law, 1.0), doubleSupportNorm(1.0, 0.8) + 0.02, 1e-12);
+  EXPECT_NEAR(doubleSupport(law, 1.6), doubleSupportNorm(1.6, 0.8) - 0.01, 1e-12);
+  EXPECT_EQ(doubleSupport(StrideLaw(1.1, 0.62), 1.3), doubleSupportNorm(1.3, 0.8));
 }
 
 TEST(DoubleSupport, IsContinuousAndNeverFarFromTheNorm) {
   StrideLaw law = supported();
-  double before = law.doubleSupport(0.01);
+  double before = doubleSupport(law, 0.01);
   for (double v = 0.01; v < 3.0; v += 0.001) {
-    const double share = law.doubleSupport(v);
+    const double share = doubleSupport(law, v);
     EXPECT_LT(std::abs(before - share), 0.001);
     EXPECT_LE(std::abs(share - doubleSupportNorm(v, 0.8)), StrideLaw::kSupportOff + 1e-12);
     before = share;
   }
   law.setSupports({limping(1.2, 0.9)}, 0.8);  // a detector that is wrong
-  EXPECT_NEAR(law.doubleSupport(1.2), doubleSupportNorm(1.2, 0.8) + StrideLaw::kSupportOff, 1e-12);
+  EXPECT_NEAR(doubleSupport(law, 1.2), doubleSupportNorm(1.2, 0.8) + StrideLaw::kSupportOff, 1e-12);
 }
 
 TEST(DoubleSupport, OfATurnIsTheCapturedOneAtItsRateAndOnTheOtherSideThatOfAStraightWalk) {
@@ -145,7 +150,6 @@ TEST(DoubleSupport, IsSharedOutBetweenTheFeetAsCapturedAtAnySpeed) {
   const StrideLaw law = supported();
   for (double v = 0.05; v < 3.0; v += 0.05) {
     const DoubleSupports steps = law.supports(v, 0.0);
-    EXPECT_NEAR(0.5 * steps.sum(), law.doubleSupport(v), 1e-12);
     EXPECT_GT(steps.minCoeff(), 0.0) << v;
     EXPECT_NEAR(steps.row(1).sum(), 2.0 * steps.row(0).sum(), 0.2 * steps.sum()) << v;
   }
