@@ -207,6 +207,35 @@ TEST(PlanLaws, CountsOfAnOutcomeFitItsRoadmap) {
   EXPECT_LE(static_cast<int>(outcome.roadmap.refused.size()), RoadmapPicture::kMostRefused);
 }
 
+// Across an open hall, in lanes: who turns before he walks, and after, needs no room beside them.
+TEST(PlanLaws, RootPathsStayWithinWhatTheyMayNotLeave) {
+  const PlacedRoom hall(Eigen::Isometry3d::Identity(),
+                        {boxObject("floor", {8, 6, 0.1}, {4, 3, -0.05})});
+  for (const double half : {0.1, 0.4, 1.0}) {
+    for (const double heading_deg : {0.0, 90.0, 180.0, -60.0}) {
+      PlanRequest request = hall.request(hall.end(1, 3, heading_deg * kDegree),
+                                         hall.end(7, 3 + 0.9 * half, 90 * kDegree));
+      request.limits.max_failures = 60;
+      request.refine.tries = 40;
+      request.bounds = {Eigen::Vector2d(0.9, 3 - half), Eigen::Vector2d(7.1, 3 + half)};
+      const auto beyond = [&] {
+        const PlanOutcome outcome = planWalk(request);
+        EXPECT_EQ(outcome.status, PlanStatus::kSolved) << half << " " << heading_deg;
+        double most = 0.0;
+        for (const FrameState& state : outcome.walk.buffer.states)
+          most = std::max(most, request.bounds.exteriorDistance(state.position.head<2>().eval()));
+        return most;
+      };
+      const double anywhere = beyond();
+      if (heading_deg == 90.0 && half < 1.0) {
+        EXPECT_GT(anywhere, 0.02) << half;
+      }
+      request.within = request.bounds;
+      EXPECT_LT(beyond(), 1e-8) << half << " " << heading_deg;
+    }
+  }
+}
+
 TEST(PlanLaws, WhatIsInTheWayNowhereNearChangesNoWalk) {
   auto objects = furnishedScene().objects;
   const PlacedRoom here;

@@ -456,35 +456,6 @@ TEST(PlanWalk, WithTheBoundsTooSmallTheyAreWidenedToTheEnds) {
   EXPECT_EQ(planWalk(request).status, PlanStatus::kSolved);
 }
 
-// Across an open hall, in lanes: who turns before he walks, and after, needs no room beside them.
-TEST(PlanWalk, RootPathsStayWithinWhatTheyMayNotLeave) {
-  Scene scene;
-  scene.objects = {boxObject("floor", {8, 6, 0.1}, {4, 3, -0.05})};
-  const FurnishedRoom room(scene, {});
-  for (const double half : {0.1, 0.4, 1.0}) {
-    for (const double heading_deg : {0.0, 90.0, 180.0, -60.0}) {
-      PlanRequest request = requestIn(room);
-      request.bounds = {Eigen::Vector2d(0.9, 3 - half), Eigen::Vector2d(7.1, 3 + half)};
-      request.start = {{1, 3, 0}, heading_deg * kDegree, true};
-      request.goal = {{7, 3 + 0.9 * half, 0}, 90 * kDegree, true};
-      const auto beyond = [&] {
-        const PlanOutcome outcome = planWalk(request);
-        EXPECT_EQ(outcome.status, PlanStatus::kSolved) << half << " " << heading_deg;
-        double most = 0.0;
-        for (const FrameState& state : outcome.walk.buffer.states)
-          most = std::max(most, request.bounds.exteriorDistance(state.position.head<2>().eval()));
-        return most;
-      };
-      const double anywhere = beyond();
-      if (heading_deg == 90.0 && half < 1.0) {
-        EXPECT_GT(anywhere, 0.02) << half;
-      }
-      request.within = request.bounds;
-      EXPECT_LT(beyond(), 1e-8) << half << " " << heading_deg;
-    }
-  }
-}
-
 TEST(PlanWalk, TheWalkIsAsLongAsItsPathAndAsItsFrames) {
   const PlanOutcome outcome = planWalk(requestIn(furnishedRoom()));
   ASSERT_EQ(outcome.status, PlanStatus::kSolved);
